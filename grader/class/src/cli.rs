@@ -5,7 +5,7 @@ mod run;
 
 pub use run::run;
 
-use crate::intake::Revision;
+use crate::reading::intake::Revision;
 use base::program::whole_number;
 use clap::{Arg, ArgAction, Command, value_parser};
 use std::path::PathBuf;

@@ -1,15 +1,18 @@
 //! The rows of a class: a pure function of the folder `OUT`.
 
+mod points;
 mod report;
 
+pub use formats::gradebook::points_text as points;
 pub use report::{Case, Diagnosis, Finding, StudentReport, Task};
 
 use crate::out::Out;
 use crate::plan::{Plan, Planned, State};
-use crate::unit::{self, Outcome, Unit};
+use crate::unit::{self, Outcome, Unit, WrongAnswers};
 use base::GraderError;
 use std::collections::BTreeMap;
 use std::fmt;
+use submission::Untrusted;
 
 /// A class with its results.
 #[derive(Clone, Debug)]
@@ -24,16 +27,54 @@ pub struct Class {
 #[derive(Clone, Debug)]
 pub struct Row {
     /// The student's name.
-    pub name: String,
+    pub name: Untrusted,
     /// How it ended.
     pub status: Status,
     /// The points; `None` if there is no score.
     pub score: Option<Score>,
     /// What the instructor should know, as sentences.
-    pub notes: Vec<String>,
-    /// The result of its unit and the report in it, if there is one.
-    pub graded: Option<(Unit, StudentReport)>,
+    pub notes: Vec<Untrusted>,
+    /// What the tables of the class need of its unit, if there is one.
+    pub graded: Option<Graded>,
 }
+
+/// The part of a unit that is kept for the tables of a class. The whole report of one student after
+/// the other is read for the students' pages: those of a thousand do not fit a small machine.
+#[derive(Clone, Debug)]
+pub struct Graded {
+    /// How each task ended.
+    pub tasks: Vec<TaskOutcome>,
+    /// The wrong answers of each task that has some.
+    pub wrong_answers: BTreeMap<String, WrongAnswers>,
+    /// The hashes of the source files of each stage that was handed in.
+    pub sources: BTreeMap<String, String>,
+}
+
+/// How one task of a submission ended.
+#[derive(Clone, Debug)]
+pub struct TaskOutcome {
+    /// Its key.
+    pub key: String,
+    /// The crate with its functions.
+    pub stage: String,
+    /// Its status, such as `failed`.
+    pub status: String,
+    /// Whether core points were lost.
+    pub lost_points: bool,
+    /// The likely mistake.
+    pub diagnosis: Option<Diagnosis>,
+}
+
+impl Row {
+    /// What a person should know about it, in one line.
+    pub fn about(&self) -> String {
+        let notes = self.status.detail().into_iter().chain(&self.notes);
+        notes.map(Untrusted::line).collect::<Vec<_>>().join("; ")
+    }
+}
+
+/// A unit and the report in it.
+pub type Details = (Unit, StudentReport);
 
 /// How grading a submission ended.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -45,12 +86,12 @@ pub enum Status {
     /// None of its stages compiles, and at least one was refused before it was compiled.
     Refused,
     /// It exceeded this limit.
-    OverLimit(String),
+    OverLimit(Untrusted),
     /// What was handed in is no submission that can be read: what is wrong with it. Nothing of it
     /// could be graded, so it has no points.
-    Unreadable(String),
+    Unreadable(Untrusted),
     /// It has no score yet: the machine failed. A person has to look at it.
-    Infrastructure(String),
+    Infrastructure(Untrusted),
 }
 
 impl Status {
@@ -67,7 +108,7 @@ impl Status {
     }
 
     /// Which limit, which damage or what failure it is.
-    pub fn detail(&self) -> Option<&str> {
+    pub fn detail(&self) -> Option<&Untrusted> {
         match self {
             Status::OverLimit(what) | Status::Unreadable(what) | Status::Infrastructure(what) => {
                 Some(what)
@@ -80,7 +121,7 @@ impl Status {
 impl fmt::Display for Status {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.detail() {
-            Some(detail) => write!(f, "{}: {detail}", self.label()),
+            Some(detail) => write!(f, "{}: {}", self.label(), detail.line()),
             None => f.write_str(self.label()),
         }
     }
@@ -101,14 +142,20 @@ pub struct Score {
 const NOT_YET: &str = "not graded yet";
 
 impl Class {
-    /// Reads the results of the units of `plan`.
-    pub fn read(out: &Out, plan: Plan) -> Result<Class, GraderError> {
-        let rows: Result<Vec<Row>, GraderError> = plan
-            .submissions
-            .iter()
-            .map(|planned| row(out, planned))
-            .collect();
-        Ok(Class { rows: rows?, plan })
+    /// Reads the results of the units of `plan`, and shows each to `visit`: the number of its row, the
+    /// row, and its unit if there is one.
+    pub fn read(
+        out: &Out,
+        plan: Plan,
+        mut visit: impl FnMut(&Plan, usize, &Row, Option<&Details>) -> Result<(), GraderError>,
+    ) -> Result<Class, GraderError> {
+        let mut rows = Vec::new();
+        for (i, planned) in plan.submissions.iter().enumerate() {
+            let (row, details) = row(out, &plan, planned)?;
+            visit(&plan, i, &row, details.as_ref())?;
+            rows.push(row);
+        }
+        Ok(Class { rows, plan })
     }
 
     /// How many submissions ended in each way, by its name in tables.
@@ -129,69 +176,96 @@ impl Class {
         format!("{} submissions: {}", self.rows.len(), counts.join(", "))
     }
 
-    /// Core and extra points possible.
-    pub fn max_score(&self) -> [f64; 2] {
-        self.plan
-            .tasks
-            .iter()
-            .fold([0.0; 2], |[core, extra], task| {
-                [core + task.max_score, extra + task.max_extra]
-            })
-    }
-
     /// Whether every submission has a score.
     pub fn is_complete(&self) -> bool {
         self.rows.iter().all(|row| row.score.is_some())
     }
 }
 
-fn row(out: &Out, planned: &Planned) -> Result<Row, GraderError> {
-    let without_unit = |status, score| Row {
-        name: planned.name.clone(),
-        status,
-        score,
-        notes: Vec::new(),
-        graded: None,
+/// The row of a submission. Whatever is wrong with it or its result is said in the row.
+fn row(out: &Out, plan: &Plan, planned: &Planned) -> Result<(Row, Option<Details>), GraderError> {
+    let without_unit = |status, score| {
+        let row = Row {
+            name: planned.name.clone(),
+            status,
+            score,
+            notes: Vec::new(),
+            graded: None,
+        };
+        (row, None)
     };
+    let about_file =
+        |why: &Untrusted| Untrusted::new(format!("{} {}", planned.file.raw(), why.raw()));
     let (key, notes) = match &planned.state {
         State::Unit { key, notes, .. } => (key, notes),
         State::TooLarge(limit) => {
-            let status = Status::OverLimit(format!("{} {limit}", planned.file));
+            let status = Status::OverLimit(about_file(limit));
             return Ok(without_unit(status, Some(Score::default())));
         }
         State::Unreadable(why) => {
-            let status = Status::Unreadable(format!("{} {why}", planned.file));
+            let status = Status::Unreadable(about_file(why));
             return Ok(without_unit(status, Some(Score::default())));
         }
+        State::NotRead(why) => {
+            return Ok(without_unit(Status::Infrastructure(why.clone()), None));
+        }
     };
-    let Some(unit) = unit::load(out, key)? else {
-        let why = std::fs::read_to_string(out.failure(key));
-        let why = why.map_or_else(|_| NOT_YET.to_string(), |why| why.trim().to_string());
-        return Ok(without_unit(Status::Infrastructure(why), None));
+    let stored = unit::load(out, key).and_then(|unit| {
+        let unit = unit.map(|unit| {
+            let report = StudentReport::of(&unit, plan)?;
+            Ok((unit, report))
+        });
+        unit.transpose()
+    });
+    let (unit, report) = match stored {
+        Ok(Some(stored)) => stored,
+        Ok(None) => {
+            let why = std::fs::read_to_string(out.failure(key));
+            let why = why.map_or_else(|_| NOT_YET.to_string(), |why| why.trim().to_string());
+            return Ok(without_unit(Status::Infrastructure(why.into()), None));
+        }
+        Err(why) => {
+            let status = Status::Infrastructure(why.to_string().into());
+            return Ok(without_unit(status, None));
+        }
     };
-    let report = StudentReport::of(&unit)?;
     let mut notes = notes.clone();
     notes.extend(report.notes());
     let status = match &unit.outcome {
-        Outcome::OverLimit(limit) => Status::OverLimit(limit.clone()),
+        Outcome::OverLimit(limit) => Status::OverLimit(limit.as_str().into()),
         Outcome::DoesNotCompile if report.refused_stages.is_empty() => Status::DoesNotCompile,
         Outcome::DoesNotCompile => Status::Refused,
         Outcome::Graded if unit.endless_cases.is_empty() => Status::Graded,
-        Outcome::Graded => Status::OverLimit(cases_over_a_limit(&unit.endless_cases)),
+        Outcome::Graded => Status::OverLimit(cases_over_a_limit(&unit.endless_cases).into()),
     };
     let tasks = report.tasks.iter();
-    let tasks = tasks.map(|task| (task.key.clone(), [task.score, task.robust_score]));
-    Ok(Row {
+    let score = Score {
+        core: report.score,
+        extra: report.robust_score,
+        tasks: tasks
+            .clone()
+            .map(|task| (task.key.clone(), [task.score, task.robust_score]))
+            .collect(),
+    };
+    let outcomes = tasks.map(|task| TaskOutcome {
+        key: task.key.clone(),
+        stage: task.stage.clone(),
+        status: task.status.clone(),
+        lost_points: task.score < task.max_score,
+        diagnosis: task.diagnosis.clone(),
+    });
+    let row = Row {
         name: planned.name.clone(),
         status,
-        score: Some(Score {
-            core: report.score,
-            extra: report.robust_score,
-            tasks: tasks.collect(),
-        }),
+        score: Some(score),
         notes,
-        graded: Some((unit, report)),
-    })
+        graded: Some(Graded {
+            tasks: outcomes.collect(),
+            wrong_answers: unit.wrong_answers.clone(),
+            sources: unit.sources.clone(),
+        }),
+    };
+    Ok((row, Some((unit, report))))
 }
 
 /// Names the cases that did not end within their limits, by task.
@@ -202,32 +276,4 @@ fn cases_over_a_limit(tasks: &BTreeMap<String, Vec<String>>) -> String {
     });
     let tasks: Vec<String> = tasks.collect();
     format!("time, memory or output of a case: {}", tasks.join(", "))
-}
-
-/// Formats points with at most three decimal places.
-pub fn points(points: f64) -> String {
-    let text = format!("{points:.3}");
-    let text = text.trim_end_matches('0').trim_end_matches('.');
-    match text {
-        "-0" => "0".to_string(),
-        text => text.to_string(),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn points_have_no_needless_digits() {
-        for (number, text) in [
-            (80.0, "80"),
-            (21.05, "21.05"),
-            (1.0 / 3.0, "0.333"),
-            (0.0, "0"),
-            (-1e-9, "0"),
-        ] {
-            assert_eq!(points(number), text);
-        }
-    }
 }

@@ -1,7 +1,10 @@
 //! What the scores of a class depend on besides the submissions: the course.
 
 use crate::hash::{self, Hasher};
-use base::{GraderError, Workspace};
+use base::GraderError;
+use base::Workspace;
+use grader::course::Course;
+use judge::Tier;
 use std::collections::BTreeMap;
 use std::path::Path;
 use submission::file_tree;
@@ -13,7 +16,7 @@ pub type CourseHash = BTreeMap<String, String>;
 /// The parts: their names, and where their files begin. The first that fits counts.
 const PARTS: [(&str, &[&str]); 4] = [
     (
-        "the points and conventions in stages/course.toml",
+        "the cases and rules in stages/course.toml",
         &["stages/course.toml"],
     ),
     ("the goldens and known mistakes", &["golden"]),
@@ -26,6 +29,25 @@ const LIBRARIES: &str = "the versions of the libraries";
 
 /// Crates whose code decides scores, beside those that they depend on.
 const DECIDING: [&str; 2] = ["worker", "submission"];
+
+/// The list of tasks and cases.
+const COURSE: &str = "stages/course.toml";
+
+/// What the list says about the questions and how they are judged. Titles, conventions and points do
+/// not count: points are computed when tables are made.
+fn without_points(mut course: Course) -> String {
+    course.conventions.clear();
+    for part in &mut course.parts {
+        part.title.clear();
+        for task in &mut part.tasks {
+            task.title.clear();
+            for case in &mut task.cases {
+                (case.tier, case.points) = (Tier::Core, 0.0);
+            }
+        }
+    }
+    format!("{course:?}")
+}
 
 /// Computes the hashes. Text for people, such as the book, and tests do not count: a class is not
 /// graded again because of them.
@@ -43,14 +65,17 @@ pub fn of(workspace: &Workspace) -> Result<CourseHash, GraderError> {
                     .any(|test| inside.starts_with(test));
                 !is_test && (owner.name == GOLDENS || deciding.contains(owner.name.as_str()))
             }
-            None => ["stages/course.toml", "Cargo.toml", "Cargo.lock"]
+            None => [COURSE, "Cargo.toml", "Cargo.lock"]
                 .iter()
                 .any(|file| path == Path::new(file)),
         };
         if counts {
             let hasher = parts.entry(part_of(&path)).or_default();
             hasher.part(path.to_string_lossy().as_bytes());
-            hasher.part(file_tree::read(root, &path)?);
+            match path == Path::new(COURSE) {
+                true => hasher.part(without_points(Course::read(workspace)?)),
+                false => hasher.part(file_tree::read(root, &path)?),
+            };
         }
     }
     let parts = parts.into_iter();

@@ -12,7 +12,12 @@ pub struct Entry {
     pub name: String,
     /// The name of the folder or file in the folder of the class.
     pub file: String,
+    /// Why it cannot be opened, if that is known.
+    pub problem: Option<&'static str>,
 }
+
+/// What is wrong with a name that is not UTF-8.
+const NOT_UTF_8: &str = "has a name that is not UTF-8: rename it";
 
 /// The endings of archives, which are not part of a student's name.
 const ENDINGS: [&str; 4] = [".tar.gz", ".tgz", ".tar", ".zip"];
@@ -27,15 +32,10 @@ pub fn list(class: &Path) -> Result<Vec<Entry>, GraderError> {
     let mut files = Vec::new();
     for entry in std::fs::read_dir(class).map_err(failed)? {
         let name = entry.map_err(failed)?.file_name();
-        let Some(name) = name.to_str() else {
-            return Err(GraderError::new(format!(
-                "{} contains an entry whose name is not UTF-8: {}. Rename it",
-                class.display(),
-                name.display()
-            )));
-        };
+        let problem = name.to_str().is_none().then_some(NOT_UTF_8);
+        let name = name.to_string_lossy();
         if !name.starts_with('.') {
-            files.push(name.to_string());
+            files.push((name.into_owned(), problem));
         }
     }
     if files.is_empty() {
@@ -48,14 +48,15 @@ pub fn list(class: &Path) -> Result<Vec<Entry>, GraderError> {
 }
 
 /// Names the entries. Two that differ only by their ending keep it: `anna` and `anna.zip`.
-fn named(files: Vec<String>) -> Vec<Entry> {
+fn named(files: Vec<(String, Option<&'static str>)>) -> Vec<Entry> {
     let mut times: BTreeMap<String, usize> = BTreeMap::new();
-    for file in &files {
+    for (file, _) in &files {
         *times.entry(stem(file).to_string()).or_default() += 1;
     }
     let mut entries: Vec<Entry> = files
         .into_iter()
-        .map(|file| Entry {
+        .map(|(file, problem)| Entry {
+            problem,
             name: match times[stem(&file)] {
                 1 => stem(&file).to_string(),
                 _ => file.clone(),
@@ -109,7 +110,7 @@ mod tests {
     #[test]
     fn an_archive_has_the_name_of_its_student() {
         let files = ["bo.tar.gz", "anna", "anna.zip", "Ceh.ZIP", ".zip", "v1.2"];
-        let entries = named(files.map(str::to_string).to_vec());
+        let entries = named(files.map(|file| (file.to_string(), None)).to_vec());
         let names: Vec<&str> = entries.iter().map(|entry| entry.name.as_str()).collect();
         assert_eq!(names, [".zip", "Ceh", "anna", "anna.zip", "bo", "v1.2"]);
     }

@@ -8,7 +8,7 @@
 //!
 //! Read the modules in this order:
 //!
-//! - [`entries`] and [`intake`]: the folder of the class; archives, clones and odd layouts
+//! - [`entries`] and [`reading`]: the folder of the class; archives, clones and odd layouts
 //! - [`course_hash`]: what scores depend on
 //! - [`plan`]: which units a class needs; `OUT/class.json`
 //! - [`out`]: the folder `OUT`
@@ -23,13 +23,13 @@ pub mod course_hash;
 pub mod entries;
 pub mod gradebook;
 pub mod hash;
-pub mod intake;
 pub mod likeness;
 pub mod out;
 pub mod pages;
 pub mod plan;
 pub mod pool;
 pub mod progress;
+pub mod reading;
 pub mod regrade;
 pub mod tables;
 pub mod unit;

@@ -18,6 +18,7 @@
 
 use crate::collect::{Class, Row};
 use std::collections::BTreeMap;
+use submission::Untrusted;
 
 /// A pair is listed if fewer than this many pairs of the class are expected to agree so by chance:
 /// at most one needless question in five classes. Two tasks with mistakes that nobody else makes
@@ -34,7 +35,7 @@ const FEWEST_WRONG: usize = 3;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pair {
     /// The two names, sorted.
-    pub names: [String; 2],
+    pub names: [Untrusted; 2],
     /// The tasks with the same wrong answers: the key, the number of wrong answers, how many other
     /// students have them as well.
     pub tasks: Vec<(String, usize, usize)>,
@@ -47,8 +48,7 @@ pub struct Pair {
 /// The pairs of a class, the least likely first.
 pub fn pairs(class: &Class) -> Vec<Pair> {
     let answers = groups(class, |row| {
-        let unit = row.graded.as_ref().map(|(unit, _)| unit);
-        let wrong = unit.into_iter().flat_map(|unit| &unit.wrong_answers);
+        let wrong = row.graded.iter().flat_map(|unit| &unit.wrong_answers);
         let wrong = wrong.filter(|(_, wrong)| wrong.count >= FEWEST_WRONG);
         wrong
             .map(|(task, wrong)| (task.clone(), wrong.hash.clone()))
@@ -56,7 +56,7 @@ pub fn pairs(class: &Class) -> Vec<Pair> {
     });
     let files = groups(class, written_stages);
     let count = |row: &Row, task: &str| {
-        let unit = row.graded.as_ref().map(|(unit, _)| unit);
+        let unit = row.graded.as_ref();
         unit.and_then(|unit| unit.wrong_answers.get(task))
             .map_or(0, |wrong| wrong.count)
     };
@@ -108,7 +108,7 @@ pub struct SharedFiles {
     /// The stage.
     pub stage: String,
     /// Their names, in the order of the class.
-    pub names: Vec<String>,
+    pub names: Vec<Untrusted>,
 }
 
 /// The files that too many students share to be listed by [`pairs`].
@@ -148,11 +148,11 @@ fn all_pairs(students: &[usize]) -> impl Iterator<Item = [usize; 2]> {
 
 /// The stages that a student has begun, with the hashes of their files.
 fn written_stages(row: &Row) -> Vec<(String, String)> {
-    let Some((unit, report)) = &row.graded else {
+    let Some(unit) = &row.graded else {
         return Vec::new();
     };
     let is_written = |stage: &str| {
-        let mut tasks = report.tasks.iter().filter(|task| task.stage == stage);
+        let mut tasks = unit.tasks.iter().filter(|task| task.stage == stage);
         tasks.any(|task| task.status != "not_attempted")
     };
     let written = unit.sources.iter().filter(|(stage, _)| is_written(stage));

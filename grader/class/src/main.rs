@@ -1,9 +1,17 @@
 //! The program behind `grader class`.
 
-use base::program::{arguments_of, run_to_exit_code, subprogram_command};
+use base::program::{Exit, arguments_of, run_to_exit_code, subprogram_command};
+use class::reading::process;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
+    let mut arguments = std::env::args_os().skip(1);
+    if arguments
+        .next()
+        .is_some_and(|first| first == process::COMMAND)
+    {
+        return run_to_exit_code(|| process::run(arguments).map(|()| Exit::Passed));
+    }
     let matches = arguments_of(subprogram_command([class::cli::command()]));
     run_to_exit_code(|| match matches.subcommand() {
         Some((_, matches)) => class::cli::run(matches),

@@ -54,7 +54,7 @@ impl Out {
         self.join(Path::new("failures").join(format!("{key}.txt")))
     }
 
-    /// Whether the result of a unit is stored.
+    /// Whether there is a result of a unit. [`crate::unit::is_stored`] also looks into it.
     pub fn has(&self, key: &str) -> bool {
         self.unit(key).is_file()
     }

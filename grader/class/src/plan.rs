@@ -3,17 +3,20 @@
 
 use crate::course_hash::{self, CourseHash};
 use crate::entries;
-use crate::hash::{self, Hasher};
-use crate::intake::{self, Opened, Revision, Unreadable};
-use base::{GraderError, Workspace, without_path, write_whole};
-use grader::course::Course;
+use crate::hash;
+use crate::reading::intake::Revision;
+use crate::reading::{Reader, Unreadable};
+use base::write_whole;
+use base::{GraderError, without_path};
+use grader::course::{Course, Task};
+use judge::Tier;
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
-use submission::read::Submission;
+use submission::Untrusted;
 
 /// The version of the files in `OUT`.
-const VERSION: u32 = 1;
+const VERSION: u32 = 2;
 
 /// What is graded, and how. All of it is part of the key of each unit.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -30,6 +33,17 @@ pub struct Settings {
     pub course: CourseHash,
 }
 
+/// A case of a task, and what it is worth.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct PlannedCase {
+    /// Its name.
+    pub name: String,
+    /// Whether its points are core points or extra credit.
+    pub tier: Tier,
+    /// Its points.
+    pub points: f64,
+}
+
 /// A task of the class, as the tables need it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct PlannedTask {
@@ -39,10 +53,31 @@ pub struct PlannedTask {
     pub title: String,
     /// The crate below `stages/` with its functions.
     pub stage: String,
-    /// Core points possible.
-    pub max_score: f64,
-    /// Extra points possible.
-    pub max_extra: f64,
+    /// Its cases. Points are computed from them when tables are made: a change of points runs no
+    /// submission again.
+    pub cases: Vec<PlannedCase>,
+}
+
+impl PlannedTask {
+    fn of(task: &Task) -> PlannedTask {
+        let cases = task.cases.iter().map(|case| PlannedCase {
+            name: case.name.clone(),
+            tier: case.tier,
+            points: case.points,
+        });
+        PlannedTask {
+            key: task.key.clone(),
+            title: task.title.clone(),
+            stage: task.stage.clone(),
+            cases: cases.collect(),
+        }
+    }
+
+    /// Points possible.
+    pub fn max(&self, tier: Tier) -> f64 {
+        let cases = self.cases.iter().filter(|case| case.tier == tier);
+        cases.fold(0.0, |sum, case| sum + case.points)
+    }
 }
 
 /// The plan of a class.
@@ -61,9 +96,9 @@ pub struct Plan {
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Planned {
     /// The student's name in all tables.
-    pub name: String,
+    pub name: Untrusted,
     /// The name of the folder or archive in the folder of the class.
-    pub file: String,
+    pub file: Untrusted,
     /// Its unit, or why it has none.
     #[serde(flatten)]
     pub state: State,
@@ -80,12 +115,14 @@ pub enum State {
         /// The key of its unit.
         key: String,
         /// What was unusual about its form, as sentences.
-        notes: Vec<String>,
+        notes: Vec<Untrusted>,
     },
     /// It is larger than a submission may be: the limit.
-    TooLarge(String),
+    TooLarge(Untrusted),
     /// It cannot be read: the reason.
-    Unreadable(String),
+    Unreadable(Untrusted),
+    /// It could not be read, because the machine failed: the reason. The next run tries again.
+    NotRead(Untrusted),
 }
 
 impl Planned {
@@ -98,111 +135,39 @@ impl Planned {
     }
 }
 
-/// A submission that was opened and read.
-#[derive(Debug)]
-pub struct ReadSubmission {
-    /// Its files. They are removed when this is dropped.
-    pub opened: Opened,
-    /// Its hash.
-    pub hash: String,
-    /// The hashes of the source files of each stage.
-    pub sources: BTreeMap<String, String>,
-    /// What was unusual about its form, as sentences.
-    pub notes: Vec<String>,
-}
-
-/// Opens and reads the submission `file` in the folder `class`.
-pub fn read(
-    class: &Path,
-    file: &str,
-    course: &Course,
-    workspace: &Workspace,
-    revision: Option<&Revision>,
-) -> Result<ReadSubmission, Unreadable> {
-    let opened = intake::open(&class.join(file), &course.stages(), revision)?;
-    let submission = Submission::read(&opened.root, course, workspace.root());
-    let submission = submission.map_err(|error| {
-        // The folder may be a temporary one, with another name every time.
-        let root = format!("{}/", opened.root.display());
-        let why = error.to_string().replace(&root, "");
-        Unreadable::Damaged(format!("cannot be used: {why}"))
-    })?;
-    let mut sources = BTreeMap::new();
-    for (stage, files) in &submission.stages {
-        let mut hasher = Hasher::default();
-        for (path, text) in files {
-            hasher.part(path.to_string_lossy().as_bytes()).part(text);
-        }
-        sources.insert(stage.clone(), hasher.finish());
-    }
-    let mut hasher = Hasher::default();
-    for (stage, hash) in &sources {
-        hasher.part(stage).part(hash);
-    }
-    hasher.part("ignored");
-    for path in &submission.ignored {
-        hasher.part(path.to_string_lossy().as_bytes());
-    }
-    let mut notes = opened.notes.clone();
-    notes.extend(submission.notes);
-    Ok(ReadSubmission {
-        opened,
-        hash: hasher.finish(),
-        sources,
-        notes,
-    })
-}
-
 impl Plan {
     /// Reads every submission in the folder `class` and makes a plan.
     pub fn make(
         class: &Path,
-        workspace: &Workspace,
+        course: &Course,
+        reader: &Reader,
         settings: Settings,
         mut progress: impl FnMut(usize, usize),
     ) -> Result<Plan, GraderError> {
-        let course = Course::read(workspace)?;
         let tasks = course.select(&settings.what)?;
-        let tasks = tasks.iter().map(|task| {
-            use judge::Tier;
-            let points = |tier| {
-                let cases = task.cases.iter().filter(|case| case.tier == tier);
-                cases.fold(0.0, |sum, case| sum + case.points)
-            };
-            PlannedTask {
-                key: task.key.clone(),
-                title: task.title.clone(),
-                stage: task.stage.clone(),
-                max_score: points(Tier::Core),
-                max_extra: points(Tier::Robust),
-            }
-        });
-        let tasks = tasks.collect();
+        let tasks = tasks.into_iter().map(PlannedTask::of).collect();
         let entries = entries::list(class)?;
         let count = entries.len();
         let mut submissions = Vec::new();
         for (i, entry) in entries.into_iter().enumerate() {
             progress(i, count);
-            let read = read(
-                class,
-                &entry.file,
-                &course,
-                workspace,
-                settings.revision.as_ref(),
-            );
+            let read = match entry.problem {
+                Some(problem) => Err(Unreadable::Damaged(problem.to_string())),
+                None => reader.read(&class.join(&entry.file), settings.revision.as_ref()),
+            };
             let state = match read {
                 Ok(read) => State::Unit {
                     key: settings.key(&read.hash),
                     submission: read.hash,
                     notes: read.notes,
                 },
-                Err(Unreadable::TooLarge(why)) => State::TooLarge(why),
-                Err(Unreadable::Damaged(why)) => State::Unreadable(why),
-                Err(Unreadable::Machine(error)) => return Err(error),
+                Err(Unreadable::TooLarge(why)) => State::TooLarge(why.into()),
+                Err(Unreadable::Damaged(why)) => State::Unreadable(why.into()),
+                Err(Unreadable::Machine(why)) => State::NotRead(why.into()),
             };
             submissions.push(Planned {
-                name: entry.name,
-                file: entry.file,
+                name: entry.name.into(),
+                file: entry.file.into(),
                 state,
             });
         }
@@ -247,7 +212,11 @@ impl Plan {
         use std::io::Write;
         let failed = |e: &std::io::Error| GraderError::file("write", path, without_path(e));
         let folder = path.parent().unwrap_or(Path::new("."));
-        let mut file = tempfile::NamedTempFile::new_in(folder).map_err(|e| failed(&e))?;
+        let mut file = tempfile::Builder::new();
+        // Temporary files are readable by their owner only, and a second teacher may share the folder.
+        #[cfg(unix)]
+        file.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+        let mut file = file.tempfile_in(folder).map_err(|e| failed(&e))?;
         file.write_all(self.to_json()?.as_bytes())
             .map_err(|e| failed(&e))?;
         match file.persist_noclobber(path) {
@@ -259,6 +228,29 @@ impl Plan {
 
     fn to_json(&self) -> Result<String, GraderError> {
         Ok(grader::report::json(self)? + "\n")
+    }
+
+    /// How `new` differs in what scores depend on, as ends of the sentence "OUT was graded with ...".
+    pub fn differences(&self, new: &Plan) -> Vec<String> {
+        let mut all = self.settings.differences(&new.settings);
+        let old = |task: &PlannedTask| self.tasks.iter().find(|old| old.key == task.key);
+        let changed = new
+            .tasks
+            .iter()
+            .filter(|task| old(task).is_some_and(|old| old.cases != task.cases));
+        let changed: Vec<&str> = changed.map(|task| task.key.as_str()).collect();
+        if !changed.is_empty() {
+            all.push(format!("other points of {}", changed.join(" ")));
+        }
+        all
+    }
+
+    /// Core and extra points possible.
+    pub fn max_score(&self) -> [f64; 2] {
+        [Tier::Core, Tier::Robust].map(|tier| {
+            let points = self.tasks.iter().map(|task| task.max(tier));
+            points.fold(0.0, |sum, points| sum + points)
+        })
     }
 
     /// The units of the class: for each key the first submission that it belongs to, sorted by key.
@@ -315,21 +307,24 @@ impl Plan {
         let old: BTreeMap<&str, &Planned> = self
             .submissions
             .iter()
-            .map(|planned| (planned.name.as_str(), planned))
+            .map(|planned| (planned.name.raw(), planned))
             .collect();
         let names: BTreeSet<&str> = wanted
             .submissions
             .iter()
-            .map(|planned| planned.name.as_str())
+            .map(|planned| planned.name.raw())
             .collect();
         let mut submissions: Vec<Planned> = Vec::new();
         for new in &wanted.submissions {
             let keeps = old
-                .get(new.name.as_str())
+                .get(new.name.raw())
                 .filter(|old| old.state != new.state && old.key().is_some_and(&is_stored));
             submissions.push(match keeps {
                 Some(old) => {
-                    kept.push(format!("{} has other files now", new.name));
+                    kept.push(match &new.state {
+                        State::NotRead(why) => format!("{}: {}", new.name.line(), why.line()),
+                        _ => format!("{} has other files now", new.name.line()),
+                    });
                     (*old).clone()
                 }
                 None => new.clone(),
@@ -338,9 +333,12 @@ impl Plan {
         for planned in self
             .submissions
             .iter()
-            .filter(|planned| !names.contains(planned.name.as_str()))
+            .filter(|planned| !names.contains(planned.name.raw()))
         {
-            kept.push(format!("{} is no longer in the folder", planned.name));
+            kept.push(format!(
+                "{} is no longer in the folder",
+                planned.name.line()
+            ));
             submissions.push(planned.clone());
         }
         submissions.sort_by(|a, b| a.name.cmp(&b.name));

@@ -4,7 +4,10 @@
 use crate::out::Out;
 use crate::plan::Planned;
 use crate::progress::Progress;
-use base::{GraderError, child_processes, write_whole};
+use crate::unit;
+use base::GraderError;
+use base::child_processes;
+use base::write_whole;
 use std::collections::VecDeque;
 use std::io;
 use std::process::{Child, Command, Stdio};
@@ -37,8 +40,10 @@ pub fn run(
     let next = || queue.lock().ok()?.pop_front();
     let work = || -> Result<(), GraderError> {
         while let Some(((key, planned), attempt)) = next() {
-            let failure = grade(command(key))
-                .or_else(|| (!out.has(key)).then(|| "the process stored no result".to_string()));
+            let failure = grade(command(key)).or_else(|| {
+                let is_stored = unit::is_stored(out, key);
+                (!is_stored).then(|| "the process stored no result".to_string())
+            });
             match failure {
                 None => progress.done(planned, None),
                 Some(why) if attempt < ATTEMPTS => {

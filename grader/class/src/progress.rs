@@ -28,7 +28,7 @@ const COLUMNS: usize = 79;
 
 /// The name of a submission for a terminal: a file of any name may have been handed in.
 fn shown(planned: &Planned) -> String {
-    submission::visible_in_line(&planned.name)
+    planned.name.line()
 }
 
 impl Progress {

@@ -2,16 +2,18 @@
 //! differ.
 
 use crate::collect::{Class, Row, points};
-use crate::gradebook::field;
 use crate::plan::{Plan, State};
+use base::GraderError;
+use formats::gradebook::{self, text};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
+use submission::Untrusted;
 
 /// What changes for one student.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Change {
     /// The student's name.
-    pub name: String,
+    pub name: Untrusted,
     /// The old and the new result: status and points.
     pub results: [String; 2],
     /// The tasks whose points change: key, old and new points, core and extra.
@@ -22,8 +24,8 @@ pub struct Change {
 
 /// What changes between two gradings of a class.
 pub fn changes(old: &Class, new: &Class) -> Vec<Change> {
-    let settings = old.plan.settings.differences(&new.plan.settings);
-    let rows = |class: &Class| -> BTreeMap<String, Row> {
+    let settings = old.plan.differences(&new.plan);
+    let rows = |class: &Class| -> BTreeMap<Untrusted, Row> {
         class
             .rows
             .iter()
@@ -31,7 +33,7 @@ pub fn changes(old: &Class, new: &Class) -> Vec<Change> {
             .collect()
     };
     let (before, after) = (rows(old), rows(new));
-    let names: BTreeSet<&String> = before.keys().chain(after.keys()).collect();
+    let names: BTreeSet<&Untrusted> = before.keys().chain(after.keys()).collect();
     let mut changes = Vec::new();
     for name in names {
         let (before, after) = (before.get(name), after.get(name));
@@ -62,14 +64,14 @@ pub fn changes(old: &Class, new: &Class) -> Vec<Change> {
 }
 
 /// What a student handed in: the hash, or why it cannot be read.
-fn submission<'a>(plan: &'a Plan, name: &str) -> Option<&'a str> {
+fn submission<'a>(plan: &'a Plan, name: &Untrusted) -> Option<&'a str> {
     let planned = plan
         .submissions
         .iter()
-        .find(|planned| planned.name == name)?;
+        .find(|planned| planned.name == *name)?;
     Some(match &planned.state {
         State::Unit { submission, .. } => submission,
-        State::TooLarge(why) | State::Unreadable(why) => why,
+        State::TooLarge(why) | State::Unreadable(why) | State::NotRead(why) => why.raw(),
     })
 }
 
@@ -79,7 +81,7 @@ fn result(row: Option<&Row>, class: &Class) -> String {
     };
     match &row.score {
         Some(score) => {
-            let [max_core, max_extra] = class.max_score().map(points);
+            let [max_core, max_extra] = class.plan.max_score().map(points);
             let (core, extra) = (points(score.core), points(score.extra));
             format!(
                 "{core} of {max_core} + {extra} of {max_extra}, {}",
@@ -109,7 +111,7 @@ pub fn to_text(changes: &[Change], submissions: usize) -> String {
     let mut text = String::new();
     for change in changes {
         let [old, new] = &change.results;
-        let _ = writeln!(text, "{}: {old} -> {new}", change.name);
+        let _ = writeln!(text, "{}: {old} -> {new}", change.name.line());
         for (task, a, b) in &change.tasks {
             let of = |[core, extra]: &[f64; 2]| format!("{} + {}", points(*core), points(*extra));
             let _ = writeln!(text, "    {task}: {} -> {}", of(a), of(b));
@@ -131,17 +133,33 @@ pub fn to_text(changes: &[Change], submissions: usize) -> String {
 }
 
 /// Formats the changes as a table.
-pub fn to_csv(changes: &[Change]) -> String {
-    let mut table = String::from("id,task,old score,old extra,new score,new extra,old,new,why\r\n");
+pub fn to_csv(changes: &[Change]) -> Result<String, GraderError> {
+    let header = [
+        "id",
+        "task",
+        "old score",
+        "old extra",
+        "new score",
+        "new extra",
+        "old",
+        "new",
+        "why",
+    ];
+    let mut records = vec![header.map(str::to_string).to_vec()];
     for change in changes {
-        let name = field(&change.name);
-        let [old, new] = change.results.each_ref().map(|result| field(result));
-        let why = field(&change.why.join("; "));
-        let _ = write!(table, "{name},,,,,,{old},{new},{why}\r\n");
+        let name = text(&change.name.line());
+        let mut record = vec![String::new(); header.len()];
+        record[0].clone_from(&name);
+        record[6] = text(&change.results[0]);
+        record[7] = text(&change.results[1]);
+        record[8] = text(&change.why.join("; "));
+        records.push(record);
         for (task, a, b) in &change.tasks {
-            let cells = [a[0], a[1], b[0], b[1]].map(points).join(",");
-            let _ = write!(table, "{name},{},{cells},,,\r\n", field(task));
+            let mut record = vec![name.clone(), text(task)];
+            record.extend([a[0], a[1], b[0], b[1]].map(points));
+            record.resize(header.len(), String::new());
+            records.push(record);
         }
     }
-    table
+    gradebook::table(&records)
 }

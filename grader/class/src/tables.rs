@@ -11,22 +11,22 @@ use std::path::Path;
 
 /// Writes the tables of `plan`. The students' pages reveal as much as `hint` says.
 pub fn write(out: &Out, plan: Plan, hint: HintLevel) -> Result<Class, GraderError> {
-    let class = Class::read(out, plan)?;
-    let names: Vec<&str> = class.rows.iter().map(|row| row.name.as_str()).collect();
-    let page_names = entries::page_names(&names);
+    let names = plan.submissions.iter().map(|planned| planned.name.raw());
+    let page_names = entries::page_names(&names.collect::<Vec<_>>());
     let students = out.join("students");
     std::fs::create_dir_all(&students).map_err(|e| GraderError::file("create", &students, e))?;
-    for (row, name) in class.rows.iter().zip(&page_names) {
-        let page = pages::student::page(&class, row, hint);
-        write_whole(&students.join(format!("{name}.html")), page.as_bytes())?;
-    }
+    let class = Class::read(out, plan, |plan, i, row, details| {
+        let page = pages::student::page(plan, row, details, hint);
+        let path = students.join(format!("{}.html", page_names[i]));
+        write_whole(&path, page.as_bytes())
+    })?;
     remove_other_pages(&students, &page_names)?;
     let page = pages::class::page(&class, &page_names);
     write_whole(&out.join("class.html"), page.as_bytes())?;
     // Last: where it is, everything is.
     write_whole(
         &out.join("gradebook.csv"),
-        gradebook::write(&class).as_bytes(),
+        gradebook::write(&class)?.as_bytes(),
     )?;
     Ok(class)
 }

@@ -2,10 +2,11 @@
 
 use crate::course_hash;
 use crate::hash;
-use crate::intake::Unreadable;
 use crate::out::Out;
-use crate::plan::{self, Plan, Planned, State};
-use base::{GraderError, Workspace, write_whole};
+use crate::plan::{Plan, Planned, State};
+use crate::reading::{Reader, Unreadable};
+use base::GraderError;
+use base::write_whole;
 use grader::grade::GradeRequest;
 use grader::report;
 use grader::score::CaseResult;
@@ -15,8 +16,7 @@ use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::time::Instant;
-use submission::containment::Containment;
-use submission::one::{self, GradingCourse, NotGraded, Options};
+use submission::one::{self, GradingCourse, Options};
 
 /// The result of one unit: the file `OUT/units/KEY.json`. A plan says which students it belongs to.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -33,6 +33,9 @@ pub struct Unit {
     pub seed: u64,
     /// How it ended.
     pub outcome: Outcome,
+    /// The share of its points that each case of each task earned, before extra credit waits for core
+    /// points. Points are computed from it when tables are made.
+    pub earned: BTreeMap<String, BTreeMap<String, f64>>,
     /// The wrong answers of each task that has some, for comparison with other submissions.
     pub wrong_answers: BTreeMap<String, WrongAnswers>,
     /// The cases of each task that did not end within their limits of time, memory and output.
@@ -83,8 +86,8 @@ pub fn grade(
     plan: &Plan,
     planned: &Planned,
     class: &Path,
-    workspace: &Workspace,
-    containment: Containment,
+    reader: &Reader,
+    course: &GradingCourse,
     out: &Out,
 ) -> Result<(), GraderError> {
     let State::Unit {
@@ -93,27 +96,21 @@ pub fn grade(
     else {
         return Err(GraderError::new(format!(
             "{} has nothing to grade",
-            planned.name
+            planned.name.line()
         )));
     };
     let started = Instant::now();
-    let course = GradingCourse::open(workspace, containment)?;
     let settings = &plan.settings;
-    let read = plan::read(
-        class,
-        &planned.file,
-        course.course(),
-        workspace,
-        settings.revision.as_ref(),
-    );
+    let read = reader.read(&class.join(planned.file.raw()), settings.revision.as_ref());
     let read = read.map_err(|unreadable| match unreadable {
-        Unreadable::Machine(error) => error,
-        Unreadable::TooLarge(why) | Unreadable::Damaged(why) => GraderError::new(why),
+        Unreadable::Machine(why) | Unreadable::TooLarge(why) | Unreadable::Damaged(why) => {
+            GraderError::new(why)
+        }
     })?;
     if read.hash != *submission {
         return Err(GraderError::new(format!(
             "{} was changed while the class was graded: run again",
-            planned.file
+            planned.file.line()
         )));
     }
     let options = Options {
@@ -123,10 +120,13 @@ pub fn grade(
         },
         together: false,
     };
-    let graded = one::grade_one(&course, &read.opened.root, &options);
-    let graded = graded.map_err(|not_graded| match not_graded {
-        NotGraded::Refused(why) | NotGraded::Infrastructure(why) => GraderError::new(why),
-    })?;
+    let graded = one::grade_read(course, &read.submission, &options)?;
+    let earned = graded.report.scores.tasks.iter().map(|task| {
+        let cases = task.result.cases.iter();
+        let cases = cases.map(|case| (case.name.clone(), case.earned));
+        (task.result.key.clone(), cases.collect())
+    });
+    let earned = earned.collect();
     let wrong_answers = graded.report.scores.tasks.iter().filter_map(|task| {
         let signature = Signature::of(&task.result.cases);
         let wrong = WrongAnswers {
@@ -159,6 +159,7 @@ pub fn grade(
             one::Outcome::DoesNotCompile => Outcome::DoesNotCompile,
             one::Outcome::OverLimit(limit) => Outcome::OverLimit(limit.to_string()),
         },
+        earned,
         wrong_answers,
         endless_cases,
         sources: read.sources,
@@ -171,6 +172,13 @@ pub fn grade(
     write_whole(&out.unit(key), report::json(&unit)?.as_bytes())
 }
 
+/// Whether the result of a unit is stored, and whole: a machine that crashed or whose disk was full
+/// may have left a part of it.
+pub fn is_stored(out: &Out, key: &str) -> bool {
+    let text = std::fs::read(out.unit(key));
+    text.is_ok_and(|text| serde_json::from_slice::<serde::de::IgnoredAny>(&text).is_ok())
+}
+
 /// Reads the result of a unit; `None` if it is not stored.
 pub fn load(out: &Out, key: &str) -> Result<Option<Unit>, GraderError> {
     let path = out.unit(key);
@@ -179,18 +187,15 @@ pub fn load(out: &Out, key: &str) -> Result<Option<Unit>, GraderError> {
         Err(e) if e.kind() == std::io::ErrorKind::NotFound => return Ok(None),
         Err(e) => return Err(GraderError::file("read", &path, e)),
     };
-    let unit: Unit = serde_json::from_slice(&text).map_err(|e| {
+    let damaged = |why: &dyn std::fmt::Display| {
         GraderError::new(format!(
-            "{} is damaged ({e}). Remove it and run again",
-            path.display()
+            "the result units/{key}.json is damaged ({why}). Run again: it is graded anew"
         ))
-    })?;
+    };
+    let unit: Unit = serde_json::from_slice(&text).map_err(|e| damaged(&e))?;
     match unit.key == key {
         true => Ok(Some(unit)),
-        false => Err(GraderError::new(format!(
-            "{} has the result of another unit. Remove it and run again",
-            path.display()
-        ))),
+        false => Err(damaged(&"it is the result of another unit")),
     }
 }
 

@@ -1,6 +1,7 @@
 //! The forms in which submissions arrive, and those that are refused.
 
-use class::intake::{self, Revision, Unreadable};
+use class::reading::Unreadable;
+use class::reading::intake::{self, Revision};
 use std::io::{Cursor, Write};
 use std::path::{Path, PathBuf};
 use std::process::Command;

@@ -34,7 +34,7 @@ fn class(folder: &Path, students: &[[&str; 4]], stages: &[&str]) -> Class {
         });
         let unit = json!({
             "key": key, "submission": key, "course": "0", "what": "part1", "seed": 7, "outcome": "graded",
-            "wrong_answers": wrong_answers, "endless_cases": {}, "sources": { "raygen": stages[i] },
+            "earned": {}, "wrong_answers": wrong_answers, "endless_cases": {}, "sources": { "raygen": stages[i] },
             "took": { "seconds": 1.0, "cpu_seconds": 1.0 },
             "report": { "score": 0.0, "max_score": 4.0, "robust_score": 0.0, "robust_max_score": 0.0, "tasks": tasks },
         });
@@ -42,10 +42,11 @@ fn class(folder: &Path, students: &[[&str; 4]], stages: &[&str]) -> Class {
         planned.push(json!({ "name": key, "file": key, "unit": { "submission": key, "key": key, "notes": [] } }));
     }
     let plan = json!({
-        "version": 1, "tasks": [], "submissions": planned,
+        "version": 2, "tasks": [], "submissions": planned,
         "settings": { "what": "part1", "seed": 7, "limits": "", "revision": null, "course": {} },
     });
-    Class::read(&out, serde_json::from_value(plan).expect("a plan")).expect("a class")
+    let plan = serde_json::from_value(plan).expect("a plan");
+    Class::read(&out, plan, |_, _, _, _| Ok(())).expect("a class")
 }
 
 /// The pairs of a class of 30, of whom only the first differ from all right.

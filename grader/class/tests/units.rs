@@ -3,9 +3,11 @@
 
 mod fake_class;
 
+use class::plan::Plan;
 use class::pool;
 use class::progress::Progress;
-use fake_class::{Behaviour, FakeClass};
+use class::unit;
+use fake_class::{Behaviour, FakeClass, HOSTILE};
 use std::path::PathBuf;
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
@@ -16,7 +18,7 @@ const TIMEOUT: Duration = Duration::from_secs(120);
 fn grade(class: &FakeClass, out: &class::out::Out, shard: usize, of: usize, behaviour: Behaviour) {
     let units = class.plan.units();
     let jobs = units.into_iter().skip(shard).step_by(of);
-    let jobs: Vec<_> = jobs.filter(|(key, _)| !out.has(key)).collect();
+    let jobs: Vec<_> = jobs.filter(|(key, _)| !unit::is_stored(out, key)).collect();
     let progress = Progress::start(jobs.len());
     pool::run(&jobs, 3, out, &progress, |key| {
         class.command(out, key, behaviour)
@@ -40,34 +42,129 @@ fn shards_of_1_3_and_17_collect_to_the_same_bytes() {
     let gradebook = String::from_utf8(tables[0][&PathBuf::from("gradebook.csv")].clone());
     let gradebook = gradebook.expect("it is UTF-8");
     assert!(
-        gradebook.contains("\r\nstudent05,graded,5,10,0,2,5,0,\r\n"),
+        gradebook.contains("\r\nstudent05,,graded,5,10,0,2,5,0,\r\n"),
         "{gradebook}"
     );
     assert!(
-        gradebook.ends_with("zz,could not be read,0,10,0,2,0,0,zz is empty\r\n"),
+        gradebook.ends_with("zz,,could not be read,0,10,0,2,0,0,zz is empty\r\n"),
         "{gradebook}"
     );
 }
 
+/// Names of students and files, what their code prints, what the compiler says: nothing of it is
+/// markup in a page, a formula or a new line in a table, or obeyed by a terminal.
 #[test]
-fn names_and_texts_in_pages_are_escaped() {
+fn names_and_texts_are_shown_and_not_obeyed() {
     let folder = tempfile::tempdir().expect("a folder");
-    let class = FakeClass::new(folder.path(), 3);
+    let mut class = FakeClass::new(folder.path(), 3);
+    class.plan.submissions[0].name = HOSTILE.into();
+    class.plan.submissions[3].file = format!("=1+1{HOSTILE}").into();
     let out = class.out("out");
     grade(&class, &out, 0, 1, Behaviour::Fine);
-    for (path, bytes) in class.tables(&out) {
-        let text = String::from_utf8(bytes).expect("it is UTF-8");
-        assert!(
-            !text.contains("<script>") && !text.contains("A <task>"),
-            "{}",
-            path.display()
-        );
+    let tables = class.tables(&out);
+    for (path, bytes) in &tables {
+        let text = String::from_utf8(bytes.clone()).expect("it is UTF-8");
+        let shown = path.display();
+        let text = text.replace("\r\n", "\n");
+        let is_obeyed = |c: char| (c.is_control() && c != '\n') || c == '\u{202e}';
+        assert!(!text.contains(is_obeyed), "{shown}: {text}");
+        let is_page = path
+            .extension()
+            .is_some_and(|extension| extension == "html");
+        assert!(!is_page || !text.contains("</p><script>"), "{shown}");
+        assert!(!is_page || !text.contains("A <task>"), "{shown}");
         assert!(
             !text.contains("http:") && !text.contains("https:"),
-            "{}",
-            path.display()
+            "{shown}"
         );
     }
+    let gradebook = String::from_utf8_lossy(&tables[&PathBuf::from("gradebook.csv")]).into_owned();
+    assert_eq!(gradebook.lines().count(), 1 + 4, "{gradebook}");
+    assert!(
+        gradebook.contains("</p><script>\\u{1b}[2J\\u{d}\\u{202e}08"),
+        "{gradebook}"
+    );
+    assert!(gradebook.contains(",'=1+1</p>"), "{gradebook}");
+}
+
+/// A result that a crash of the machine has cut is one row without a score, and graded again.
+#[test]
+fn a_cut_result_stops_no_table() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let class = FakeClass::new(folder.path(), 4);
+    let out = class.out("out");
+    grade(&class, &out, 0, 1, Behaviour::Fine);
+    let whole = class.tables(&out);
+    let path = out.unit(class.plan.submissions[1].key().expect("it has a unit"));
+    let text = std::fs::read(&path).expect("a unit");
+    for kept in [0, 1, text.len() / 2, text.len() - 1] {
+        std::fs::write(&path, &text[..kept]).expect("it is cut");
+        let tables = class.tables(&out);
+        let gradebook = String::from_utf8_lossy(&tables[&PathBuf::from("gradebook.csv")]);
+        let row = "student01,,infrastructure,,10,,2,,,the result units/";
+        assert!(gradebook.contains(row), "{gradebook}");
+        assert!(gradebook.contains("is damaged"), "{gradebook}");
+        grade(&class, &out, 0, 1, Behaviour::Fine);
+        assert!(class.tables(&out) == whole, "{kept} bytes were left");
+    }
+}
+
+/// Other points are other tables, and nothing is graded.
+#[test]
+fn a_change_of_points_grades_nothing() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut class = FakeClass::new(folder.path(), 8);
+    let out = class.out("out");
+    grade(&class, &out, 0, 1, Behaviour::Fine);
+    let old = class.plan.clone();
+    class.plan.tasks[0].cases[0].points = 30.0;
+    assert_eq!(
+        old.differences(&class.plan),
+        ["other points of part1.task1"]
+    );
+    let tables = class.tables(&out);
+    let gradebook = String::from_utf8_lossy(&tables[&PathBuf::from("gradebook.csv")]);
+    assert!(
+        gradebook.contains("student05,,graded,15,30,0,2,15,0,"),
+        "{gradebook}"
+    );
+    let page = String::from_utf8_lossy(&tables[&PathBuf::from("students/student05.html")]);
+    assert!(page.contains("15 of 30 points"), "{page}");
+    // A case whose question was never asked is no zero.
+    class.plan.tasks[0].cases[1].name = "a_new_case".into();
+    let tables = class.tables(&out);
+    let gradebook = String::from_utf8_lossy(&tables[&PathBuf::from("gradebook.csv")]);
+    assert!(
+        gradebook.contains("student05,,infrastructure,,30,"),
+        "{gradebook}"
+    );
+    assert!(
+        gradebook.contains("has no case a_new_case of part1.task1"),
+        "{gradebook}"
+    );
+}
+
+/// A second teacher reads and replaces the files of a shared folder.
+#[cfg(unix)]
+#[test]
+fn files_of_a_class_have_the_usual_permissions() {
+    use std::os::unix::fs::PermissionsExt;
+    let folder = tempfile::tempdir().expect("a folder");
+    let class = FakeClass::new(folder.path(), 2);
+    let usual = folder.path().join("usual");
+    std::fs::write(&usual, "").expect("a file");
+    let mode = |path: &std::path::Path| {
+        let metadata = path.metadata().expect("it exists");
+        metadata.permissions().mode()
+    };
+    let first = folder.path().join("class.json");
+    assert!(class.plan.store_first(&first).expect("it is written"));
+    assert!(!class.plan.store_first(&first).expect("it is there"));
+    assert_eq!(mode(&first), mode(&usual));
+    assert_eq!(
+        Plan::load(&first).expect("it is read"),
+        Some(class.plan.clone())
+    );
 }
 
 #[test]
@@ -88,7 +185,7 @@ fn a_stage_that_was_refused_is_not_said_to_be_broken() {
     };
     let gradebook = |unit: &serde_json::Value| table(unit, "gradebook.csv");
     let broken = gradebook(&unit);
-    assert!(broken.contains("student00,does not compile,"), "{broken}");
+    assert!(broken.contains("student00,,does not compile,"), "{broken}");
     assert!(broken.contains("does not compile: raygen"), "{broken}");
     let reasons = [
         "lib.rs:3: `unsafe` is not allowed",
@@ -96,7 +193,7 @@ fn a_stage_that_was_refused_is_not_said_to_be_broken() {
     ];
     unit["report"]["refused_stages"] = serde_json::json!({ "raygen": reasons });
     let refused = gradebook(&unit);
-    assert!(refused.contains("student00,refused,"), "{refused}");
+    assert!(refused.contains("student00,,refused,"), "{refused}");
     let page = table(&unit, "students/student00.html");
     assert!(
         page.contains("Its stage was refused before it was compiled"),
@@ -161,7 +258,7 @@ fn only_failures_of_the_machine_are_tried_again() {
     assert_eq!(tries(&out), [3, 3, 3]);
     let tables = class.tables(&out);
     let gradebook = String::from_utf8_lossy(&tables[&PathBuf::from("gradebook.csv")]).into_owned();
-    let expected = "student00,infrastructure,,10,,2,,,the disk is full\r\n";
+    let expected = "student00,,infrastructure,,10,,2,,,the disk is full\r\n";
     assert!(gradebook.contains(expected), "{gradebook}");
     // The next run grades them, and nothing of the failure is left.
     grade(&class, &out, 0, 1, Behaviour::FailsFirst(3));

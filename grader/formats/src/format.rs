@@ -70,7 +70,7 @@ impl Format {
             Format::PrairieLearn => prairielearn::write(outcome, settings),
             Format::JUnit => junit::write(outcome),
             Format::Json => json::write(outcome),
-            Format::Csv => Ok(csv::write(outcome, settings)),
+            Format::Csv => csv::write(outcome, settings),
             Format::Actions => Ok(actions::write(outcome)),
             Format::Markdown => Ok(markdown::write(outcome)),
         }

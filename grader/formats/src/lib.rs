@@ -8,7 +8,7 @@
 //! format says so in its own way, and none gives zero points for it.
 //!
 //! One format a module: [`gradescope`], [`classroom50`], [`prairielearn`], [`junit`], [`json`],
-//! [`csv`], [`actions`], [`markdown`]. `schemas/` has a JSON Schema of each JSON format, written
+//! [`csv`] with [`gradebook`], [`actions`], [`markdown`]. `schemas/` has a JSON Schema of each JSON format, written
 //! from the documentation that it names; the tests check every file against them.
 
 pub mod actions;
@@ -16,6 +16,7 @@ pub mod annotation;
 pub mod classroom50;
 pub mod csv;
 mod format;
+pub mod gradebook;
 pub mod gradescope;
 pub mod json;
 pub mod junit;

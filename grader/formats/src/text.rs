@@ -1,11 +1,11 @@
 //! Texts that contain what students' programs and files say.
 
 use grader::build::compile_errors::plain;
+use submission::{Layout, shown};
 
-/// The text without colours and without control characters other than line breaks and tabs.
+/// The text without colours, as text that was handed in is shown.
 pub(crate) fn printable(text: &str) -> String {
-    let is_printable = |c: &char| matches!(c, '\n' | '\t') || !c.is_control();
-    plain(text).chars().filter(is_printable).collect()
+    shown(&plain(text), Layout::Lines)
 }
 
 /// At most `most` bytes of the text, with a last line that says so if there are more.
@@ -29,7 +29,8 @@ mod tests {
     }
 
     #[test]
-    fn control_characters_are_left_out() {
-        assert_eq!(printable("\x1b[31mred\x1b[0m\0\r\n\tx\u{7}"), "red\n\tx");
+    fn colours_are_left_out_and_control_characters_shown() {
+        let text = "\x1b[31mred\x1b[0m\0\r\n\tx\u{7}\u{202e}";
+        assert_eq!(printable(text), "red\\u{0}\n\tx\\u{7}\\u{202e}");
     }
 }

@@ -151,9 +151,10 @@ pub(super) fn require_idea(task: &Task, cases: &mut [CaseResult]) {
             Some(_) => WITHOUT_IDEA * share.fraction,
             None => share.fraction,
         });
-        let score = case.max_score * mean(fractions);
+        let earned = mean(fractions);
         if matches!(case.status, Status::Passed | Status::Failed) {
-            case.reduce(score, what);
+            case.earned = case.earned.min(earned);
+            case.reduce(case.max_score * earned, what);
         }
     }
 }

@@ -56,6 +56,9 @@ pub struct CaseResult {
     pub score: f64,
     /// Points possible.
     pub max_score: f64,
+    /// The share of its points that its answers earn, whatever the points are. Extra credit that
+    /// waits for core points ([`earns_extra`]) is not taken away here.
+    pub earned: f64,
     /// Its status.
     #[serde(flatten)]
     pub status: Status,
@@ -114,6 +117,7 @@ impl CaseResult {
             tier: Tier::Core,
             score: 0.0,
             max_score: 1.0,
+            earned: 0.0,
             status: Status::Failed,
             about: String::new(),
             findings,
@@ -145,10 +149,9 @@ impl CaseResult {
             Status::Passed if fraction < 1.0 => Status::Failed,
             status => status,
         };
-        let score = if matches!(status, Status::Passed | Status::Failed) {
-            entry.points * fraction
-        } else {
-            0.0
+        let earned = match status {
+            Status::Passed | Status::Failed => fraction,
+            _ => 0.0,
         };
         let mut findings = findings;
         if !holes.is_empty() {
@@ -159,8 +162,9 @@ impl CaseResult {
         CaseResult {
             name: entry.name.clone(),
             tier: entry.tier,
-            score,
+            score: entry.points * earned,
             max_score: entry.points,
+            earned,
             status,
             about: about.into(),
             findings,
@@ -255,11 +259,16 @@ impl TaskResult {
     }
 }
 
+/// Whether the robust points of a task count, with `core` of its `of` core points.
+pub fn earns_extra(core: f64, of: f64) -> bool {
+    core >= (CORE_FOR_ROBUST - ROUNDING) * of
+}
+
 /// Takes the robust points away from a task with few core points.
 fn require_core(task: &Task, cases: &mut [CaseResult]) {
     let core = cases.iter().filter(|case| case.tier == Tier::Core);
     let core: f64 = core.map(|case| case.score).sum();
-    if core >= (CORE_FOR_ROBUST - ROUNDING) * task.points(Tier::Core) {
+    if earns_extra(core, task.points(Tier::Core)) {
         return;
     }
     let why = "extra credit counts from two thirds of the core points of the task on";

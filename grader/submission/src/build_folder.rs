@@ -3,7 +3,7 @@
 
 use crate::clean_workspace::CleanWorkspace;
 use crate::file_tree::{self, Files};
-use crate::visible::visible;
+use crate::untrusted::{Layout, shown};
 use base::GraderError;
 use base::interrupt::{self, TempFolder};
 use grader::build::BuildRoot;
@@ -74,7 +74,7 @@ impl BuildFolder {
     /// characters.
     pub(crate) fn for_report(&self, text: &str) -> String {
         let folder = self.root.parent().unwrap_or(&self.root);
-        visible(&text.replace(&*folder.to_string_lossy(), ""))
+        shown(&text.replace(&*folder.to_string_lossy(), ""), Layout::Lines)
     }
 
     /// How to build the worker here.

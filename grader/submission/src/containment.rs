@@ -1,8 +1,10 @@
 //! How the code of submissions is contained: what this machine can do, and what is said about it.
 
-use base::{GraderError, Workspace};
+use base::GraderError;
+use base::Workspace;
 use grader::build;
-use sandbox::{Policy, Support};
+use sandbox::Support;
+pub use sandbox::{Limits, Policy};
 use std::fmt;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -67,8 +69,8 @@ impl Containment {
         }
     }
 
-    /// A command that runs `program`, limited to `policy`.
-    pub(crate) fn command(&self, program: &Path, policy: &Policy) -> Command {
+    /// A command that runs `program`, limited to `policy`. Without a sandbox nothing limits it.
+    pub fn command(&self, program: &Path, policy: &Policy) -> Command {
         let Containment::Sandbox {
             launcher,
             own_network,

@@ -25,9 +25,9 @@ pub mod read;
 pub mod scan;
 mod source_file;
 mod toolchain;
-mod visible;
+mod untrusted;
 
-pub use visible::{visible, visible_in_line};
+pub use untrusted::{Layout, Untrusted, shown};
 
 use crate::file_tree::Files;
 use base::{GraderError, Workspace};
@@ -41,7 +41,6 @@ use grader::workers::printed;
 use read::Submission;
 use serde::Serialize;
 use std::collections::BTreeMap;
-use std::path::PathBuf;
 
 /// The report about a submission.
 #[derive(Clone, Debug, Serialize)]
@@ -216,11 +215,8 @@ pub fn about_changed_given(files: &[String]) -> Option<String> {
     })
 }
 
-fn names(paths: &[PathBuf]) -> Vec<String> {
-    let names = paths
-        .iter()
-        .map(|path| visible_in_line(&path.display().to_string()));
-    names.collect()
+fn names(paths: &[Untrusted]) -> Vec<String> {
+    paths.iter().map(Untrusted::line).collect()
 }
 
 /// The scores of the tasks that were graded and of those that could not be, ordered by key.

@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use submission::arguments::{containment, seeded_request};
 use submission::clean_workspace::CleanWorkspace;
-use submission::{SubmissionReport, read, visible};
+use submission::{Layout, SubmissionReport, read, shown};
 
 fn main() -> ExitCode {
     let command = arguments(Command::new("grader"), HintLevel::Remedy)
@@ -136,5 +136,5 @@ fn show(report: &SubmissionReport, hint: HintLevel) -> String {
         );
     }
     // Messages of panics and names of files are the student's, too.
-    visible(&text)
+    shown(&text, Layout::Lines)
 }

@@ -110,14 +110,23 @@ pub fn grade_one(
 ) -> Result<GradedSubmission, NotGraded> {
     let submission = Submission::read(folder, &course.course, course.workspace.root());
     let submission = submission.map_err(|why| NotGraded::Refused(why.to_string()))?;
+    grade_read(course, &submission, options)
+        .map_err(|why| NotGraded::Infrastructure(why.to_string()))
+}
+
+/// Grades a submission that was read. An error is the machine's or the course's.
+pub fn grade_read(
+    course: &GradingCourse,
+    submission: &Submission,
+    options: &Options,
+) -> Result<GradedSubmission, GraderError> {
     let report = SubmissionReport::of(
-        &submission,
+        submission,
         &course.workspace,
         &course.clean,
         &options.request,
         options.together,
-    );
-    let report = report.map_err(|why| NotGraded::Infrastructure(why.to_string()))?;
+    )?;
     Ok(GradedSubmission {
         outcome: outcome(&report),
         report,

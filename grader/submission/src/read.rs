@@ -2,23 +2,25 @@
 
 use crate::file_tree::Files;
 use crate::given::Given;
-use crate::{scan, source_file, visible_in_line};
+use crate::untrusted::{Layout, Untrusted, shown};
+use crate::{scan, source_file};
 use base::GraderError;
 use grader::course::Course;
+use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// The files of a submission. Reading them runs none of its code.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Submission {
     /// For each stage that was handed in, its files by their paths below `src/`.
     pub stages: BTreeMap<String, Files>,
     /// Paths of files that are not graded: they are not source files of a stage, and they differ
     /// from the course's own.
-    pub ignored: Vec<PathBuf>,
+    pub ignored: Vec<Untrusted>,
     /// Those of them that decide points in the student's own runs, such as `stages/kit`: the
     /// student was given them and changed them.
-    pub changed_given: Vec<PathBuf>,
+    pub changed_given: Vec<Untrusted>,
     /// Lines that may access files or start programs. A person should check them.
     pub reaches_out: Vec<String>,
     /// What was unusual about files and was mended or will not compile, as sentences.
@@ -38,10 +40,23 @@ const MAX_ENTRIES: usize = 50_000;
 /// Folders whose contents are not read.
 const SKIPPED_FOLDERS: [&str; 2] = ["target", ".git"];
 
+/// How deep folders may lie inside each other. The system finds the way to each file anew, so the
+/// time to read thousands of folders inside each other grows with the square of their number.
+const MAX_DEPTH: usize = 64;
+
+/// How deep the sources of a stage lie in a project: `stages/STAGE/src`.
+const SOURCES_DEPTH: usize = 3;
+
 impl Submission {
     /// Reads the stages of `course` from `folder`: a whole project, or only its folder `stages`.
     /// `trusted` is the course's own workspace.
     pub fn read(folder: &Path, course: &Course, trusted: &Path) -> Result<Submission, GraderError> {
+        // An error names a file of the student's.
+        Submission::of(folder, course, trusted)
+            .map_err(|error| GraderError::new(shown(&error.to_string(), Layout::Line)))
+    }
+
+    fn of(folder: &Path, course: &Course, trusted: &Path) -> Result<Submission, GraderError> {
         if folder.is_file() {
             return Err(GraderError::new(format!(
                 "{} is a file. Expected a folder that contains stages/<stage>/src: if it is an archive, unpack it first",
@@ -91,7 +106,7 @@ impl Submission {
         };
         let given = Given::of(&top, &stages_folder, trusted);
         let mut entries = 0;
-        let all = walk(&top, &mut entries, &mut |path| {
+        let all = walk(&top, SOURCES_DEPTH + MAX_DEPTH, &mut entries, &mut |path| {
             let name = path.strip_prefix(&top).unwrap_or(path);
             let path_in_course = if stages_folder == top {
                 Path::new("stages").join(name)
@@ -99,10 +114,11 @@ impl Submission {
                 name.to_path_buf()
             };
             if !is_source(path) && !given.is_unchanged(path, &path_in_course) {
-                submission.ignored.push(name.to_path_buf());
+                let name = Untrusted::new(name.to_string_lossy());
                 if given.decides(&path_in_course) {
-                    submission.changed_given.push(name.to_path_buf());
+                    submission.changed_given.push(name.clone());
                 }
+                submission.ignored.push(name);
             }
         })?;
         submission.notes = notes.into_iter().map(note).collect();
@@ -160,30 +176,42 @@ fn exists(path: &Path) -> Result<bool, GraderError> {
 /// Reads the Rust files below `src`, which is inside `top`. Appends what was unusual about them to
 /// `notes`.
 fn sources(top: &Path, src: &Path, notes: &mut Notes) -> Result<Files, GraderError> {
+    let link = |folder: &Path| {
+        GraderError::new(format!(
+            "{} is a link to a folder. A submission must contain the files themselves",
+            folder.display()
+        ))
+    };
+    // Below a folder that is reached without a link, only links lead out.
+    let real = src.canonicalize();
+    let real = real.map_err(|e| GraderError::file("read", src, e))?;
+    if !real.starts_with(top) {
+        return Err(link(src));
+    }
     let mut files = Files::new();
-    let mut folders = vec![src.to_path_buf()];
-    while let Some(folder) = folders.pop() {
+    let mut folders = vec![(src.to_path_buf(), 0)];
+    while let Some((folder, depth)) = folders.pop() {
         let failed = |e: std::io::Error| GraderError::file("read", &folder, e);
-        let real = folder.canonicalize().map_err(failed)?;
-        if folder.symlink_metadata().map_err(failed)?.is_symlink() || !real.starts_with(top) {
+        if folder.symlink_metadata().map_err(failed)?.is_symlink() {
+            return Err(link(&folder));
+        }
+        if depth > MAX_DEPTH {
             return Err(GraderError::new(format!(
-                "{} is a link to a folder. A submission must contain the files themselves",
-                folder.display()
+                "{} contains folders inside each other, more than {MAX_DEPTH} deep: too deep for a stage",
+                src.display()
             )));
         }
         for entry in std::fs::read_dir(&folder).map_err(failed)? {
             let path = entry.map_err(failed)?.path();
             if path.is_dir() {
-                folders.push(path);
+                folders.push((path, depth + 1));
             } else if path.extension().is_some_and(|extension| extension == "rs") {
                 let below = path.strip_prefix(src).unwrap_or(&path).to_path_buf();
                 let file = source_file::read(top, &path)?;
                 let name = path.strip_prefix(top).unwrap_or(&path).display();
                 if let Some(note) = file.note {
-                    notes
-                        .entry(note)
-                        .or_default()
-                        .push(visible_in_line(&name.to_string()));
+                    let name = Untrusted::new(name.to_string()).line();
+                    notes.entry(note).or_default().push(name);
                 }
                 files.insert(below, file.text);
                 if files.len() > MAX_FILES {
@@ -199,9 +227,11 @@ fn sources(top: &Path, src: &Path, notes: &mut Notes) -> Result<Files, GraderErr
 }
 
 /// Calls `visit` for every file below `folder` and for every folder that cannot be read. Does not
-/// follow links. Returns whether these were all: it stops after [`MAX_ENTRIES`].
+/// follow links. Returns whether these were all: it stops after [`MAX_ENTRIES`], and visits folders
+/// that are `depth` deep instead of what is in them.
 fn walk(
     folder: &Path,
+    depth: usize,
     entries: &mut usize,
     visit: &mut impl FnMut(&Path),
 ) -> Result<bool, GraderError> {
@@ -219,14 +249,11 @@ fn walk(
             .iter()
             .any(|name| entry.file_name() == *name)
         {
-            match std::fs::read_dir(entry.path()) {
-                Ok(_) => {
-                    if !walk(&entry.path(), entries, visit)? {
-                        return Ok(false);
-                    }
-                }
-                // All folders that are needed were read before.
-                Err(_) => visit(&entry.path()),
+            // All folders that are needed were read before.
+            if depth == 0 || std::fs::read_dir(entry.path()).is_err() {
+                visit(&entry.path());
+            } else if !walk(&entry.path(), depth - 1, entries, visit)? {
+                return Ok(false);
             }
         }
     }
@@ -244,7 +271,7 @@ fn reaches_out(stage: &str, files: &Files) -> Vec<String> {
                 .into_iter()
                 .find(|word| code.contains(word));
             if let Some(word) = suspicious {
-                let path = visible_in_line(&path.display().to_string());
+                let path = Untrusted::new(path.to_string_lossy()).line();
                 found.push(format!("stages/{stage}/src/{path}:{number}: `{word}`"));
             }
         }
@@ -257,6 +284,7 @@ mod tests {
     use super::*;
     use crate::file_tree;
     use crate::source_file::MAX_FILE_SIZE;
+    use std::path::PathBuf;
 
     const COURSE: &str = r#"
         conventions = []
@@ -323,7 +351,7 @@ mod tests {
             "stages/intersect/src/data.bin",
             "stages/kit/src/lib.rs",
         ];
-        assert_eq!(ignored, expected.map(PathBuf::from));
+        assert_eq!(ignored, expected.map(Untrusted::from));
     }
 
     #[test]
@@ -336,7 +364,7 @@ mod tests {
         }
         let many = reread(&folder).unwrap();
         assert_eq!(many.stages, few.unwrap().stages);
-        assert_eq!(many.ignored, [] as [PathBuf; 0]);
+        assert_eq!(many.ignored, [] as [Untrusted; 0]);
         assert!(
             many.notes[0].starts_with("more than 50000 files"),
             "{:?}",
@@ -361,7 +389,7 @@ mod tests {
         assert!(ignored(theirs).is_empty());
         assert_eq!(
             ignored(&theirs.replace("hole", "whole")),
-            [path.to_path_buf()]
+            [Untrusted::new(path.to_string_lossy())]
         );
     }
 
@@ -436,7 +464,33 @@ mod tests {
         assert!(made.unwrap().success());
         assert_eq!(
             reread(&folder).unwrap().ignored,
-            [PathBuf::from("notes.txt")]
+            [Untrusted::from("notes.txt")]
+        );
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn folders_inside_folders_are_read_to_a_depth() {
+        let nest = |start: &Path, depth: usize| {
+            std::fs::create_dir_all(start).unwrap();
+            let mut shell = std::process::Command::new("sh");
+            // Deeper than a path can name.
+            let script = "i=0; while [ $i -lt $1 ]; do mkdir f && cd -P f || exit 1; i=$((i+1)); done; echo > deep.rs";
+            let made = shell.args(["-c", script, "sh", &depth.to_string()]);
+            assert!(made.current_dir(start).status().unwrap().success());
+        };
+        let (folder, _) = read(&[("stages/intersect/src/lib.rs", b"")]);
+        let src = folder.path().join("stages/intersect/src");
+        nest(&src.join("allowed"), MAX_DEPTH - 1);
+        assert_eq!(reread(&folder).unwrap().stages["intersect"].len(), 2);
+        nest(&folder.path().join("other"), 1_900);
+        let ignored = reread(&folder).unwrap().ignored;
+        assert!(ignored[0].raw().starts_with("other/f/f") && ignored.len() == 1);
+        nest(&src.join("refused"), MAX_DEPTH);
+        let error = reread(&folder).unwrap_err();
+        assert!(
+            error.contains("more than 64 deep: too deep for a stage"),
+            "{error}"
         );
     }
 
@@ -471,7 +525,7 @@ mod tests {
         }
         assert_eq!(
             reread(&folder).unwrap().ignored,
-            [PathBuf::from("notes/private")]
+            [Untrusted::from("notes/private")]
         );
         forbid("stages/intersect", 0);
         assert!(reread(&folder).unwrap_err().contains("cannot read"));

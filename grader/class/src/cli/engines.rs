@@ -3,6 +3,7 @@
 use crate::out::Out;
 use crate::plan::Plan;
 use crate::pool::Job;
+use crate::unit;
 use base::GraderError;
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
@@ -43,7 +44,7 @@ pub(super) fn missing<'a>(plan: &'a Plan, shard: Option<Shard>, out: &Out) -> Ve
         Some(shard) => shard.of(units),
         None => units,
     };
-    units.retain(|(key, _)| !out.has(key));
+    units.retain(|(key, _)| !unit::is_stored(out, key));
     units
 }
 

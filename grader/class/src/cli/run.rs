@@ -3,19 +3,23 @@
 use super::engines::{Shard, UnitCommand, missing};
 use crate::collect::{Class, Status};
 use crate::course_hash;
-use crate::intake::Revision;
 use crate::out::Out;
 use crate::plan::{Plan, Settings};
 use crate::progress::Progress;
+use crate::reading::intake::Revision;
+use crate::reading::{Reader, process};
 use crate::{pool, regrade, tables, unit};
+use base::GraderError;
+use base::Workspace;
 use base::program::Exit;
-use base::{GraderError, Workspace, write_whole};
+use base::write_whole;
 use clap::ArgMatches;
+use grader::course::Course;
 use grader::report::HintLevel;
 use std::path::{Path, PathBuf};
 use submission::arguments::containment;
+use submission::containment::Containment;
 use submission::one::{GradingCourse, random_seed};
-use submission::visible_in_line;
 
 /// Runs the command.
 pub fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
@@ -35,7 +39,15 @@ pub fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     let workspace = Workspace::above(path("course").unwrap_or(Path::new(".")))?;
     workspace.ensure_full("it does not contain the reference that a class is graded with")?;
     if let Some(key) = matches.get_one::<String>("unit") {
-        return grade_unit(matches, &existing(out)?, class, &workspace, key);
+        let containment = containment(matches, &workspace)?;
+        return grade_unit(
+            matches,
+            &existing(out)?,
+            class,
+            &workspace,
+            containment,
+            key,
+        );
     }
     let out = &Out::create(out)?;
     if contains(class, out.path()) {
@@ -45,7 +57,8 @@ pub fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
         )));
     }
     let regrades = matches.get_flag("regrade");
-    let plan = plan(matches, &workspace, class, out)?;
+    let containment = containment(matches, &workspace)?;
+    let plan = plan(matches, &workspace, class, out, &containment)?;
     let unsandboxed = matches.get_flag("unsandboxed");
     let command = UnitCommand::new(workspace.root(), class, out, unsandboxed)?;
     let shard = matches.get_one::<Shard>("shard").copied();
@@ -58,11 +71,8 @@ pub fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     }
     if !jobs.is_empty() {
         // What all submissions share is built once, not by the first of each processor.
-        drop(GradingCourse::open(
-            &workspace,
-            containment(matches, &workspace)?,
-        )?);
-        if let Some(why) = plan.why_fewer(jobs.len(), |key| out.has(key)) {
+        drop(GradingCourse::open(&workspace, containment)?);
+        if let Some(why) = plan.why_fewer(jobs.len(), |key| unit::is_stored(out, key)) {
             eprintln!("{why}");
         }
         let progress = Progress::start(jobs.len());
@@ -110,8 +120,11 @@ fn plan(
     workspace: &Workspace,
     class: &Path,
     out: &Out,
+    containment: &Containment,
 ) -> Result<Plan, GraderError> {
-    let course = course_hash::of(workspace)?;
+    let hashes = course_hash::of(workspace)?;
+    let course = Course::read(workspace)?;
+    let reader = reader(workspace, containment)?;
     let part = matches.get_one::<u32>("part");
     let revision = matches
         .get_one::<Revision>("before")
@@ -126,9 +139,9 @@ fn plan(
             seed: seed.unwrap_or_else(random_seed),
             limits: limits(matches).to_string(),
             revision: revision.clone(),
-            course: course.clone(),
+            course: hashes.clone(),
         };
-        let wanted = Plan::make(class, workspace, settings, reading)?;
+        let wanted = Plan::make(class, &course, &reader, settings, reading)?;
         let Some(old) = old else {
             if matches.get_flag("regrade") {
                 return Err(GraderError::new(format!(
@@ -145,7 +158,7 @@ fn plan(
             wanted.store(&out.proposed_plan())?;
             return Ok(wanted);
         }
-        let differences = old.settings.differences(&wanted.settings);
+        let differences = old.differences(&wanted);
         if !differences.is_empty() {
             return Err(GraderError::new(format!(
                 "{} was graded with {}. `--regrade` grades again and shows what changes before it replaces anything; or choose another folder for --out",
@@ -162,6 +175,20 @@ fn plan(
         }
         return Ok(plan);
     }
+}
+
+/// Reads submissions with this program.
+fn reader(workspace: &Workspace, containment: &Containment) -> Result<Reader, GraderError> {
+    let program = std::env::current_exe();
+    let program = program
+        .map_err(|e| GraderError::new(format!("cannot find out which program this is: {e}")))?;
+    let containment = containment.clone();
+    Ok(Reader::new(
+        &program,
+        workspace,
+        containment,
+        process::LIMITS,
+    ))
 }
 
 /// The limits on submissions that can be chosen. Those of time and memory are part of the course.
@@ -190,12 +217,13 @@ fn grade_unit(
     out: &Out,
     class: &Path,
     workspace: &Workspace,
+    containment: Containment,
     key: &str,
 ) -> Result<Exit, GraderError> {
     if matches.get_flag("of-pool") {
         pool::end_with_the_pool();
     }
-    if out.has(key) {
+    if unit::is_stored(out, key) {
         return Ok(Exit::Passed);
     }
     let plans = [Plan::load(&out.plan())?, Plan::load(&out.proposed_plan())?];
@@ -209,8 +237,9 @@ fn grade_unit(
             out.path().display()
         ))
     })?;
-    let graded = containment(matches, workspace)
-        .and_then(|containment| unit::grade(plan, planned, class, workspace, containment, out));
+    let reader = reader(workspace, &containment)?;
+    let graded = GradingCourse::open(workspace, containment)
+        .and_then(|course| unit::grade(plan, planned, class, &reader, &course, out));
     if let Err(why) = &graded {
         pool::store_failure(out, key, &why.to_string())?;
     }
@@ -242,8 +271,7 @@ fn write_tables(matches: &ArgMatches, out: &Out, plan: Plan) -> Result<Exit, Gra
             (Some(_), Status::Unreadable(_)) => "no points",
             _ => continue,
         };
-        let why = visible_in_line(&format!("{}: {}", row.name, row.status));
-        println!("{what}: {why}");
+        println!("{what}: {}: {}", row.name.line(), row.status);
     }
     println!(
         "seed {}; tables: {}",
@@ -263,19 +291,20 @@ fn show_regrade(matches: &ArgMatches, out: &Out) -> Result<Exit, GraderError> {
             ))
         })
     };
-    let old = Class::read(out, load(out.plan())?)?;
-    let new = Class::read(out, load(out.proposed_plan())?)?;
+    let read = |plan| Class::read(out, plan, |_, _, _, _| Ok(()));
+    let old = read(load(out.plan())?)?;
+    let new = read(load(out.proposed_plan())?)?;
     let changes = regrade::changes(&old, &new);
     write_whole(
         &out.join("regrade.csv"),
-        regrade::to_csv(&changes).as_bytes(),
+        regrade::to_csv(&changes)?.as_bytes(),
     )?;
     print!("{}", regrade::to_text(&changes, new.rows.len()));
     let failed = new.rows.iter().filter(|row| {
         let before = old.rows.iter().find(|old| old.name == row.name);
         row.score.is_none() && before.is_some_and(|before| before.score.is_some())
     });
-    let failed: Vec<&str> = failed.map(|row| row.name.as_str()).collect();
+    let failed: Vec<String> = failed.map(|row| row.name.line()).collect();
     if !failed.is_empty() {
         println!(
             "nothing is replaced: {} had a score and would have none. Run again",

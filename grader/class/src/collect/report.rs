@@ -1,9 +1,13 @@
 //! What the tables and pages read of the report about a submission.
 
+use super::points;
+use crate::plan::Plan;
 use crate::unit::Unit;
 use base::GraderError;
+use judge::Tier;
 use serde::Deserialize;
 use std::collections::BTreeMap;
+use submission::Untrusted;
 
 /// The report about one submission.
 #[derive(Clone, Debug, Deserialize)]
@@ -35,10 +39,10 @@ pub struct StudentReport {
     pub reaches_out: Vec<String>,
     /// The compiler's messages.
     #[serde(default)]
-    pub compiler: String,
+    pub compiler: Untrusted,
     /// What the code printed.
     #[serde(default)]
-    pub printed: String,
+    pub printed: Untrusted,
     /// How the code was contained.
     #[serde(default)]
     pub containment: String,
@@ -69,9 +73,9 @@ pub struct Task {
     pub diagnosis: Option<Diagnosis>,
     /// What the wrong answers have in common.
     #[serde(default)]
-    pub regularities: Vec<String>,
+    pub regularities: Vec<Untrusted>,
     /// A Rust test of the worst answer.
-    pub worst_as_test: Option<String>,
+    pub worst_as_test: Option<Untrusted>,
 }
 
 /// The result of one case.
@@ -79,8 +83,8 @@ pub struct Task {
 pub struct Case {
     /// Its name.
     pub name: String,
-    /// `core` or `robust`.
-    pub tier: String,
+    /// Whether its points are core points or extra credit.
+    pub tier: Tier,
     /// Points earned.
     pub score: f64,
     /// Points possible.
@@ -88,13 +92,13 @@ pub struct Case {
     /// Its status, such as `crashed`.
     pub status: String,
     /// What the status is about.
-    pub detail: Option<String>,
+    pub detail: Option<Untrusted>,
     /// What it tests.
     pub about: String,
     /// What was found about its answers.
     pub findings: Vec<Finding>,
     /// What else costs points.
-    pub reductions: Vec<String>,
+    pub reductions: Vec<Untrusted>,
 }
 
 /// What was found about an aspect of the answers.
@@ -114,7 +118,7 @@ pub struct Finding {
 #[derive(Clone, Debug, Deserialize)]
 pub struct Worst {
     /// The student's result, the expected one and the input.
-    pub message: String,
+    pub message: Untrusted,
 }
 
 /// A known mistake that explains wrong answers.
@@ -131,19 +135,22 @@ pub struct Diagnosis {
 }
 
 impl StudentReport {
-    /// Reads the report in a unit.
-    pub fn of(unit: &Unit) -> Result<StudentReport, GraderError> {
-        StudentReport::deserialize(&unit.report).map_err(|e| {
+    /// Reads the report in a unit, with the points of the plan.
+    pub fn of(unit: &Unit, plan: &Plan) -> Result<StudentReport, GraderError> {
+        let report = StudentReport::deserialize(&unit.report);
+        let mut report = report.map_err(|e| {
             GraderError::new(format!(
                 "units/{}.json has a report of another version of the grader ({e}). Remove it and run again",
                 unit.key
             ))
-        })
+        })?;
+        points::apply(&mut report, unit, plan)?;
+        Ok(report)
     }
 
     /// What an instructor should know besides the points, as sentences.
-    pub(super) fn notes(&self) -> Vec<String> {
-        let mut notes = Vec::new();
+    pub(super) fn notes(&self) -> Vec<Untrusted> {
+        let mut notes: Vec<String> = Vec::new();
         if !self.missing.is_empty() {
             notes.push(format!("not handed in: {}", self.missing.join(" ")));
         }
@@ -171,6 +178,6 @@ impl StudentReport {
         if !self.reaches_out.is_empty() {
             notes.push(format!("please check {}", self.reaches_out.join(" ")));
         }
-        notes
+        notes.into_iter().map(Untrusted::from).collect()
     }
 }

@@ -1,33 +1,54 @@
-//! The pages about a class and about each student. Each is one file without scripts, and asks
-//! nothing of any server.
+//! The pages about a class and about each student. Each is one file, and asks nothing of any server.
+//!
+//! All text goes through [`maud`], which escapes it for HTML. Text that was handed in is
+//! [`Untrusted`], which it can only show by `line` or `lines`.
 
 pub mod class;
+mod distribution;
+mod mistakes;
 pub mod student;
+mod submissions;
 
-pub use ::pages::html::escape;
-use std::fmt::Write;
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+use maud::{DOCTYPE, Markup, PreEscaped, html};
+use sha2::{Digest, Sha256};
+use submission::Untrusted;
 
 const STYLE: &str = include_str!("style.css");
 
-/// A page with this title and body. The title is escaped here; the body is HTML.
-fn page(title: &str, body: &str) -> String {
-    let title = escape(title);
-    format!(
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
-         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
-         <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'\">\n\
-         <title>{title}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n{body}</body>\n</html>\n"
-    )
+/// A page with this title and body, and with a script of ours.
+fn page(title: &str, body: &Markup, script: Option<&str>) -> String {
+    // Only this script is run: nothing that a student wrote can be one.
+    let allowed = script.map_or_else(String::new, |script| {
+        let hash = STANDARD.encode(Sha256::digest(script));
+        format!("; script-src 'sha256-{hash}'")
+    });
+    let policy = format!("default-src 'none'; style-src 'unsafe-inline'{allowed}");
+    let page = html! {
+        (DOCTYPE)
+        html lang="en" {
+            head {
+                meta charset="utf-8";
+                meta name="viewport" content="width=device-width, initial-scale=1";
+                meta http-equiv="Content-Security-Policy" content=(policy);
+                title { (title) }
+                style { (PreEscaped(STYLE)) }
+            }
+            body {
+                (body)
+                @if let Some(script) = script { script { (PreEscaped(script)) } }
+            }
+        }
+    };
+    page.into_string() + "\n"
 }
 
 /// A list of sentences; nothing if there are none.
-fn list(sentences: &[String]) -> String {
-    if sentences.is_empty() {
-        return String::new();
+fn list(sentences: &[Untrusted]) -> Markup {
+    html! {
+        @if !sentences.is_empty() {
+            ul { @for sentence in sentences { li { (sentence.line()) } } }
+        }
     }
-    let mut html = String::from("<ul>");
-    for sentence in sentences {
-        let _ = write!(html, "<li>{}</li>", escape(sentence));
-    }
-    html + "</ul>\n"
 }

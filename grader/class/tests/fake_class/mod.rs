@@ -43,9 +43,11 @@ impl FakeClass {
         let mut planned: Vec<Value> = planned.collect();
         planned.push(json!({ "name": "zz", "file": "zz", "unreadable": "is empty" }));
         let plan = json!({
-            "version": 1,
+            "version": 2,
             "settings": { "what": "part1", "seed": 7, "limits": "contained", "revision": null, "course": { "the grader": "0" } },
-            "tasks": [{ "key": "part1.task1", "title": "A <task>", "stage": "raygen", "max_score": 10.0, "max_extra": 2.0 }],
+            "tasks": [{ "key": "part1.task1", "title": "A <task>", "stage": "raygen", "cases": [
+                { "name": "a_case", "tier": "core", "points": 10.0 }, { "name": "b_case", "tier": "robust", "points": 2.0 },
+            ] }],
             "submissions": planned,
         });
         let made = folder.join("made");
@@ -109,23 +111,27 @@ impl FakeClass {
     }
 }
 
+/// What a student may make a report say: markup, and what terminals and readers obey.
+pub(crate) const HOSTILE: &str = "</p><script>\u{1b}[2J\r\u{202e}08 fo 08\u{9b}31m";
+
 /// The result of unit number `i`.
 fn result(key: &str, i: usize) -> Value {
     let score = (i % 11) as f64;
     json!({
         "key": key, "submission": key, "course": "0", "what": "part1", "seed": 7,
-        "outcome": "graded", "wrong_answers": {}, "endless_cases": {}, "sources": {},
+        "outcome": "graded", "earned": { "part1.task1": { "a_case": score / 10.0, "b_case": 0.0 } }, "wrong_answers": {}, "endless_cases": {}, "sources": {},
         "took": { "seconds": 1.0, "cpu_seconds": 1.0 },
         "report": {
             "score": score, "max_score": 10.0, "robust_score": 0.0, "robust_max_score": 2.0,
+            "compiler": HOSTILE, "printed": HOSTILE,
             "tasks": [{
                 "key": "part1.task1", "title": "A <task>", "score": score, "max_score": 10.0,
                 "robust_score": 0.0, "robust_max_score": 2.0, "status": "failed", "stage": "raygen",
                 "cases": [{
                     "name": "a_case", "tier": "core", "score": score, "max_score": 10.0, "status": "failed",
-                    "about": format!("earns {} points", points(score)), "findings": [], "reductions": ["</p><script>"],
+                    "about": format!("earns {} points", points(score)), "findings": [], "reductions": [HOSTILE], "detail": HOSTILE,
                 }],
-                "diagnosis": null, "worst_as_test": null,
+                "diagnosis": null, "worst_as_test": HOSTILE, "regularities": [HOSTILE],
             }],
         },
     })

@@ -231,17 +231,17 @@ fn a_gradebook_has_points_or_a_reason() {
     assert_eq!(
         rows(&partly()),
         [
-            "id,name,score,max_score,extra,max_extra,part1.task3,note",
-            "ada,\"'=Lovelace, Ada\",7.5,10,1,2,7.5,"
+            "id,name,status,score,max_score,extra,max_extra,part1.task3,part1.task3 extra,note",
+            "ada,\"'=Lovelace, Ada\",graded,7.5,10,1,2,7.5,1,"
         ]
     );
     let failed = rows(&failed_grader());
     assert_eq!(
         failed[1],
-        "ada,\"'=Lovelace, Ada\",,,,,not graded: the disk is full"
+        "ada,\"'=Lovelace, Ada\",not graded,,0,,0,the disk is full"
     );
-    assert!(rows(&nothing_compiles())[1].ends_with(",0,does not compile: part1.task3"));
-    let refused = ",0,refused before it was compiled: intersect: stages/intersect/src/lib.rs:3: `unsafe` is not allowed in a stage";
+    assert!(rows(&nothing_compiles())[1].ends_with(",0,0,does not compile: part1.task3"));
+    let refused = ",0,0,refused before it was compiled: intersect: stages/intersect/src/lib.rs:3: `unsafe` is not allowed in a stage";
     assert!(rows(&stage_refused())[1].ends_with(refused));
 }
 

@@ -63,6 +63,13 @@ pub fn without_tests(text: &str) -> String {
     kept.iter().flat_map(|line| [line, "\n"]).collect()
 }
 
+/// The `Cargo.toml` of a crate of which only the library is built: a file `src/bin/x.rs` or
+/// `src/main.rs` that a student hands in would be a program otherwise, with rules of its own (cargo
+/// refuses a program `build`, for example).
+pub fn only_library(text: &str) -> String {
+    text.replacen("[package]\n", "[package]\nautobins = false\n", 1)
+}
+
 /// Removes the development dependencies from a crate's `Cargo.toml` for which `is_used` is false.
 pub fn without_unused_dev_dependencies(text: &str, is_used: impl Fn(&str) -> bool) -> String {
     let mut inside = false;

@@ -4,9 +4,10 @@
 //! runs in an empty repository of our own that has only the names of the clone's commits and reads
 //! the clone's objects.
 
-use super::Unreadable;
 use super::unpack::Unpacker;
+use crate::reading::Unreadable;
 use base::GraderError;
+use base::child_processes;
 use base::interrupt::{self, TempFolder};
 use serde::{Deserialize, Serialize};
 use std::fmt;
@@ -84,6 +85,9 @@ impl fmt::Display for Revision {
 
 /// The largest file with names of commits that is copied.
 const MAX_REFS: u64 = 4 << 20;
+
+/// The longest list of files of a commit that is read, in bytes.
+const MAX_LIST: u64 = 32 << 20;
 
 /// The most files below `.git/refs` and `.git/objects`.
 const MAX_GIT_FILES: usize = 200_000;
@@ -185,7 +189,7 @@ impl Git {
             let folder = path.parent().unwrap_or(&path).to_path_buf();
             std::fs::create_dir_all(&folder)
                 .and_then(|()| std::fs::write(&path, text))
-                .map_err(|e| Unreadable::Machine(GraderError::file("write", &path, e)))
+                .map_err(|e| Unreadable::from(GraderError::file("write", &path, e)))
         };
         write(
             "config",
@@ -194,7 +198,7 @@ impl Git {
         for name in ["objects", "refs"] {
             let folder = own.path().join(name);
             std::fs::create_dir_all(&folder)
-                .map_err(|e| Unreadable::Machine(GraderError::file("create", &folder, e)))?;
+                .map_err(|e| Unreadable::from(GraderError::file("create", &folder, e)))?;
         }
         for name in ["HEAD", "packed-refs", "shallow"] {
             if let Some(text) = small_file(&clone.join(name)) {
@@ -244,18 +248,41 @@ impl Git {
 
     /// Runs git and returns what it prints.
     fn text(&self, arguments: &[&str]) -> Result<String, Unreadable> {
-        let output = self
-            .command()
+        let mut command = self.command();
+        command
             .args(arguments)
-            .output()
-            .map_err(cannot_run)?;
-        if !output.status.success() {
-            return Err(Unreadable::Damaged(format!(
-                "is a clone that git cannot read: {}",
-                String::from_utf8_lossy(&output.stderr).trim()
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped());
+        let mut child = command.spawn().map_err(cannot_run)?;
+        let stderr = child.stderr.take();
+        let stderr =
+            std::thread::spawn(move || stderr.map(child_processes::tail).unwrap_or_default());
+        let mut output = Vec::new();
+        if let Some(stdout) = child.stdout.take() {
+            // A small clone may name the same folders again and again.
+            let read = stdout.take(MAX_LIST + 1).read_to_end(&mut output);
+            read.map_err(|_| stopped())?;
+        }
+        if output.len() as u64 > MAX_LIST {
+            let _ = child.kill(); // it may have ended
+            let _ = child.wait();
+            return Err(Unreadable::TooLarge(format!(
+                "has a list of files of more than {} MB in its history",
+                MAX_LIST >> 20
             )));
         }
-        String::from_utf8(output.stdout).map_err(|_| {
+        let status = child.wait().map_err(cannot_run)?;
+        let says = stderr.join().unwrap_or_default();
+        if status.code().is_none() {
+            return Err(stopped());
+        }
+        if !status.success() {
+            return Err(Unreadable::Damaged(format!(
+                "is a clone that git cannot read: {}",
+                says.trim()
+            )));
+        }
+        String::from_utf8(output).map_err(|_| {
             Unreadable::Damaged("has a file whose name is not UTF-8: rename it".into())
         })
     }
@@ -280,7 +307,7 @@ impl Git {
         let mut stdout = BufReader::new(stdout);
         let written = blobs.iter().try_for_each(|(path, hash)| {
             // One question at a time: neither pipe can be full while the other one is waited for.
-            writeln!(stdin, "{hash}").map_err(cannot_run)?;
+            writeln!(stdin, "{hash}").map_err(|_| incomplete(path))?;
             write_blob(&mut stdout, path, unpacker)
         });
         drop(stdin);
@@ -297,26 +324,40 @@ fn write_blob(
     unpacker: &mut Unpacker,
 ) -> Result<(), Unreadable> {
     let mut header = String::new();
-    stdout.read_line(&mut header).map_err(cannot_run)?;
+    stdout
+        .read_line(&mut header)
+        .map_err(|_| incomplete(path))?;
     let size = header
         .split_whitespace()
         .nth(2)
         .and_then(|size| size.parse().ok());
     let Some(size) = size else {
-        return Err(Unreadable::Damaged(format!(
-            "is an incomplete clone: the contents of {} are missing",
-            path.display()
-        )));
+        return Err(incomplete(path));
     };
     unpacker.write(path, stdout.by_ref().take(size))?;
     let mut newline = [0];
-    stdout.read_exact(&mut newline).map_err(cannot_run)
+    // Git ends in the middle of a file that is cut.
+    let is_whole = stdout.read_exact(&mut newline).is_ok() && newline == *b"\n";
+    is_whole.then_some(()).ok_or_else(|| incomplete(path))
+}
+
+fn incomplete(path: &Path) -> Unreadable {
+    Unreadable::Damaged(format!(
+        "is an incomplete clone: the contents of {} are missing or cut",
+        path.display()
+    ))
+}
+
+/// Git was ended by a signal: it has limits of time and memory.
+fn stopped() -> Unreadable {
+    Unreadable::TooLarge(
+        "is a clone that git cannot read within the limits of time and memory: ask for a new clone"
+            .into(),
+    )
 }
 
 fn cannot_run(e: std::io::Error) -> Unreadable {
-    Unreadable::Machine(GraderError::new(format!(
-        "cannot run git: {e}. Is it installed?"
-    )))
+    GraderError::new(format!("cannot run git: {e}. Is it installed?")).into()
 }
 
 fn too_many_files() -> Unreadable {

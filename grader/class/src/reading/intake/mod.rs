@@ -8,6 +8,7 @@ mod unpack;
 
 pub use git::Revision;
 
+use super::content::Unreadable;
 use base::GraderError;
 use base::interrupt::{self, TempFolder};
 use std::path::{Path, PathBuf};
@@ -22,23 +23,6 @@ pub struct Opened {
     pub notes: Vec<String>,
     /// What was unpacked; removed when this is dropped.
     _unpacked: Vec<TempFolder>,
-}
-
-/// Why a submission cannot be read.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Unreadable {
-    /// It is larger than a submission may be. The sentence names the limit.
-    TooLarge(String),
-    /// It is damaged, in another form, or not a submission. The sentence says what was found.
-    Damaged(String),
-    /// The machine failed: its disk is full, for example.
-    Machine(GraderError),
-}
-
-impl From<GraderError> for Unreadable {
-    fn from(error: GraderError) -> Unreadable {
-        Unreadable::Machine(error)
-    }
 }
 
 /// How many archives inside each other are opened: systems wrap what a student zipped.

@@ -1,7 +1,7 @@
 //! Reads zip, tar and tar.gz. The first bytes say which it is, whatever the file is called.
 
-use super::Unreadable;
 use super::unpack::Unpacker;
+use crate::reading::Unreadable;
 use base::GraderError;
 use flate2::read::MultiGzDecoder;
 use std::fs::File;
@@ -47,7 +47,7 @@ pub(super) fn form(path: &Path) -> io::Result<Option<Form>> {
 
 /// Unpacks the file `path`.
 pub(super) fn unpack(path: &Path, unpacker: &mut Unpacker) -> Result<(), Unreadable> {
-    let failed = |e: io::Error| Unreadable::Machine(GraderError::file("read", path, e));
+    let failed = |e: io::Error| -> Unreadable { GraderError::file("read", path, e).into() };
     let Some(form) = form(path).map_err(failed)? else {
         let kind = path.symlink_metadata().map_err(failed)?;
         if kind.is_file() && kind.len() == 0 {
@@ -91,7 +91,15 @@ fn unpack_zip(file: BufReader<File>, unpacker: &mut Unpacker) -> Result<(), Unre
 }
 
 fn unpack_tar(stream: impl Read, unpacker: &mut Unpacker) -> Result<(), Unreadable> {
-    let damaged = |e: io::Error| Unreadable::Damaged(format!("is a damaged tar file: {e}"));
+    let damaged = |e: io::Error| {
+        match e.kind() {
+        // A name may be as long as the archive says.
+        io::ErrorKind::OutOfMemory => Unreadable::TooLarge(
+            "is a tar file that cannot be unpacked within the limit of memory: ask for one that was made anew".into(),
+        ),
+        _ => Unreadable::Damaged(format!("is a damaged tar file: {e}")),
+    }
+    };
     let mut archive = tar::Archive::new(stream);
     for entry in archive.entries().map_err(damaged)? {
         let entry = entry.map_err(damaged)?;

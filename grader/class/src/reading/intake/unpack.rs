@@ -1,6 +1,6 @@
 //! Writes the files of an archive to a temporary folder, within limits.
 
-use super::Unreadable;
+use crate::reading::Unreadable;
 use base::GraderError;
 use base::interrupt::TempFolder;
 use std::io::{self, Read, Write};
@@ -105,7 +105,7 @@ impl Unpacker {
         let full = self.folder.path().join(path);
         let failed = |e: io::Error| match e.kind() {
             io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => {
-                Unreadable::Machine(GraderError::file("write", &full, e))
+                GraderError::file("write", &full, e).into()
             }
             _ => Unreadable::Damaged(format!(
                 "contains {}, which cannot be written: {e}",

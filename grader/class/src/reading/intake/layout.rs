@@ -1,6 +1,7 @@
 //! Finds the project in a folder: it may be a folder too deep, or in an archive in the folder.
 
-use super::{Unreadable, archive};
+use super::archive;
+use crate::reading::Unreadable;
 use std::path::{Path, PathBuf};
 
 /// How deep a project may lie in a submission.

@@ -1,0 +1,83 @@
+//! What is read of a submission: its source files, its hash, what was unusual about it.
+
+use super::intake::{self, Revision};
+use crate::hash::Hasher;
+use base::GraderError;
+use base::Workspace;
+use grader::course::Course;
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+use std::path::Path;
+use submission::Untrusted;
+use submission::read::Submission;
+
+/// A submission that was opened and read.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Content {
+    /// The files of its stages.
+    pub submission: Submission,
+    /// The hash of all that scores and notes depend on.
+    pub hash: String,
+    /// The hashes of the source files of each stage.
+    pub sources: BTreeMap<String, String>,
+    /// What was unusual about its form, as sentences.
+    pub notes: Vec<Untrusted>,
+}
+
+/// Why a submission cannot be read.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Unreadable {
+    /// It is larger than a submission may be, or reading it takes more. The sentence names the limit.
+    TooLarge(String),
+    /// It is damaged, in another form, or not a submission. The sentence says what was found.
+    Damaged(String),
+    /// The machine failed: its disk is full, for example. It may succeed if it is tried again.
+    Machine(String),
+}
+
+impl From<GraderError> for Unreadable {
+    fn from(error: GraderError) -> Unreadable {
+        Unreadable::Machine(error.to_string())
+    }
+}
+
+/// Opens and reads the folder or file `path`.
+pub fn read(
+    path: &Path,
+    course: &Course,
+    workspace: &Workspace,
+    revision: Option<&Revision>,
+) -> Result<Content, Unreadable> {
+    let opened = intake::open(path, &course.stages(), revision)?;
+    let submission = Submission::read(&opened.root, course, workspace.root());
+    let submission = submission.map_err(|error| {
+        // The folder may be a temporary one, with another name every time.
+        let root = format!("{}/", opened.root.display());
+        let why = error.to_string().replace(&root, "");
+        Unreadable::Damaged(format!("cannot be used: {why}"))
+    })?;
+    let mut sources = BTreeMap::new();
+    for (stage, files) in &submission.stages {
+        let mut hasher = Hasher::default();
+        for (path, text) in files {
+            hasher.part(path.to_string_lossy().as_bytes()).part(text);
+        }
+        sources.insert(stage.clone(), hasher.finish());
+    }
+    let mut hasher = Hasher::default();
+    for (stage, hash) in &sources {
+        hasher.part(stage).part(hash);
+    }
+    hasher.part("ignored");
+    for path in &submission.ignored {
+        hasher.part(path.raw());
+    }
+    let notes = opened.notes.iter().chain(&submission.notes);
+    let notes = notes.map(|note| Untrusted::from(note.as_str())).collect();
+    Ok(Content {
+        submission,
+        hash: hasher.finish(),
+        sources,
+        notes,
+    })
+}

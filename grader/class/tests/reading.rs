@@ -1,0 +1,286 @@
+//! What was handed in is read in a process with limits: whatever happens to that process is one row,
+//! and the others are read.
+
+use base::Workspace;
+use class::plan::{Plan, Settings, State};
+use class::reading::Reader;
+use class::reading::intake::Revision;
+use class::reading::process::ReadingLimits;
+use grader::course::Course;
+use std::collections::BTreeMap;
+use std::ffi::OsStr;
+use std::io::{Read, Write};
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::time::{Duration, Instant};
+use submission::containment::Containment;
+
+/// Smaller than those of a real class, so that the tests are fast.
+const LIMITS: ReadingLimits = ReadingLimits {
+    cpu_seconds: 4,
+    elapsed: Duration::from_secs(60),
+    memory_mb: 256,
+    output: 2 << 20,
+};
+
+const LIB: &str = "stages/intersect/src/lib.rs";
+
+fn workspace() -> Workspace {
+    Workspace::above(Path::new(env!("CARGO_MANIFEST_DIR"))).expect("this is the course")
+}
+
+fn write(path: &Path, contents: &[u8]) {
+    std::fs::create_dir_all(path.parent().expect("a folder")).expect("a folder");
+    std::fs::write(path, contents).expect("a file");
+}
+
+/// Runs a program in `folder` with an input, and returns what it prints.
+fn output(folder: &Path, program: &str, arguments: &[&str], input: &str) -> String {
+    let mut child = Command::new(program)
+        .args(
+            ["-c", "user.name=s", "-c", "user.email=s@example"]
+                .iter()
+                .filter(|_| program == "git"),
+        )
+        .args(arguments)
+        .current_dir(folder)
+        .env("GIT_CONFIG_GLOBAL", "/dev/null")
+        .envs(["GIT_COMMITTER_DATE", "GIT_AUTHOR_DATE"].map(|name| (name, "2026-11-01T10:00:00Z")))
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .spawn()
+        .expect("it starts");
+    let mut stdin = child.stdin.take().expect("an input");
+    stdin.write_all(input.as_bytes()).expect("it reads");
+    drop(stdin);
+    let output = child.wait_with_output().expect("it ends");
+    assert!(output.status.success(), "{program} {arguments:?}");
+    String::from_utf8(output.stdout)
+        .expect("UTF-8")
+        .trim()
+        .to_string()
+}
+
+fn git(folder: &Path, arguments: &[&str], input: &str) -> String {
+    output(folder, "git", arguments, input)
+}
+
+/// A small clone whose folders contain each other ten times, thirty levels deep. At the bottom is a
+/// file, or nothing.
+fn nested_trees(folder: &Path, bottom: &str) {
+    std::fs::create_dir_all(folder).expect("a folder");
+    git(folder, &["init", "--quiet"], "");
+    let blob = git(folder, &["hash-object", "-w", "--stdin"], "x");
+    let mut tree = git(folder, &["mktree"], &bottom.replace("BLOB", &blob));
+    for _ in 0..30 {
+        let entries = (0..10).map(|i| format!("040000 tree {tree}\tf{i}\n"));
+        tree = git(folder, &["mktree"], &entries.collect::<String>());
+    }
+    let commit = git(folder, &["commit-tree", &tree, "-m", "trees"], "");
+    git(folder, &["update-ref", "HEAD", &commit], "");
+}
+
+/// A clone whose file was cut on its way.
+fn cut_blob(folder: &Path) {
+    write(&folder.join(LIB), &incompressible(300_000));
+    git(folder, &["init", "--quiet"], "");
+    git(folder, &["add", "--all"], "");
+    git(folder, &["commit", "--quiet", "--message", "all"], "");
+    let hash = git(folder, &["rev-parse", &format!("HEAD:{LIB}")], "");
+    let object = folder
+        .join(".git/objects")
+        .join(&hash[..2])
+        .join(&hash[2..]);
+    let bytes = std::fs::read(&object).expect("the object");
+    std::fs::remove_file(&object).expect("it is removed"); // it is read-only
+    std::fs::write(&object, &bytes[..bytes.len() / 2]).expect("it is cut");
+}
+
+fn incompressible(length: usize) -> Vec<u8> {
+    let mut state = 1_u32;
+    let mut next = || {
+        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        (state >> 24) as u8
+    };
+    (0..length).map(|_| next()).collect()
+}
+
+/// A small tar.gz with an entry of this kind that contains `megabytes` of a name.
+fn long_name(path: &Path, kind: tar::EntryType, megabytes: u64) {
+    let size = megabytes << 20;
+    let mut header = tar::Header::new_gnu();
+    header.set_entry_type(kind);
+    header.set_size(size);
+    header.set_path("././@LongLink").expect("a name");
+    header.set_cksum();
+    let file = std::fs::File::create(path).expect("a file");
+    let mut gzip = flate2::write::GzEncoder::new(file, flate2::Compression::fast());
+    gzip.write_all(header.as_bytes()).expect("it is written");
+    std::io::copy(&mut std::io::repeat(b'a').take(size), &mut gzip).expect("it is written");
+    gzip.finish().expect("it is written");
+}
+
+/// Folders inside each other, deeper than a path can name.
+fn deep_folders(folder: &Path) {
+    let src = folder.join("stages/intersect/src");
+    write(&src.join("lib.rs"), b"");
+    let script = "i=0; while [ $i -lt 1900 ]; do mkdir f && cd -P f || exit 1; i=$((i+1)); done";
+    output(&src, "sh", &["-c", script], "");
+}
+
+/// A class with one submission of each kind, and those that are as they should be.
+fn class(folder: &Path) {
+    for name in ["anna", "zoe"] {
+        write(&folder.join(name).join(LIB), b"mod a;\n");
+        git(&folder.join(name), &["init", "--quiet"], "");
+        git(&folder.join(name), &["add", "--all"], "");
+        git(
+            &folder.join(name),
+            &["commit", "--quiet", "--message", "all"],
+            "",
+        );
+    }
+    cut_blob(&folder.join("cut"));
+    nested_trees(&folder.join("trees"), "100644 blob BLOB\ta.rs\n");
+    nested_trees(&folder.join("empty trees"), "");
+}
+
+/// Another class, of folders and archives.
+fn archives(folder: &Path) {
+    for name in ["anna", "zoe"] {
+        write(&folder.join(name).join(LIB), b"mod a;\n");
+    }
+    deep_folders(&folder.join("deep"));
+    long_name(&folder.join("gnu.tgz"), tar::EntryType::GNULongName, 600);
+    long_name(&folder.join("pax.tgz"), tar::EntryType::XHeader, 600);
+    for i in 0..4 {
+        let path = format!("large/stages/intersect/src/m{i}.rs");
+        write(&folder.join(path), &[b' '; 1 << 20]);
+    }
+    write(
+        &folder.join("\u{1b}[2J\u{202e}name.zip"),
+        b"PK\x03\x04 and nothing more",
+    );
+    #[cfg(target_os = "linux")]
+    {
+        use std::os::unix::ffi::OsStrExt;
+        write(&folder.join(OsStr::from_bytes(b"caf\xe9.zip")), b"x");
+    }
+}
+
+/// Reads the class in `folder`. Returns what is said about each, by its name.
+fn read(folder: &Path, containment: Containment, before: Option<&str>) -> BTreeMap<String, String> {
+    let workspace = workspace();
+    let course = Course::read(&workspace).expect("a course");
+    let program = PathBuf::from(env!("CARGO_BIN_EXE_class"));
+    let reader = Reader::new(&program, &workspace, containment, LIMITS);
+    let settings = Settings {
+        what: "part1".into(),
+        seed: 7,
+        limits: String::new(),
+        revision: before.map(|time| Revision::before(time).expect("a time")),
+        course: BTreeMap::new(),
+    };
+    let started = Instant::now();
+    let plan = Plan::make(folder, &course, &reader, settings, |_, _| {}).expect("a plan");
+    println!("read in {:.1} s", started.elapsed().as_secs_f64());
+    let submissions = plan.submissions.into_iter();
+    let said = submissions.map(|planned| {
+        let said = match planned.state {
+            State::Unit { .. } => "read".to_string(),
+            State::TooLarge(why) => format!("too large: {}", why.raw()),
+            State::Unreadable(why) => format!("unreadable: {}", why.raw()),
+            State::NotRead(why) => format!("not read: {}", why.raw()),
+        };
+        (planned.name.line(), said)
+    });
+    said.collect()
+}
+
+fn assert_said(said: &BTreeMap<String, String>, expected: &[(&str, &str)]) {
+    for (name, expected) in expected {
+        let said = said
+            .get(*name)
+            .unwrap_or_else(|| panic!("no {name}: {said:?}"));
+        assert!(said.starts_with(expected), "{name}: {said}");
+    }
+}
+
+fn clones_are_read(containment: Containment) {
+    let folder = tempfile::tempdir().expect("a folder");
+    class(folder.path());
+    let said = read(folder.path(), containment, Some("2026-11-20"));
+    assert_said(
+        &said,
+        &[
+            ("anna", "read"),
+            (
+                "cut",
+                "unreadable: is an incomplete clone: the contents of stages/intersect/src/lib.rs are missing or cut",
+            ),
+            (
+                "empty trees",
+                "too large: is a clone that git cannot read within the limits",
+            ),
+            ("trees", "too large: has a list of files of more than 32 MB"),
+            ("zoe", "read"),
+        ],
+    );
+}
+
+fn archives_are_read(containment: Containment) {
+    let folder = tempfile::tempdir().expect("a folder");
+    archives(folder.path());
+    let said = read(folder.path(), containment, None);
+    assert_said(
+        &said,
+        &[
+            ("anna", "read"),
+            (
+                "deep",
+                "unreadable: cannot be used: stages/intersect/src contains folders inside each other",
+            ),
+            (
+                "gnu",
+                "too large: is a tar file that cannot be unpacked within the limit of memory",
+            ),
+            ("large", "too large: has more than 2 MB of source files"),
+            (
+                "pax",
+                "too large: is a tar file that cannot be unpacked within the limit of memory",
+            ),
+            (
+                "\\u{1b}[2J\\u{202e}name",
+                "unreadable: is a damaged or unusual zip file",
+            ),
+            ("zoe", "read"),
+        ],
+    );
+    #[cfg(target_os = "linux")]
+    assert_said(
+        &said,
+        &[("caf\u{fffd}", "unreadable: has a name that is not UTF-8")],
+    );
+}
+
+#[cfg(unix)]
+#[test]
+fn a_clone_stops_only_itself() {
+    clones_are_read(Containment::None);
+}
+
+#[cfg(unix)]
+#[test]
+fn an_archive_or_a_folder_stops_only_itself() {
+    archives_are_read(Containment::None);
+}
+
+/// In the sandbox, reading is limited in the same way, and can write nothing but its temporary folder.
+#[cfg(target_os = "linux")]
+#[test]
+#[ignore = "slow: builds the launcher"]
+fn the_sandbox_reads_a_class_in_the_same_way() {
+    let containment = Containment::choose(&workspace(), false).expect("a sandbox");
+    clones_are_read(containment.clone());
+    archives_are_read(containment);
+}

@@ -1,0 +1,137 @@
+//! Text that somebody handed in: names of students and files, what code prints, messages that quote
+//! either. A terminal, a spreadsheet or a page would obey some of its characters, and they could hide
+//! or rewrite what else is in a report.
+//!
+//! [`shown`] is the only way in which such text is shown. [`Untrusted`] is text that cannot be shown
+//! in another way, because it does not implement `Display`.
+
+use serde::{Deserialize, Serialize};
+
+/// Text that was handed in. It is stored as it is, compared as it is, and shown by [`shown`].
+#[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[serde(transparent)]
+pub struct Untrusted(String);
+
+impl Untrusted {
+    /// Marks a text as handed in.
+    pub fn new(text: impl Into<String>) -> Untrusted {
+        Untrusted(text.into())
+    }
+
+    /// The text as it is: to compare it, to hash it, to open a file. Never to show it.
+    pub fn raw(&self) -> &str {
+        &self.0
+    }
+
+    /// The text as a part of one line.
+    pub fn line(&self) -> String {
+        shown(&self.0, Layout::Line)
+    }
+
+    /// The text with its ends of lines.
+    pub fn lines(&self) -> String {
+        shown(&self.0, Layout::Lines)
+    }
+
+    /// Whether there is no text.
+    pub fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+}
+
+impl From<String> for Untrusted {
+    fn from(text: String) -> Untrusted {
+        Untrusted(text)
+    }
+}
+
+impl From<&str> for Untrusted {
+    fn from(text: &str) -> Untrusted {
+        Untrusted(text.to_owned())
+    }
+}
+
+impl PartialEq<str> for Untrusted {
+    fn eq(&self, other: &str) -> bool {
+        self.0 == other
+    }
+}
+
+impl PartialEq<&str> for Untrusted {
+    fn eq(&self, other: &&str) -> bool {
+        self.0 == *other
+    }
+}
+
+/// Where a text is shown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Layout {
+    /// As a part of one line: ends of lines and tabs are escaped, too. What follows one in the name of
+    /// a file would look like a line of the report.
+    Line,
+    /// With lines of its own.
+    Lines,
+}
+
+/// `text` with every character that is obeyed instead of shown in the form of a Rust string, such as
+/// `\u{1b}`: control characters, what turns the direction of writing, and what has no width and no
+/// use in a name. Showing what was shown already changes nothing.
+pub fn shown(text: &str, layout: Layout) -> String {
+    let mut shown = String::with_capacity(text.len());
+    let mut rest = text.chars().peekable();
+    while let Some(c) = rest.next() {
+        match (c, layout) {
+            ('\n', Layout::Line) => shown.push_str("\\n"),
+            ('\t', Layout::Line) => shown.push_str("\\t"),
+            ('\n' | '\t', Layout::Lines) => shown.push(c),
+            // The line ends of Windows.
+            ('\r', Layout::Lines) if rest.peek() == Some(&'\n') => {}
+            (c, _) if is_obeyed(c) => shown.extend(c.escape_unicode()),
+            (c, _) => shown.push(c),
+        }
+    }
+    shown
+}
+
+/// Whether a character does something where it is shown: control characters (ESC, CR and U+009B
+/// among them), the ends of lines and paragraphs of Unicode, marks and overrides of direction, byte
+/// order marks, fillers without width, tags, and what is no character in XML. Joiners stay: Persian
+/// and Indian names need them.
+fn is_obeyed(c: char) -> bool {
+    let is_no_character = u32::from(c) & 0xfffe == 0xfffe;
+    c.is_control()
+        || is_no_character
+        || matches!(c,
+            '\u{61c}' | '\u{200b}' | '\u{200e}' | '\u{200f}'
+            | '\u{2028}'..='\u{202e}' | '\u{2060}'..='\u{206f}'
+            | '\u{feff}' | '\u{e0000}'..='\u{e007f}')
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_what_is_obeyed_is_escaped() {
+        let lines = |text| shown(text, Layout::Lines);
+        assert_eq!(lines("a\tb é …\n"), "a\tb é …\n");
+        assert_eq!(lines("a\r\nb"), "a\nb");
+        assert_eq!(lines("\u{1b}[2Jx\r\u{7}"), "\\u{1b}[2Jx\\u{d}\\u{7}");
+        assert_eq!(
+            shown("a\nscore 80 of 80\t\r\n", Layout::Line),
+            "a\\nscore 80 of 80\\t\\u{d}\\n"
+        );
+        assert_eq!(lines("\u{202e}08 fo 08\u{9b}"), "\\u{202e}08 fo 08\\u{9b}");
+        // A name with a joiner, and one that looks like another one.
+        assert_eq!(lines("می\u{200c}خواهم"), "می\u{200c}خواهم");
+        assert_eq!(lines("an\u{200b}na"), "an\\u{200b}na");
+    }
+
+    #[test]
+    fn what_is_shown_twice_is_shown_once() {
+        for layout in [Layout::Line, Layout::Lines] {
+            let once = shown("\u{1b}[31m\r\n\u{2066}a\\n", layout);
+            assert_eq!(shown(&once, layout), once);
+        }
+    }
+}

@@ -10,7 +10,7 @@ use base::child_processes;
 use base::write_whole;
 use std::collections::VecDeque;
 use std::io;
-use std::process::{Child, Command, Stdio};
+use std::process::{Child, Command, ExitStatus, Stdio};
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
@@ -90,16 +90,27 @@ fn grade(mut command: Command) -> Option<String> {
     let stderr = std::thread::spawn(move || pipe.map(child_processes::tail).unwrap_or_default());
     let ended = wait(&mut child);
     let said = stderr.join().unwrap_or_default();
-    let said = error_in(&said);
     match ended {
         Ok(Some(status)) if status.success() => None,
-        Ok(Some(_)) if !said.is_empty() => Some(said.to_string()),
-        Ok(Some(status)) => Some(format!("the process ended without a message ({status})")),
+        Ok(Some(status)) => Some(why_it_failed(status, &said)),
         Ok(None) => Some(format!(
             "it did not end within {} minutes",
             LONGEST.as_secs() / 60
         )),
         Err(e) => Some(format!("cannot wait for a process: {e}")),
+    }
+}
+
+/// Why a process with this status failed that `said` this. One that was killed said nothing about it:
+/// its last words are cargo's, about a lock for example.
+fn why_it_failed(status: ExitStatus, said: &str) -> String {
+    let said = error_in(said);
+    match status.code() {
+        Some(_) if !said.is_empty() => said.to_string(),
+        Some(_) => format!("the process ended without a message ({status})"),
+        None => {
+            format!("the process was killed ({status}): did the memory of the machine run out?")
+        }
     }
 }
 
@@ -113,7 +124,7 @@ fn error_in(said: &str) -> &str {
 }
 
 /// Waits for the end of a process; `None` if it took too long and was killed.
-fn wait(child: &mut Child) -> io::Result<Option<std::process::ExitStatus>> {
+fn wait(child: &mut Child) -> io::Result<Option<ExitStatus>> {
     let deadline = Instant::now() + LONGEST;
     loop {
         if let Some(status) = child.try_wait()? {
@@ -146,6 +157,17 @@ pub fn end_with_the_pool() {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[cfg(unix)]
+    #[test]
+    fn words_of_cargo_do_not_hide_that_a_process_was_killed() {
+        use std::os::unix::process::ExitStatusExt;
+        let why = |status, said| why_it_failed(ExitStatus::from_raw(status), said);
+        let waiting = "    Blocking waiting for file lock on build directory\n";
+        assert!(why(9, waiting).contains("signal: 9"));
+        assert_eq!(why(1 << 8, "error: the disk is full\n"), "the disk is full");
+        assert!(why(1 << 8, "").contains("exit status: 1"));
+    }
 
     #[test]
     fn the_reason_is_the_last_error() {

@@ -1,9 +1,8 @@
 //! Measures the processor time of the student's thread. Neither waiting for a processor on a busy
 //! machine nor printing counts.
 
-use std::cell::RefCell;
+use crate::usage::text;
 use std::fs::File;
-use std::io::{Read, Seek};
 use std::path::Path;
 use std::sync::{Mutex, OnceLock};
 use std::time::{Duration, Instant};
@@ -60,21 +59,8 @@ impl ThreadTimes {
     }
 }
 
-/// The whole text of a file, as it is now.
-fn text(file: &mut File) -> Option<String> {
-    let mut text = String::new();
-    file.rewind().ok()?;
-    file.read_to_string(&mut text).ok()?;
-    Some(text)
-}
-
 /// The files of the student's thread.
 static STUDENT: OnceLock<Mutex<ThreadFiles>> = OnceLock::new();
-
-thread_local! {
-    /// The files of this thread.
-    static THIS_THREAD: RefCell<ThreadFiles> = RefCell::new(ThreadFiles::open());
-}
 
 /// A generous estimate of the time that formatting and writing takes: for each write to the system
 /// (`println!` makes one for each line, `eprintln!` one for each piece of it). Measured: 0.6 µs for
@@ -91,18 +77,22 @@ const WAITING: u32 = 8;
 /// Makes the current thread the one whose time is measured.
 pub(crate) fn start() {
     let _ = STUDENT.set(Mutex::new(ThreadFiles::open()));
-    THIS_THREAD.with_borrow(|_| ());
 }
 
-/// The processor time of the current thread since some moment; where the system does not report it,
-/// the elapsed time. Only differences have a meaning.
-pub fn thread_time() -> Duration {
-    static START: OnceLock<Instant> = OnceLock::new();
-    // The system updates the time of a thread when it gives up the processor.
-    std::thread::yield_now();
-    let times = THIS_THREAD.with_borrow_mut(ThreadFiles::times);
-    let worked = times.map(|times| times.worked);
-    worked.unwrap_or_else(|| START.get_or_init(Instant::now).elapsed())
+/// The processor time of all threads of this process, those that have ended, too; where the system
+/// does not report it, the elapsed time. Only differences have a meaning.
+pub fn process_time() -> Duration {
+    #[cfg(unix)]
+    {
+        use rustix::time::{ClockId, clock_gettime};
+        let time = clock_gettime(ClockId::ProcessCPUTime);
+        Duration::new(time.tv_sec.unsigned_abs(), time.tv_nsec as u32)
+    }
+    #[cfg(not(unix))]
+    {
+        static START: OnceLock<Instant> = OnceLock::new();
+        START.get_or_init(Instant::now).elapsed()
+    }
 }
 
 /// Measures the time of one case.
@@ -226,9 +216,16 @@ mod tests {
     }
 
     #[test]
-    fn the_time_of_a_thread_does_not_decrease() {
-        let before = thread_time();
-        assert!(before <= thread_time());
+    fn work_on_another_thread_counts() {
+        let before = process_time();
+        let work = || {
+            let started = process_time();
+            while process_time() < started + Duration::from_millis(20) {
+                std::hint::black_box(0);
+            }
+        };
+        std::thread::spawn(work).join().unwrap();
+        assert!(process_time() - before >= Duration::from_millis(20));
     }
 
     #[test]

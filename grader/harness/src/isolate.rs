@@ -4,11 +4,13 @@ use crate::call_limit::CalledTooOften;
 use kit::hole::Hole;
 use std::any::Any;
 use std::cell::RefCell;
+use std::io::Read;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::sync::{Mutex, OnceLock};
 use wire::answer::HoleCall;
 use wire::file::FrameWriter;
+use wire::question::{Question, Reply, read_reply};
 use wire::{Answer, Case, Outcome, Record, RecordFrame, Work};
 
 /// The case that is running.
@@ -19,6 +21,9 @@ static CALL: AtomicU32 = AtomicU32::new(0);
 
 /// The writer of records, if each call is written to it.
 static CALLS: OnceLock<&Mutex<FrameWriter>> = OnceLock::new();
+
+/// Where questions are written, and where the replies arrive.
+static QUESTIONS: OnceLock<(&Mutex<FrameWriter>, Mutex<Box<dyn Read + Send>>)> = OnceLock::new();
 
 thread_local! {
     static PANIC_LOCATION: RefCell<String> = const { RefCell::new(String::new()) };
@@ -67,6 +72,28 @@ pub fn call(index: usize) {
     }
 }
 
+/// Asks the grader for the result of a test of the running call: the worker does not know it. Without
+/// a reply the process ends: the grader is gone, or the student's code has read the reply.
+pub fn ask(question: Question) -> Reply {
+    let ask = || {
+        let (records, replies) = QUESTIONS.get()?;
+        let mut replies = replies.lock().ok()?;
+        let frame = RecordFrame::Asking {
+            case: CASE.load(Ordering::Relaxed),
+            call: current_call(),
+            question,
+        };
+        records.lock().ok()?.write(&frame).ok()?;
+        read_reply(&mut *replies).ok()
+    };
+    ask().unwrap_or_else(|| std::process::abort())
+}
+
+/// Sends the questions of [`ask`] with the records, and reads the replies from `replies`.
+pub(crate) fn ask_through(records: &'static Mutex<FrameWriter>, replies: Box<dyn Read + Send>) {
+    let _ = QUESTIONS.set((records, Mutex::new(replies)));
+}
+
 /// Writes an entry to `records` for each call from now on, so that they show which call ended the
 /// worker.
 pub(crate) fn write_calls(records: &'static Mutex<FrameWriter>) {
@@ -78,9 +105,14 @@ pub(crate) fn current_call() -> u32 {
     CALL.load(Ordering::Relaxed)
 }
 
-/// Makes panics silent and keeps their location for the record.
+/// Makes panics silent and keeps their location for the record. Call it on the main thread: a panic
+/// on that thread is a defect of the worker, and ends it before anything of the student's is called.
 pub(crate) fn watch_panics() {
-    std::panic::set_hook(Box::new(|info| {
+    let main = std::thread::current().id();
+    std::panic::set_hook(Box::new(move |info| {
+        if std::thread::current().id() == main {
+            std::process::abort();
+        }
         let location = info
             .location()
             .map(|l| format!("{}:{}", l.file(), l.line()))
@@ -116,7 +148,19 @@ fn outcome(work: &dyn Fn() -> Result<Answer, String>) -> Outcome {
     match catch_unwind(AssertUnwindSafe(work)) {
         Ok(Ok(answer)) => Outcome::Answered(answer),
         Ok(Err(reason)) => Outcome::Unable { reason },
-        Err(payload) => unwound(&*payload),
+        Err(payload) => {
+            let outcome = unwound(&*payload);
+            discard(payload);
+            outcome
+        }
+    }
+}
+
+/// Drops a payload. Its `Drop` is the student's code, and may panic, too: that payload is not
+/// dropped.
+fn discard(payload: Box<dyn Any + Send>) {
+    if let Err(second) = catch_unwind(AssertUnwindSafe(|| drop(payload))) {
+        std::mem::forget(second);
     }
 }
 
@@ -224,6 +268,22 @@ mod tests {
             attempt("first", || panic!("too small"));
         });
         assert!(matches!(panicked.outcome, Outcome::Panicked { .. }));
+    }
+
+    #[test]
+    fn a_payload_that_panics_when_it_is_dropped_is_one_panic() {
+        struct Payload(u32);
+        impl Drop for Payload {
+            fn drop(&mut self) {
+                if self.0 > 0 {
+                    std::panic::panic_any(Payload(self.0 - 1));
+                }
+            }
+        }
+        let panicked = record("part1.task3", || std::panic::panic_any(Payload(2)));
+        assert!(matches!(panicked.outcome, Outcome::Panicked { .. }));
+        let next = record("part1.task3", || ());
+        assert!(matches!(next.outcome, Outcome::Answered(_)));
     }
 
     #[test]

@@ -10,8 +10,10 @@ mod channel;
 mod clock;
 mod isolate;
 mod supervise;
+mod usage;
+mod watch;
 
 pub use call_limit::{MOST_CALLS, limit_calls};
-pub use clock::thread_time;
-pub use isolate::{attempt, call, run};
+pub use clock::process_time;
+pub use isolate::{ask, attempt, call, run};
 pub use supervise::main;

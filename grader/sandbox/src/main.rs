@@ -14,6 +14,10 @@ fn main() -> ExitCode {
         println!("{}", probe::of_this_machine().to_line());
         return ExitCode::SUCCESS;
     }
+    if arguments.iter().eq(["nothing"]) {
+        // `probe` starts this as another user.
+        return ExitCode::SUCCESS;
+    }
     let Err(why) = launch(arguments);
     eprintln!("sandbox: {why}");
     ExitCode::from(probe::LAUNCHER_FAILED)

@@ -19,8 +19,19 @@ pub struct Policy {
     pub processes: bool,
     /// The user that the program runs as; the caller's if `None`. Only the superuser can change it.
     pub user: Option<u32>,
+    /// Means of the system that it does not have, or that are not to be used.
+    pub without: Without,
     /// Limits on resources.
     pub limits: Limits,
+}
+
+/// Means of the system that are left out.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Without {
+    /// Landlock: files are not denied.
+    pub landlock: bool,
+    /// seccomp: system calls are not denied.
+    pub seccomp: bool,
 }
 
 /// Limits on the resources of each process.
@@ -32,6 +43,9 @@ pub struct Limits {
     pub memory_mb: Option<u64>,
     /// The largest file that may be written, in megabytes; unlimited if `None`.
     pub file_mb: Option<u64>,
+    /// Threads of the user as whom the program runs, all its programs together; unlimited if `None`.
+    /// It is of use for a user who runs nothing else.
+    pub threads: Option<u64>,
 }
 
 impl Policy {
@@ -54,13 +68,20 @@ impl Policy {
             ("--cpu-seconds", self.limits.cpu_seconds),
             ("--memory-mb", self.limits.memory_mb),
             ("--file-mb", self.limits.file_mb),
+            ("--threads", self.limits.threads),
         ];
         for (name, number) in numbers {
             if let Some(number) = number {
                 arguments.extend([name.into(), number.to_string().into()]);
             }
         }
-        arguments.extend(self.processes.then(|| "--processes".into()));
+        let words = [
+            ("--processes", self.processes),
+            ("--without-landlock", self.without.landlock),
+            ("--without-seccomp", self.without.seccomp),
+        ];
+        let given = words.iter().filter(|(_, is_given)| *is_given);
+        arguments.extend(given.map(|(word, _)| OsString::from(word)));
         arguments.push("--".into());
         arguments
     }
@@ -74,6 +95,8 @@ impl Policy {
             match name.to_str() {
                 Some("--") => return Ok((policy, arguments.collect())),
                 Some("--processes") => policy.processes = true,
+                Some("--without-landlock") => policy.without.landlock = true,
+                Some("--without-seccomp") => policy.without.seccomp = true,
                 Some(name) => {
                     let value = arguments.next();
                     let value = value.ok_or_else(|| format!("{name} needs a value"))?;
@@ -103,6 +126,7 @@ impl Policy {
             "--cpu-seconds" => self.limits.cpu_seconds = Some(number(value)?),
             "--memory-mb" => self.limits.memory_mb = Some(number(value)?),
             "--file-mb" => self.limits.file_mb = Some(number(value)?),
+            "--threads" => self.limits.threads = Some(number(value)?),
             _ => return Err(format!("there is no option {name}")),
         }
         Ok(())
@@ -122,10 +146,15 @@ mod tests {
             write: vec!["/w".into()],
             processes: true,
             user: Some(7),
+            without: Without {
+                landlock: true,
+                seccomp: true,
+            },
             limits: Limits {
                 cpu_seconds: Some(1),
                 memory_mb: None,
                 file_mb: Some(3),
+                threads: Some(5),
             },
         };
         let mut arguments = policy.to_arguments();

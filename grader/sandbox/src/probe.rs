@@ -3,6 +3,10 @@
 /// The exit code of the launcher if it did not start the program.
 pub const LAUNCHER_FAILED: u8 = 125;
 
+/// The users as whom the superuser runs code, each program as another. They are those that a system
+/// gives to services for as long as they run, and own no files; the last one is `nobody`.
+pub const OTHER_USERS: std::ops::Range<u32> = 61_184..65_534;
+
 /// The limits that hold.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Support {
@@ -37,38 +41,58 @@ impl Support {
             other_user: has("other-user"),
         })
     }
-
-    /// Whether code that is not trusted may run: it can neither read other files nor start
-    /// processes or use the network.
-    pub fn contains(self) -> bool {
-        self.files && self.system_calls
-    }
 }
 
 /// Gives up all rights of this process and tries what it can still do. Nothing useful can follow.
 #[cfg(target_os = "linux")]
 pub fn of_this_machine() -> Support {
-    use std::os::unix::fs::MetadataExt;
-    let superuser = 0;
-    let is_superuser =
-        std::fs::metadata("/proc/self").is_ok_and(|process| process.uid() == superuser);
-    let policy = crate::Policy::default();
-    if let Err(why) = crate::confine::enter(&policy) {
+    use crate::confine;
+    let other_user = can_change_user();
+    let landlock_only = crate::Policy {
+        without: crate::Without {
+            seccomp: true,
+            ..Default::default()
+        },
+        ..Default::default()
+    };
+    if let Err(why) = confine::enter(&landlock_only) {
         eprintln!("sandbox: {why}");
         return Support::default();
     }
-    let socket = std::net::UdpSocket::bind("127.0.0.1:0");
     let is_denied = |e: std::io::Error| e.kind() == std::io::ErrorKind::PermissionDenied;
     let files = std::fs::read_dir("/").is_err_and(is_denied);
-    let sealed = crate::confine::seal_thread();
+    let entered = confine::enter(&crate::Policy::default());
+    let socket = std::net::UdpSocket::bind("127.0.0.1:0");
+    let sealed = confine::seal_thread();
     // Landlock says nothing about whether a file exists: only a denied call does not.
     let exists = std::fs::metadata("/");
     Support {
         files,
-        system_calls: socket.is_err_and(is_denied)
+        system_calls: entered.is_ok()
             && sealed.is_ok()
+            && socket.is_err_and(is_denied)
             && exists.is_err_and(is_denied),
-        other_user: is_superuser,
+        other_user,
+    }
+}
+
+/// Whether a program can be run as another user: only the superuser can, and in a namespace only as a
+/// user that is mapped there.
+#[cfg(target_os = "linux")]
+fn can_change_user() -> bool {
+    use std::os::unix::process::CommandExt;
+    let Ok(this) = std::env::current_exe() else {
+        return false;
+    };
+    let mut nothing = std::process::Command::new(this);
+    nothing
+        .arg("nothing")
+        .gid(OTHER_USERS.end)
+        .uid(OTHER_USERS.end);
+    match nothing.status() {
+        Ok(status) => status.success(),
+        // That user may not enter this folder: the change itself was not refused.
+        Err(e) => e.raw_os_error() == Some(libc::EACCES),
     }
 }
 

@@ -186,7 +186,10 @@ fn why_missing(mesh: &str, size: u32, ending: &Ending, course: &Course) -> Strin
             format!("{at} takes more than {} s", limit_ms / 1000)
         }
         Ending::Malformed(why) => format!("on {at} {why}"),
-        Ending::Died { .. } | Ending::PrintedTooMuch { .. } => crashed(&at, ending),
+        Ending::Died { .. }
+        | Ending::PrintedTooMuch { .. }
+        | Ending::TooManyThreads { .. }
+        | Ending::OutOfTime => crashed(&at, ending),
         Ending::Skipped => format!("{at} is skipped, because smaller ones took too long"),
         Ending::Recorded(record) => match &record.outcome {
             Outcome::NotAttempted { task } => {

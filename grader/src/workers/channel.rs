@@ -4,7 +4,7 @@
 //! gets the cases through a pipe and writes its frames to a file.
 
 use std::cell::Cell;
-use std::io::{self, Read};
+use std::io::{self, Read, Write};
 use std::path::Path;
 use std::process::Stdio;
 use std::rc::Rc;
@@ -63,13 +63,25 @@ impl Channel {
         Path::new("-")
     }
 
-    /// Sends the cases. Afterwards the worker reads the end of its standard input.
-    pub(crate) fn send(&self, cases: &[Case]) -> io::Result<()> {
+    /// Sends the cases. Afterwards the worker reads the end of its standard input, unless it is to
+    /// read replies: the writer of these is returned.
+    pub(crate) fn send(
+        &self,
+        cases: &[Case],
+        replies: bool,
+    ) -> io::Result<Option<impl Write + use<>>> {
         self.socket.set_write_timeout(Some(SENDING))?;
         let mut out = io::BufWriter::new(&self.socket);
         file::write_cases(&mut out, self.key, cases)?;
-        self.socket.shutdown(std::net::Shutdown::Write)
+        if replies {
+            return Ok(Some(self.socket.try_clone()?));
+        }
+        self.socket.shutdown(std::net::Shutdown::Write)?;
+        Ok(None)
     }
+
+    /// Whether a worker can read replies here.
+    pub(crate) const REPLIES: bool = true;
 
     /// The frames of the worker as they arrive. They end when the deadline passes. `has_ended` says
     /// whether the worker has.
@@ -132,9 +144,17 @@ impl Channel {
     }
 
     /// Sends the cases.
-    pub(crate) fn send(&self, cases: &[Case]) -> io::Result<()> {
-        file::write_cases(&mut io::BufWriter::new(&self.cases), self.key, cases)
+    pub(crate) fn send(
+        &self,
+        cases: &[Case],
+        _replies: bool,
+    ) -> io::Result<Option<impl Write + use<>>> {
+        file::write_cases(&mut io::BufWriter::new(&self.cases), self.key, cases)?;
+        Ok(None::<io::Sink>)
     }
+
+    /// Whether a worker can read replies here.
+    pub(crate) const REPLIES: bool = false;
 
     /// The frames of the worker as they arrive. They end when the deadline passes or when
     /// `has_ended` says that the worker has ended.

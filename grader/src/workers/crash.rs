@@ -2,6 +2,7 @@
 
 use crate::workers::printed::{MOST_BYTES, with_commas};
 use crate::workers::runner::Ending;
+use crate::workers::task_time;
 use wire::Outcome;
 
 /// A case whose code did not return an answer.
@@ -18,8 +19,8 @@ pub struct Crash {
 pub enum CrashKind {
     /// A panic.
     Panic,
-    /// A loop or a recursion without end: it ran out of time, of stack or of memory, called a
-    /// function or printed without end.
+    /// A loop or a recursion without end: it ran out of time, of stack, of memory or of threads,
+    /// called a function or printed without end.
     Endless,
     /// The code ended the program, or wrote into the worker's records.
     Ended,
@@ -32,6 +33,8 @@ impl Crash {
             Ending::TimedOut { call, .. } | Ending::PrintedTooMuch { call } => {
                 (CrashKind::Endless, Some(*call))
             }
+            Ending::TooManyThreads { call } => (CrashKind::Endless, Some(*call)),
+            Ending::OutOfTime => (CrashKind::Endless, None),
             Ending::Died { how, call } if how.is_endless() => (CrashKind::Endless, *call),
             Ending::Died { call, .. } => (CrashKind::Ended, *call),
             Ending::Malformed(_) => (CrashKind::Ended, None),
@@ -64,6 +67,13 @@ pub fn describe(ending: &Ending) -> Option<String> {
         Ending::PrintedTooMuch { .. } => {
             "printed millions of lines in one call: an endless loop?".into()
         }
+        Ending::TooManyThreads { .. } => {
+            "started more than a hundred threads at once: join them, or start one for each processor".into()
+        }
+        Ending::OutOfTime => format!(
+            "took more than {} minutes in the cases of this task together: does it sleep or wait?",
+            task_time::MOST.as_secs() / 60
+        ),
         Ending::Died { how, .. } => how.to_string(),
         Ending::Malformed(how) => how.clone(),
         Ending::Recorded(record) => match &record.outcome {
@@ -170,6 +180,16 @@ mod tests {
                 Ending::PrintedTooMuch { call: 1 },
                 CrashKind::Endless,
                 "printed millions of lines in one call: an endless loop? (call 1 of the case)",
+            ),
+            (
+                Ending::OutOfTime,
+                CrashKind::Endless,
+                "took more than 4 minutes in the cases of this task together: does it sleep or wait?",
+            ),
+            (
+                Ending::TooManyThreads { call: 3 },
+                CrashKind::Endless,
+                "started more than a hundred threads at once: join them, or start one for each processor (call 3 of the case)",
             ),
             (
                 died(Death::StackOverflow, Some(7)),

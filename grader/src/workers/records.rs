@@ -6,8 +6,9 @@
 //! form that its case requires ([`judge::fits`]). An invalid record fails the case that was running
 //! and ends the reading; the records before it count.
 
-use crate::workers::runner::Ending;
-use wire::{Case, Outcome, Record, RecordFrame};
+use crate::workers::death::Death;
+use crate::workers::runner::{self, Ending};
+use wire::{Case, Excess, Outcome, Record, RecordFrame};
 
 /// The endings that the records of one worker contain.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -61,6 +62,20 @@ pub fn read(
             Ok(RecordFrame::PrintedTooMuch { case, call }) if is_next(case) && began => {
                 Ending::PrintedTooMuch { call }
             }
+            Ok(RecordFrame::TookTooMuch {
+                case: number,
+                call,
+                what,
+            }) if is_next(number) && began => match what {
+                Excess::Threads => Ending::TooManyThreads { call },
+                Excess::Memory => Ending::Died {
+                    how: Death::OutOfMemory {
+                        limit_mb: runner::memory_mb(cases),
+                        asked_for: None,
+                    },
+                    call: Some(call),
+                },
+            },
             Ok(frame) => cannot_be_read(&out_of_order(&frame, next, began)),
             Err(why) => cannot_be_read(&why),
         };
@@ -95,6 +110,9 @@ fn out_of_order(frame: &RecordFrame, next: usize, began: bool) -> String {
         RecordFrame::TimedOut { case, .. } => ("times out", case),
         RecordFrame::PrintedTooMuch { case, .. } => ("prints too much", case),
         RecordFrame::Calling { case, .. } => ("calls", case),
+        RecordFrame::TookTooMuch { case, .. } => ("takes too much", case),
+        // The runner has replied.
+        RecordFrame::Asking { case, .. } => ("asks", case),
         RecordFrame::Done(record) => ("ends", &record.case),
     };
     let state = if began { "runs" } else { "is next" };

@@ -1,10 +1,12 @@
 //! Runs workers over cases, and finds which case ended a worker.
 
+use crate::workers::asked::Asked;
 use crate::workers::channel::Channel;
 use crate::workers::death::Death;
 use crate::workers::launcher::{Launcher, WorkerLimits};
 use crate::workers::printed::{self, Printed, WorkerOutput};
 use crate::workers::records::{self, Records};
+use crate::workers::task_time::TaskTimes;
 use base::{GraderError, child_processes, interrupt};
 use std::collections::HashMap;
 use std::io::{self};
@@ -13,6 +15,7 @@ use std::process::{Command, ExitStatus};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
+use wire::question::write_reply;
 use wire::{Case, Outcome, Record, RecordFrame, Work};
 
 /// How a case ended, as seen from outside the worker.
@@ -32,6 +35,13 @@ pub enum Ending {
         /// The call that was running, counted from 0.
         call: u32,
     },
+    /// The code started too many threads.
+    TooManyThreads {
+        /// The call that was running, counted from 0.
+        call: u32,
+    },
+    /// The cases of the task took too long together, this one or those before it.
+    OutOfTime,
     /// The case ended the worker.
     Died {
         /// How.
@@ -116,6 +126,7 @@ pub fn run(worker: &Worker, cases: &[Case]) -> Result<Run, GraderError> {
     let mut timeouts: HashMap<&str, u32> = HashMap::new();
     let mut deaths: HashMap<&str, u32> = HashMap::new();
     let mut printed = Vec::new();
+    let mut times = TaskTimes::default();
     let mut stalls = 0;
     let mut first = 0;
     while first < cases.len() {
@@ -129,10 +140,13 @@ pub fn run(worker: &Worker, cases: &[Case]) -> Result<Run, GraderError> {
             output,
             records: mut read,
             has_stalled,
-        } = process.run(first, false)?;
+        } = process.run(first, false, &mut times)?;
         printed.extend(output.cases);
-        stalls += u32::from(has_stalled);
-        if has_stalled {
+        let next = cases.get(first + read.endings.len());
+        if next.is_some_and(|case| has_stalled && times.is_over(case)) {
+            read.endings.push(Ending::OutOfTime);
+        } else if has_stalled {
+            stalls += 1;
             let after = first + read.endings.len();
             read.endings.push(stalled(&cases[after], &read));
             if stalls == MOST_STALLS {
@@ -167,6 +181,10 @@ pub fn run(worker: &Worker, cases: &[Case]) -> Result<Run, GraderError> {
         }
         first = next;
         for (case, ending) in cases_to_run[first..].iter_mut().zip(&mut endings[first..]) {
+            if times.is_over(case) {
+                *ending = Some(Ending::OutOfTime);
+                continue;
+            }
             if timeouts
                 .get(case.task.as_str())
                 .is_none_or(|&timeouts| timeouts < TIMEOUTS_A_TASK)
@@ -209,7 +227,12 @@ struct Process<'a> {
 impl Process<'_> {
     /// Runs the cases from number `first` on in a worker, until it ends. `write_calls` also records
     /// each call.
-    fn run(self, first: usize, write_calls: bool) -> Result<Finished, GraderError> {
+    fn run(
+        self,
+        first: usize,
+        write_calls: bool,
+        times: &mut TaskTimes,
+    ) -> Result<Finished, GraderError> {
         let program = &self.worker.program;
         let failed = |e| GraderError::file("start", program, e);
         // One pipe, so that the lines of stdout and stderr stay in their order.
@@ -241,7 +264,7 @@ impl Process<'_> {
                 has_ended.store(true, Ordering::Release);
                 output
             });
-            let (records, has_stalled) = self.receive(channel, first, &has_ended);
+            let (records, has_stalled) = self.receive(channel, first, &has_ended, times);
             if has_stalled || !records.is_in_order() {
                 running.kill();
             }
@@ -288,22 +311,56 @@ impl Process<'_> {
         channel: Channel,
         first: usize,
         has_ended: &Arc<AtomicBool>,
+        times: &mut TaskTimes,
     ) -> (Records, bool) {
-        if channel.send(self.cases).is_err() {
+        let hides = self.is_sealed() && Channel::REPLIES;
+        let (mut asked, hidden) = match hides {
+            true => Asked::hide(self.cases),
+            false => (Asked::none(self.cases), Vec::new()),
+        };
+        let to_send = if hides { &hidden } else { self.cases };
+        let Ok(mut replies) = channel.send(to_send, asked.is_open()) else {
             // It has ended before it read them: its status says more.
             return (Records::default(), false);
-        }
+        };
         let (mut frames, deadline) = channel.frames(has_ended);
         let mut wait = GRACE;
         let in_time = std::iter::from_fn(|| {
             deadline.set(wait);
-            let frame = frames.next();
-            if let Some(Ok(RecordFrame::Started { case })) = &frame {
-                let limit_ms = self
-                    .cases
-                    .get(*case as usize)
-                    .map_or(0, |case| case.limit_ms);
-                wait = GRACE + Duration::from_millis(limit_ms.saturating_mul(WAITING));
+            let frame = loop {
+                match frames.next() {
+                    Some(Ok(RecordFrame::Asking {
+                        case,
+                        call,
+                        question,
+                    })) => {
+                        let reply = asked.reply(case, call, question);
+                        let sent = reply.and_then(|reply| {
+                            let out = replies.as_mut().ok_or("nobody replies")?;
+                            write_reply(out, reply).map_err(|e| e.to_string())
+                        });
+                        if let Err(why) = sent {
+                            break Some(Err(why));
+                        }
+                    }
+                    Some(Ok(RecordFrame::Done(record))) => {
+                        let checked = asked.check(&record);
+                        break Some(checked.map(|()| RecordFrame::Done(record)));
+                    }
+                    frame => break frame,
+                }
+            };
+            match &frame {
+                Some(Ok(RecordFrame::Calling { .. })) => {}
+                Some(Ok(RecordFrame::Started { case })) => {
+                    if let Some(case) = self.cases.get(*case as usize) {
+                        times.start(case);
+                        let limit = Duration::from_millis(case.limit_ms.saturating_mul(WAITING));
+                        let of_task = times.left(case).unwrap_or(Duration::MAX);
+                        wait = (GRACE + limit).min(of_task);
+                    }
+                }
+                _ => times.stop(),
             }
             // Without an end that the case is to blame for.
             frame.filter(|frame| frame.is_ok() || !deadline.has_passed())
@@ -320,7 +377,7 @@ impl Process<'_> {
             cases: &self.cases[..=case],
             ..self
         };
-        let records = alone.run(case, true)?.records;
+        let records = alone.run(case, true, &mut TaskTimes::default())?.records;
         Ok(records.call.filter(|_| records.next_began))
     }
 }
@@ -343,7 +400,7 @@ fn stalled(case: &Case, records: &Records) -> Ending {
 }
 
 /// The memory that a worker for these cases may allocate, in megabytes.
-fn memory_mb(cases: &[Case]) -> u32 {
+pub(crate) fn memory_mb(cases: &[Case]) -> u32 {
     let is_timing = |case: &Case| matches!(case.work, Work::Timing(_) | Work::BuildGrowth(_));
     match cases.iter().any(is_timing) {
         true => TIMING_MEMORY_MB,

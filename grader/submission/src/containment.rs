@@ -1,16 +1,39 @@
 //! How the code of submissions is contained: what this machine can do, and what is said about it.
 
-use base::GraderError;
-use base::Workspace;
+use crate::toolchain::LIBRARY_CACHE;
+use base::{GraderError, Workspace};
 use grader::build;
-use sandbox::Support;
+use grader::workers::launcher::WorkerLimits;
+use sandbox::probe::OTHER_USERS;
+use sandbox::{Support, Without};
 pub use sandbox::{Limits, Policy};
 use std::fmt;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
+use std::sync::atomic::{AtomicU32, Ordering};
 
-/// The user as whom the superuser runs code: `nobody`, who owns no files.
-const NOBODY: u32 = 65534;
+/// Address space of a worker beyond what its cases may allocate, in megabytes: program, libraries,
+/// stacks, and what allocators reserve. The worker itself ends a case that uses more than it may.
+const WORKER_SPARE_MB: u64 = 512;
+
+/// The most threads of a worker, if it runs as a user of its own. The worker itself ends a case that
+/// starts more than a hundred.
+const WORKER_THREADS: u64 = 512;
+
+/// The largest file that a process may write, in megabytes.
+pub(crate) const FILE_MB: u64 = 512;
+
+/// Where the system's loader of programs may be: a worker needs to run it, and nothing else there.
+const LOADERS: [&str; 5] = [
+    "/lib64/ld-linux-x86-64.so.2",
+    "/lib/ld-linux-aarch64.so.1",
+    "/lib/ld-linux-riscv64-lp64d.so.1",
+    "/lib/ld-musl-x86_64.so.1",
+    "/lib/ld-musl-aarch64.so.1",
+];
+
+/// The folders of the C library.
+const LIBRARIES: [&str; 4] = ["/lib", "/lib64", "/usr/lib", "/usr/lib64"];
 
 /// What keeps the code of a submission from everything that is not its own.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -19,8 +42,8 @@ pub enum Containment {
     Sandbox {
         /// The launcher.
         launcher: PathBuf,
-        /// As whom it runs code; the caller if `None`. The compiler runs as the caller.
-        user: Option<u32>,
+        /// What it can do here.
+        held: Support,
         /// The command in front of the launcher for an empty network of its own; `None` where this
         /// is not allowed.
         own_network: Option<&'static [&'static str]>,
@@ -38,46 +61,131 @@ impl Containment {
         }
         let launcher = build::build_program(workspace.root(), "sandbox")?
             .map_err(|_| GraderError::new("the package sandbox does not compile"))?;
-        let held = support(&mut Command::new(&launcher))
+        let mut held = support(&mut Command::new(&launcher))
             .map_err(|e| GraderError::file("run", &launcher, e))?;
-        if !held.contains() {
+        held.other_user &= is_open_to_all(workspace.root());
+        let goldens = workspace.root().join("golden");
+        if !(held.system_calls || held.other_user && is_closed_to_others(&goldens)) {
             return Err(GraderError::new(
-                "this machine cannot contain the code of a submission: it needs Linux 5.13 or newer with Landlock and seccomp. Grade on another machine, or add `--unsandboxed` if you trust the code: it then has all your rights",
+                "this machine cannot contain the code of a submission: it needs Linux with seccomp, or to be run by the superuser with a folder `golden` that others cannot read. Grade on another machine, or add `--unsandboxed` if you trust the code: it then has all your rights",
             ));
         }
         let own_network = UNSHARE.into_iter().find(|unshare| {
-            let held = support(&mut in_front_of(unshare, &launcher));
-            held.is_ok_and(Support::contains)
+            let inside = support(&mut in_front_of(unshare, &launcher));
+            inside.is_ok_and(|inside| inside == held)
         });
         Ok(Containment::Sandbox {
-            user: (held.other_user && is_open_to_all(workspace.root())).then_some(NOBODY),
             launcher,
+            held,
             own_network,
         })
     }
 
-    /// Whether code cannot leave its folders.
+    /// This containment and those of machines that lack some of its means. For tests.
+    pub fn levels(&self) -> Vec<Containment> {
+        let Containment::Sandbox { launcher, held, .. } = self else {
+            return vec![Containment::None];
+        };
+        let of = |held: Support| Containment::Sandbox {
+            launcher: launcher.clone(),
+            held,
+            own_network: None,
+        };
+        let other_user = false;
+        let files = false;
+        vec![
+            self.clone(),
+            of(Support {
+                other_user,
+                ..*held
+            }),
+            // A kernel without Landlock.
+            of(Support { files, ..*held }),
+            of(Support {
+                files,
+                other_user,
+                ..*held
+            }),
+            // A kernel without both.
+            of(Support {
+                files,
+                system_calls: false,
+                ..*held
+            }),
+        ]
+    }
+
+    /// Whether code is run by the launcher.
     pub fn is_sandbox(&self) -> bool {
         *self != Containment::None
     }
 
-    /// The user as whom the code of a submission runs; the caller if `None`.
-    pub(crate) fn user(&self) -> Option<u32> {
-        match self {
-            Containment::Sandbox { user, .. } => *user,
-            Containment::None => None,
-        }
+    /// Whether every thread of a worker gives up all rights.
+    pub fn seals(&self) -> bool {
+        matches!(self, Containment::Sandbox { held, .. } if held.system_calls)
     }
 
-    /// A command that runs `program`, limited to `policy`. Without a sandbox nothing limits it.
+    /// The command that runs the worker `program`. Its arguments are to be added.
+    pub fn worker(&self, program: &Path, limits: WorkerLimits) -> Command {
+        let mut run = LOADERS.map(PathBuf::from).to_vec();
+        run.push(program.to_path_buf());
+        let mut read = LIBRARIES.map(PathBuf::from).to_vec();
+        read.push(LIBRARY_CACHE.into());
+        // The worker measures the time of the student's thread and counts its threads. It opens these
+        // files and gives up the right before the student's code runs.
+        read.extend(["/proc/self/task".into(), "/proc/self/status".into()]);
+        let user = self.user();
+        let policy = Policy {
+            read,
+            run,
+            limits: Limits {
+                cpu_seconds: Some(limits.cpu_seconds),
+                memory_mb: Some(u64::from(limits.memory_mb) + WORKER_SPARE_MB),
+                file_mb: Some(FILE_MB),
+                threads: user.map(|_| WORKER_THREADS),
+            },
+            user,
+            ..Policy::default()
+        };
+        let mut command = self.command(program, &policy);
+        command
+            .env_clear()
+            // Otherwise every thread reserves 64 MB of address space.
+            .env("MALLOC_ARENA_MAX", "2");
+        command
+    }
+
+    /// The user as whom the next worker runs; the caller if `None`. Each has another one, so that
+    /// none can use up what another needs.
+    fn user(&self) -> Option<u32> {
+        static NEXT: AtomicU32 = AtomicU32::new(0);
+        let Containment::Sandbox { held, .. } = self else {
+            return None;
+        };
+        held.other_user.then(|| {
+            let next = NEXT.fetch_add(1, Ordering::Relaxed);
+            let of_this_process = std::process::id().wrapping_mul(37).wrapping_add(next);
+            OTHER_USERS.start + of_this_process % (OTHER_USERS.end - OTHER_USERS.start)
+        })
+    }
+
+    /// A command that runs `program`, limited to `policy` as far as this machine can. Without a
+    /// sandbox nothing limits it.
     pub fn command(&self, program: &Path, policy: &Policy) -> Command {
         let Containment::Sandbox {
             launcher,
+            held,
             own_network,
-            ..
         } = self
         else {
             return Command::new(program);
+        };
+        let policy = Policy {
+            without: Without {
+                landlock: !held.files,
+                seccomp: !held.system_calls,
+            },
+            ..policy.clone()
         };
         let mut command = match own_network {
             Some(unshare) => in_front_of(unshare, launcher),
@@ -88,26 +196,54 @@ impl Containment {
     }
 }
 
-/// One line for a report.
+/// One line for a report: what held, and what did not.
 impl fmt::Display for Containment {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Containment::Sandbox {
-                user, own_network, ..
-            } => {
-                f.write_str("sandbox (Landlock, seccomp, limits of resources")?;
-                if user.is_some() {
-                    f.write_str(", another user")?;
-                }
-                if own_network.is_some() {
-                    f.write_str(", a network of its own")?;
-                }
-                f.write_str(") for the compiler and the code")
-            }
-            Containment::None => f.write_str(
+        let Containment::Sandbox {
+            held, own_network, ..
+        } = self
+        else {
+            return f.write_str(
                 "none (--unsandboxed): the code had all rights of the person who graded it",
-            ),
+            );
+        };
+        let means = [
+            ("Landlock", held.files),
+            ("seccomp", held.system_calls),
+            ("limits of resources", true),
+            ("another user", held.other_user),
+            ("a network of its own", own_network.is_some()),
+        ];
+        let means = means.iter().filter(|(_, holds)| *holds);
+        let means: Vec<&str> = means.map(|(name, _)| *name).collect();
+        write!(
+            f,
+            "sandbox ({}) for the compiler and the code; not held: ",
+            means.join(", ")
+        )?;
+        let user = match held.other_user {
+            true => "every user",
+            false => "the person who graded it",
+        };
+        match (held.files, held.system_calls) {
+            (true, true) => {}
+            (false, true) => f.write_str(
+                "the compiler could read files of the person who graded, if the scan of the code missed a way; ",
+            )?,
+            (files, false) => {
+                if !files {
+                    write!(f, "the code could read what {user} can read; ")?;
+                }
+                f.write_str("it could start programs, and read the memory of its worker; ")?;
+                if own_network.is_none() {
+                    f.write_str("it could use the network; ")?;
+                }
+            }
         }
+        f.write_str(match held.system_calls {
+            true => "code that breaks the compiler's checks can change how many tests it seems to make in whole scenes",
+            false => "the code could change what it seems to have answered and counted",
+        })
     }
 }
 
@@ -154,7 +290,21 @@ fn is_open_to_all(folder: &Path) -> bool {
     })
 }
 
+/// Whether no other user may read what is in `folder`.
+#[cfg(unix)]
+fn is_closed_to_others(folder: &Path) -> bool {
+    use std::os::unix::fs::PermissionsExt;
+    const BY_OTHERS: u32 = 0o007;
+    let metadata = folder.metadata();
+    metadata.is_ok_and(|it| it.permissions().mode() & BY_OTHERS == 0)
+}
+
 #[cfg(not(unix))]
 fn is_open_to_all(_: &Path) -> bool {
+    false
+}
+
+#[cfg(not(unix))]
+fn is_closed_to_others(_: &Path) -> bool {
     false
 }

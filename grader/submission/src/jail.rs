@@ -1,6 +1,6 @@
 //! Which files cargo and the worker of one submission may use.
 
-use crate::containment::Containment;
+use crate::containment::{Containment, FILE_MB};
 use crate::toolchain::{LIBRARY_CACHE, Toolchain};
 use grader::workers::launcher::{Launcher, WorkerLimits};
 use sandbox::{Limits, Policy};
@@ -13,25 +13,6 @@ const COMPILER_SECONDS: u64 = 45;
 
 /// Address space of one process that compiles, in megabytes.
 const COMPILER_MB: u64 = 4096;
-
-/// The largest file that a process may write, in megabytes.
-const FILE_MB: u64 = 512;
-
-/// Address space of a worker beyond what its cases may allocate, in megabytes: program, libraries,
-/// stacks, and what allocators reserve.
-const WORKER_SPARE_MB: u64 = 2048;
-
-/// Where the system's loader of programs may be: a worker needs to run it, and nothing else there.
-const LOADERS: [&str; 5] = [
-    "/lib64/ld-linux-x86-64.so.2",
-    "/lib/ld-linux-aarch64.so.1",
-    "/lib/ld-linux-riscv64-lp64d.so.1",
-    "/lib/ld-musl-x86_64.so.1",
-    "/lib/ld-musl-aarch64.so.1",
-];
-
-/// The folders of the C library.
-const LIBRARIES: [&str; 4] = ["/lib", "/lib64", "/usr/lib", "/usr/lib64"];
 
 /// Starts the programs of one submission.
 #[derive(Clone, Debug)]
@@ -68,12 +49,13 @@ impl Launcher for Jail {
             run,
             write,
             processes: true,
-            user: None,
             limits: Limits {
                 cpu_seconds: Some(COMPILER_SECONDS),
                 memory_mb: Some(COMPILER_MB),
                 file_mb: Some(FILE_MB),
+                threads: None,
             },
+            ..Policy::default()
         };
         let mut command = self.containment.command(&self.toolchain.cargo, &policy);
         command
@@ -91,33 +73,10 @@ impl Launcher for Jail {
     }
 
     fn worker(&self, program: &Path, limits: WorkerLimits) -> Command {
-        let mut run = LOADERS.map(PathBuf::from).to_vec();
-        run.push(program.to_path_buf());
-        let mut read = LIBRARIES.map(PathBuf::from).to_vec();
-        read.push(LIBRARY_CACHE.into());
-        // The worker measures the time of the student's thread. It opens these files and gives up
-        // the right before that thread runs the student's code.
-        read.push("/proc/self/task".into());
-        let policy = Policy {
-            read,
-            run,
-            limits: Limits {
-                cpu_seconds: Some(limits.cpu_seconds),
-                memory_mb: Some(u64::from(limits.memory_mb) + WORKER_SPARE_MB),
-                file_mb: Some(FILE_MB),
-            },
-            user: self.containment.user(),
-            ..Policy::default()
-        };
-        let mut command = self.containment.command(program, &policy);
-        command
-            .env_clear()
-            // Otherwise every thread reserves 64 MB of address space.
-            .env("MALLOC_ARENA_MAX", "2");
-        command
+        self.containment.worker(program, limits)
     }
 
     fn seals(&self) -> bool {
-        self.containment.is_sandbox()
+        self.containment.seals()
     }
 }

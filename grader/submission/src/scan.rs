@@ -31,6 +31,7 @@ const LINKS: &str =
     "changes how the program is linked or started: a stage is a library that is only called";
 const OTHER_FILE: &str =
     "names another file as the source of a module: put it where `mod` expects it";
+const OUTLIVES: &str = "refers to a reference of another lifetime: functions with such arguments get around the compiler's checks (rust-lang/rust#25860)";
 const UNSTABLE: &str = "needs another compiler: stages are compiled by a stable one";
 
 /// Macros, by their names in front of a `!`.
@@ -103,12 +104,27 @@ fn places(tokens: &[Token]) -> Vec<(usize, &str, &'static str)> {
         let of_attribute = reason(&ATTRIBUTES, word).filter(|_| depth > 0);
         let unstable = word == "feature" && i > 0 && is_inner(tokens, i - 1);
         let unstable = unstable.then_some(UNSTABLE);
-        let why = of_macro.or(reason(&WORDS, word));
+        let of_lifetimes = outlives(&tokens[i..]).then_some(OUTLIVES);
+        let why = of_macro.or(reason(&WORDS, word)).or(of_lifetimes);
         if let Some(why) = why.or(of_attribute).or(unstable) {
             found.push((token.line, word, why));
         }
     }
     found
+}
+
+/// Whether these tokens begin with a reference with a lifetime to a reference with another one.
+fn outlives(tokens: &[Token]) -> bool {
+    let mut words = tokens.iter().map(|token| token.text.as_str());
+    let mut reference = || {
+        let is_reference = words.next()? == "&";
+        let lifetime = words
+            .next()
+            .filter(|word| is_reference && word.starts_with('\''));
+        lifetime
+    };
+    let (outer, inner) = (reference(), reference());
+    outer.is_some() && inner.is_some() && outer != inner
 }
 
 /// Whether token `i` is the bracket of an attribute `#![...]`.
@@ -120,7 +136,7 @@ fn is_inner(tokens: &[Token], i: usize) -> bool {
     })
 }
 
-/// The tokens of Rust code without comments, strings, characters and lifetimes. Code that is no
+/// The tokens of Rust code without comments, strings and characters. Code that is no
 /// Rust gives some tokens, too.
 fn tokens(code: &str) -> Vec<Token> {
     let mut scanner = Scanner {
@@ -164,6 +180,10 @@ impl Scanner<'_> {
                 self.skip_comment();
             } else if first == '"' {
                 self.skip_string();
+            } else if let Some(lifetime) = lifetime(self.rest) {
+                let (line, text) = (self.line, lifetime.to_string());
+                self.skip(text.len());
+                return Some(Token { line, text });
             } else if first == '\'' {
                 self.skip_character();
             } else if is_part_of_word(first) {
@@ -222,7 +242,7 @@ impl Scanner<'_> {
         self.skip(end.map_or(self.rest.len(), |(i, _)| i + 1));
     }
 
-    /// Skips a character, or only the quotation mark of a lifetime.
+    /// Skips a character, or a single quotation mark.
     fn skip_character(&mut self) {
         let mut chars = self.rest.char_indices().skip(1);
         let length = match (chars.next(), chars.next()) {
@@ -237,6 +257,14 @@ impl Scanner<'_> {
         };
         self.skip(length);
     }
+}
+
+/// The lifetime at the beginning of `text`, with its quotation mark; `None` if it is a character.
+fn lifetime(text: &str) -> Option<&str> {
+    let name = text.strip_prefix('\'')?;
+    let length = name.find(|c| !is_part_of_word(c)).unwrap_or(name.len());
+    let is_character = name[length..].starts_with('\'');
+    (length > 0 && !is_character).then(|| &text[..=length])
 }
 
 /// The number of `#` before the quotation mark, if `text` goes on as a raw string does after its
@@ -285,6 +313,7 @@ mod tests {
             ("let c = '\"'; global_asm!(\"\");", "a.rs:1: `global_asm"),
             ("r##\"a\"#\"##; '\\''; asm!()", "a.rs:1: `asm"),
             ("fn f<'a>(x: &'a u8) { env!(\"A\") }", "a.rs:1: `env"),
+            ("fn f<'a, 'b>(_: &'a &'b ()) {}", "a.rs:1: `&"),
         ] {
             assert_eq!(found(code), [place], "{code}");
         }
@@ -298,6 +327,7 @@ mod tests {
             "let s = \"unsafe \\\" extern\"; let r = r#\"unsafe \" env!()\"#;",
             "let path = paths[path].start; let include = env.used; include != 3",
             "#[cfg(feature = \"x\")] #[derive(Clone)] #[inline(always)] fn f() {}",
+            "fn f<'a>(a: &'a &'a u8, b: &'a [&'static u8]) { 'x: loop { break 'x } a & b & c }",
             "let c = ['\\u{1F600}', '\\n', 'x', '\\\\']; let l: &'static str;",
             "#[doc = \"[path]\"] struct A { path: [u8; 3] }",
         ] {

@@ -1,6 +1,7 @@
 //! Records, and the answers of Parts 1 and 2.
 
 use crate::kinds::Answer;
+use crate::question::Question;
 use crate::work::{Ray, Tree, Xyz};
 use serde::{Deserialize, Serialize};
 
@@ -35,6 +36,33 @@ pub enum RecordFrame {
     },
     /// The case has ended.
     Done(Record),
+    /// The worker waits for the result of a test.
+    Asking {
+        /// Index in the list of cases.
+        case: u32,
+        /// The call that tests, counted from 0.
+        call: u32,
+        /// The test.
+        question: Question,
+    },
+    /// The student's code took more of the machine than a worker may; the worker ends.
+    TookTooMuch {
+        /// Index in the list of cases.
+        case: u32,
+        /// The call that was running, counted from 0.
+        call: u32,
+        /// What it took.
+        what: Excess,
+    },
+}
+
+/// What code can take too much of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Excess {
+    /// Threads at one time.
+    Threads,
+    /// Memory, the stacks of threads included.
+    Memory,
 }
 
 /// The result of one case.

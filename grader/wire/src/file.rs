@@ -1,6 +1,6 @@
 //! What grader and worker send each other.
 //!
-//! The grader sends a [`Key`] and the cases, as one postcard value. The worker answers with a
+//! The grader sends a [`Key`] and the cases, as one postcard value after its length. The worker answers with a
 //! sequence of frames, each after a header: its length as four little-endian bytes, the key, and the
 //! number of the frame as eight little-endian bytes. If a worker is killed, the frames before can
 //! still be read.
@@ -50,16 +50,24 @@ impl std::fmt::Debug for Key {
 /// Writes the key and the cases for a worker.
 pub fn write_cases(out: &mut dyn Write, key: Key, cases: &[Case]) -> io::Result<()> {
     out.write_all(&key.0)?;
-    out.write_all(&postcard::to_stdvec(cases).map_err(io::Error::other)?)?;
+    let cases = postcard::to_stdvec(cases).map_err(io::Error::other)?;
+    out.write_all(&(cases.len() as u64).to_le_bytes())?;
+    out.write_all(&cases)?;
     out.flush()
 }
 
-/// Reads what [`write_cases`] wrote, to the end of `input`.
+/// Reads what [`write_cases`] wrote.
 pub fn read_cases(input: &mut dyn Read) -> io::Result<(Key, Vec<Case>)> {
     let mut key = [0; KEY_BYTES];
     input.read_exact(&mut key)?;
+    let mut length = [0; 8];
+    input.read_exact(&mut length)?;
+    let length = u64::from_le_bytes(length);
     let mut cases = Vec::new();
-    input.read_to_end(&mut cases)?;
+    input.take(length).read_to_end(&mut cases)?;
+    if cases.len() as u64 != length {
+        return Err(io::ErrorKind::UnexpectedEof.into());
+    }
     let cases = postcard::from_bytes(&cases).map_err(io::Error::other)?;
     Ok((Key(key), cases))
 }

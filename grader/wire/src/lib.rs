@@ -6,7 +6,8 @@
 //! [`kinds`] lists the kinds of work, each with its question and its answer. [`work`] has the
 //! questions of Parts 1 and 2, [`answer`] their answers and the records of all answers; [`direct`],
 //! [`global`] and [`adaptive`] have both for Parts 3 to 5, and [`light`] the materials and lights
-//! of scripted worlds. [`mod@picture`] has the pictures of tasks. [`mod@file`] reads and writes all
+//! of scripted worlds. [`mod@picture`] has the pictures of tasks, [`question`] what a worker asks
+//! while a case runs. [`mod@file`] reads and writes all
 //! of them: the records that a worker has finished can be read even if it is killed.
 
 pub mod adaptive;
@@ -18,9 +19,10 @@ pub mod kinds;
 pub mod light;
 pub mod picture;
 mod printed;
+pub mod question;
 pub mod work;
 
-pub use answer::{Outcome, Record, RecordFrame};
+pub use answer::{Excess, Outcome, Record, RecordFrame};
 pub use kinds::{Answer, Kind, Work, kind};
 pub use printed::{case_of_marker, output_marker};
 pub use work::Case;

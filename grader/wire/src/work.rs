@@ -215,6 +215,9 @@ pub struct ScriptedRay {
     pub spans: Vec<Option<[f64; 2]>>,
     /// For each primitive, the `t` at which the line hits it.
     pub prims: Vec<Option<f64>>,
+    /// Whether the worker gets neither of both lists and asks for each result that it needs
+    /// ([`crate::question`]). No case of the judge's is.
+    pub is_hidden: bool,
 }
 
 /// A tree, given to the student's code or built by it.

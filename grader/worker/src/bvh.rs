@@ -4,6 +4,7 @@ use crate::convert;
 use kit::{Aabb, Bvh, BvhNode, Hit, Interval, NodeKind, PrimId, Ray, Vec2, World};
 use std::collections::HashMap;
 use wire::answer::{BuildAnswer, TraverseAnswer};
+use wire::question::Question;
 use wire::work::{BuildWork, ScriptedRay, ScriptedWorld, Tree};
 
 pub(crate) fn build(work: &BuildWork) -> BuildAnswer {
@@ -27,7 +28,7 @@ pub(crate) fn traverse(script: &ScriptedWorld) -> Vec<TraverseAnswer> {
     each.map(|(i, scripted)| {
         harness::call(i);
         let mut ray = convert::ray(&scripted.ray);
-        let mut world = TraverseScript::new(scripted, &node_of);
+        let mut world = TraverseScript::new(scripted, &node_of, &tree);
         let hit = if script.any_hit {
             bvh::occludes_bvh(&tree, &ray, &mut world).then_some((0.0, 0))
         } else {
@@ -77,24 +78,28 @@ struct Counts {
     unknown_boxes: u32,
 }
 
-/// A world with given test results, which it clips to the ray's range. It counts the tests.
+/// A world with given test results, which it clips to the ray's range. It counts the tests. It asks
+/// the grader for the results that the case does not have.
 pub struct TraverseScript<'a> {
     scripted: &'a ScriptedRay,
     node_of: &'a HashMap<BoxKey, usize>,
+    tree: &'a Bvh,
     tested: Vec<bool>,
     counts: Counts,
 }
 
 impl<'a> TraverseScript<'a> {
-    /// The world of `scripted`; `node_of` has the nodes of its tree ([`nodes_by_box`]).
+    /// The world of `scripted`; `node_of` has the nodes of its `tree` ([`nodes_by_box`]).
     pub fn new(
         scripted: &'a ScriptedRay,
         node_of: &'a HashMap<BoxKey, usize>,
+        tree: &'a Bvh,
     ) -> TraverseScript<'a> {
         TraverseScript {
+            tree,
             scripted,
             node_of,
-            tested: vec![false; scripted.prims.len()],
+            tested: vec![false; tree.order.len()],
             counts: Counts::default(),
         }
     }
@@ -102,7 +107,12 @@ impl<'a> TraverseScript<'a> {
     /// The interval of `ray` in the node whose box is `b`; `None` if it misses it, or if there is no
     /// such node. Counts nothing.
     pub fn interval(&self, b: &Aabb, ray: &Ray) -> Option<Interval> {
-        let [enters, leaves] = self.scripted.spans[*self.node_of.get(&box_key(b))?]?;
+        let node = *self.node_of.get(&box_key(b))?;
+        let span = match self.scripted.is_hidden {
+            true => harness::ask(Question::Box(u32::try_from(node).unwrap_or(u32::MAX))),
+            false => self.scripted.spans[node],
+        };
+        let [enters, leaves] = span?;
         let (min, max) = (enters.max(ray.min_t), leaves.min(ray.max_t));
         (min <= max).then_some(Interval { min, max })
     }
@@ -113,8 +123,8 @@ impl<'a> TraverseScript<'a> {
             1 => format!("1 {one}"),
             _ => format!("{n} {one}s"),
         };
-        let nodes = count(self.scripted.spans.len(), "node");
-        let prims = count(self.scripted.prims.len(), "primitive");
+        let nodes = count(self.tree.nodes.len(), "node");
+        let prims = count(self.tree.order.len(), "primitive");
         format!("one ray through {nodes} and {prims}")
     }
 
@@ -126,7 +136,11 @@ impl<'a> TraverseScript<'a> {
         if std::mem::replace(&mut self.tested[i], true) {
             self.counts.repeated_prims += 1;
         }
-        let t = self.scripted.prims[i].filter(|&t| ray.in_range(t));
+        let t = match self.scripted.is_hidden {
+            true => harness::ask(Question::Prim(id.0)).map(|[t, _]| t),
+            false => self.scripted.prims[i],
+        };
+        let t = t.filter(|&t| ray.in_range(t));
         self.counts.prim_hits += u32::from(t.is_some());
         t
     }

@@ -160,6 +160,7 @@ impl Reader {
                 cpu_seconds: Some(self.limits.cpu_seconds),
                 memory_mb: Some(self.limits.memory_mb),
                 file_mb: Some(FILE_MB),
+                ..Limits::default()
             },
             ..Policy::default()
         };

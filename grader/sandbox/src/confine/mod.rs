@@ -18,8 +18,13 @@ pub fn enter(policy: &Policy) -> Result<(), String> {
     close_fds::set_fds_cloexec_threadsafe(3, &[]);
     rustix::thread::set_no_new_privs(true).map_err(|e| format!("no_new_privs: {e}"))?;
     resources::limit(&policy.limits)?;
-    files::restrict(policy)?;
-    system_calls::deny_for_program(policy.processes)
+    if !policy.without.landlock {
+        files::restrict(policy)?;
+    }
+    if !policy.without.seccomp {
+        system_calls::deny_for_program(policy.processes)?;
+    }
+    Ok(())
 }
 
 /// Gives up, on this thread and those that it will start, every file, program and process: what is

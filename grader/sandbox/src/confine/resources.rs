@@ -19,6 +19,7 @@ pub(super) fn limit(limits: &Limits) -> Result<(), String> {
         (Resource::Cpu, limits.cpu_seconds),
         (Resource::As, limits.memory_mb.map(bytes)),
         (Resource::Fsize, limits.file_mb.map(bytes)),
+        (Resource::Nproc, limits.threads),
     ] {
         let Some(limit) = limit else {
             continue;

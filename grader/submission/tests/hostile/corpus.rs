@@ -20,6 +20,8 @@ pub(crate) struct Case {
     in_call: String,
     /// Part of what is said about it.
     pub(crate) says: Option<String>,
+    /// What nothing may say about it: a sign that it got what it wanted.
+    pub(crate) never: Option<String>,
     /// Part of what the compiler says if it is not scanned.
     pub(crate) unscanned: Option<String>,
     /// Its score: `less`, `all` or `any`.
@@ -58,6 +60,7 @@ pub(crate) fn cases(name: &str) -> Vec<Case> {
                 false => code,
             },
             says: owned("says"),
+            never: owned("never"),
             unscanned: owned("unscanned"),
             score: owned("score"),
             limit: owned("limit"),
@@ -181,14 +184,8 @@ impl Case {
 pub(crate) fn levels() -> Vec<Containment> {
     let workspace = Workspace::above(&root()).expect("this is the course");
     let strongest = Containment::choose(&workspace, false).expect("there is one");
-    let mut levels = vec![strongest.clone(), Containment::None];
-    if let Containment::Sandbox { launcher, .. } = strongest {
-        levels.push(Containment::Sandbox {
-            launcher,
-            user: None,
-            own_network: None,
-        });
-    }
+    let mut levels = strongest.levels();
+    levels.push(Containment::None);
     levels
 }
 
@@ -220,12 +217,28 @@ impl Class {
 
     /// Grades part1.task3 of a submission with these files.
     pub(crate) fn grade(&self, files: &Files, seed: u64) -> Result<GradedSubmission, NotGraded> {
+        self.grade_stage("intersect", files, "part1.task3", seed)
+    }
+
+    /// Grades a task of a submission with these files of its stage.
+    pub(crate) fn grade_stage(
+        &self,
+        stage: &str,
+        files: &Files,
+        task: &str,
+        seed: u64,
+    ) -> Result<GradedSubmission, NotGraded> {
         let folder = tempfile::tempdir().expect("there is a folder for it");
         for (path, contents) in files {
-            let path = folder.path().join("stages/intersect/src").join(path);
+            let path = folder
+                .path()
+                .join("stages")
+                .join(stage)
+                .join("src")
+                .join(path);
             file_tree::write(&path, contents).expect("it can be written");
         }
-        self.grade_folder(folder.path(), seed)
+        self.grade_task(folder.path(), task, seed)
     }
 
     /// Grades part1.task3 of the submission in `folder`.
@@ -234,8 +247,17 @@ impl Class {
         folder: &Path,
         seed: u64,
     ) -> Result<GradedSubmission, NotGraded> {
+        self.grade_task(folder, "part1.task3", seed)
+    }
+
+    fn grade_task(
+        &self,
+        folder: &Path,
+        task: &str,
+        seed: u64,
+    ) -> Result<GradedSubmission, NotGraded> {
         let request = GradeRequest {
-            what: "part1.task3".into(),
+            what: task.into(),
             seed,
         };
         let options = Options {

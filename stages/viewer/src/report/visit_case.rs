@@ -54,12 +54,12 @@ impl VisitCase {
         let node_of = nodes_by_box(&tree);
         let ray = convert::ray(&scripted.ray);
         // Another script: tests that only show what is behind a hit do not count.
-        let uncounted = TraverseScript::new(scripted, &node_of);
+        let uncounted = TraverseScript::new(scripted, &node_of, &tree);
         let record = record_ray(
             &tree,
             &ray,
             world.any_hit,
-            TraverseScript::new(scripted, &node_of),
+            TraverseScript::new(scripted, &node_of, &tree),
             &|b, ray| uncounted.interval(b, ray),
         );
         let right = right_hit(scripted, &ray);
@@ -199,7 +199,7 @@ mod tests {
         let (tree, ray) = (kit_tree(&world.tree), convert::ray(&world.rays[0].ray));
         let node_of = nodes_by_box(&tree);
         let hit = right_hit(&world.rays[0], &ray);
-        let script = TraverseScript::new(&world.rays[0], &node_of);
+        let script = TraverseScript::new(&world.rays[0], &node_of, &tree);
         let tests = way_to(&tree, hit?.0).into_iter().map(|node| Test::Box {
             node: Some(node),
             bounds: tree.nodes[node as usize].bounds,

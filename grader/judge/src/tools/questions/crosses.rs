@@ -88,6 +88,7 @@ impl CrossScene {
                 .map(|node| span(&corners(&node.bounds), ray))
                 .collect(),
             prims: self.crosses.iter().map(|cross| cross.meets(ray)).collect(),
+            is_hidden: false,
         });
         ScriptedWorld {
             tree: self.tree.clone(),

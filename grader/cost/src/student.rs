@@ -94,9 +94,12 @@ impl Student {
             Some(Ending::TimedOut { limit_ms, .. }) => {
                 Err(format!("your code takes more than {} s", limit_ms / 1000))
             }
-            Some(Ending::Died { .. } | Ending::PrintedTooMuch { .. } | Ending::TooManyThreads { .. } | Ending::OutOfTime) => {
-                Err(format!("your code {}", crashed.unwrap_or_default()))
-            }
+            Some(
+                Ending::Died { .. }
+                | Ending::PrintedTooMuch { .. }
+                | Ending::TooManyThreads { .. }
+                | Ending::OutOfTime,
+            ) => Err(format!("your code {}", crashed.unwrap_or_default())),
             Some(Ending::Malformed(why)) => Err(why),
             Some(Ending::Skipped) | None => {
                 return Err(GraderError::new("the worker returned no record for a case"));

@@ -23,7 +23,13 @@ static CALL: AtomicU32 = AtomicU32::new(0);
 static CALLS: OnceLock<&Mutex<FrameWriter>> = OnceLock::new();
 
 /// Where questions are written, and where the replies arrive.
-static QUESTIONS: OnceLock<(&Mutex<FrameWriter>, Mutex<Box<dyn Read + Send>>)> = OnceLock::new();
+struct Questions {
+    records: &'static Mutex<FrameWriter>,
+    replies: Mutex<Box<dyn Read + Send>>,
+}
+
+/// The questions of this worker.
+static QUESTIONS: OnceLock<Questions> = OnceLock::new();
 
 thread_local! {
     static PANIC_LOCATION: RefCell<String> = const { RefCell::new(String::new()) };
@@ -76,7 +82,7 @@ pub fn call(index: usize) {
 /// a reply the process ends: the grader is gone, or the student's code has read the reply.
 pub fn ask(question: Question) -> Reply {
     let ask = || {
-        let (records, replies) = QUESTIONS.get()?;
+        let Questions { records, replies } = QUESTIONS.get()?;
         let mut replies = replies.lock().ok()?;
         let frame = RecordFrame::Asking {
             case: CASE.load(Ordering::Relaxed),
@@ -91,7 +97,8 @@ pub fn ask(question: Question) -> Reply {
 
 /// Sends the questions of [`ask`] with the records, and reads the replies from `replies`.
 pub(crate) fn ask_through(records: &'static Mutex<FrameWriter>, replies: Box<dyn Read + Send>) {
-    let _ = QUESTIONS.set((records, Mutex::new(replies)));
+    let replies = Mutex::new(replies);
+    let _ = QUESTIONS.set(Questions { records, replies });
 }
 
 /// Writes an entry to `records` for each call from now on, so that they show which call ended the

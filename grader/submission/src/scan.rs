@@ -118,10 +118,9 @@ fn outlives(tokens: &[Token]) -> bool {
     let mut words = tokens.iter().map(|token| token.text.as_str());
     let mut reference = || {
         let is_reference = words.next()? == "&";
-        let lifetime = words
+        words
             .next()
-            .filter(|word| is_reference && word.starts_with('\''));
-        lifetime
+            .filter(|word| is_reference && word.starts_with('\''))
     };
     let (outer, inner) = (reference(), reference());
     outer.is_some() && inner.is_some() && outer != inner

@@ -186,7 +186,7 @@ pub(crate) const ALL: &[Attempt] = &[
     }),
     attempt("change the rights of the output", |_| {
         output()
-            .set_permissions(fs::Permissions::from_mode(0))
+            .set_permissions(fs::Permissions::from_mode(0o000))
             .is_ok()
     }),
     attempt("open the terminal", |_| File::open("/dev/tty").is_ok()),

@@ -241,15 +241,6 @@ impl Class {
         self.grade_task(folder.path(), task, seed)
     }
 
-    /// Grades part1.task3 of the submission in `folder`.
-    pub(crate) fn grade_folder(
-        &self,
-        folder: &Path,
-        seed: u64,
-    ) -> Result<GradedSubmission, NotGraded> {
-        self.grade_task(folder, "part1.task3", seed)
-    }
-
     fn grade_task(
         &self,
         folder: &Path,

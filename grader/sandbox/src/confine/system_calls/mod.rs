@@ -54,7 +54,7 @@ fn other_processes(denied: &mut Calls) -> Result<(), String> {
     denied.with(libc::SYS_clone, &[no_thread])?;
     let is_other = (0, SeccompCmpOp::Ne, this_process());
     for call in [libc::SYS_kill, libc::SYS_tgkill] {
-        denied.with(call, &[is_other.clone()])?;
+        denied.with(call, std::slice::from_ref(&is_other))?;
     }
     // `prlimit64` of process 0 is that of the caller.
     denied.with(libc::SYS_prlimit64, &[(0, SeccompCmpOp::Ne, 0)])?;

@@ -6,9 +6,9 @@
 //! `bvh`.
 //!
 // BEGIN SOLUTION(part6.task1)
-//! Reading order: `wide`, `intersect` and `stream` (the tree and what rays ask of it), `build` (from
+//! Reading order: `wide`, `intersect`, `stream` and `ray_tile` (the tree, and how rays are traced), `build` (from
 //! primitives to the tree), `layout` (the memory layout of boxes, triangles and spheres), `kernels`
-//! (one ray against eight boxes or triangles), `one_ray` and `many_rays` (the traversals). Each
+//! (one ray against eight boxes or triangles), `one_ray`, `many_rays` and `tile` (the traversals). Each
 //! folder's `mod.rs` has its own reading order.
 //!
 //! The tree is fast and exact. Boxes are single precision and rounded outwards. Triangles have 16
@@ -28,14 +28,17 @@ mod layout;
 mod many_rays;
 mod one_ray;
 mod rounding;
+mod tile;
 // END SOLUTION(part6.task1)
 
 mod intersect;
+mod ray_tile;
 mod stream;
 mod wide;
 
 pub use fearless_simd::Level;
 pub use intersect::{ExactTest, TestCounts};
+pub use ray_tile::{RayTile, TileEnds, TileMemory};
 pub use stream::StreamMemory;
 pub use wide::{Subset, WideBvh};
 

@@ -5,7 +5,7 @@ use crate::intersect::ExactTest;
 use kit::{PrimId, Ray, TriangleHit};
 
 /// The closest hit of the scalar kernel so far.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Found {
     pub(crate) closest: Option<(PrimId, TriangleHit)>,
 }

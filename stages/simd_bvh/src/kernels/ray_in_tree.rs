@@ -28,10 +28,10 @@ pub(crate) struct TScale {
 }
 
 /// The largest distance of a ray origin.
-const FARTHEST: f64 = (1 << 18) as f64;
+pub(crate) const FARTHEST: f64 = (1 << 18) as f64;
 
 /// The largest size of a tree. Only scenes of extreme scale have a larger one.
-const LARGEST: f64 = 8.0;
+pub(crate) const LARGEST: f64 = 8.0;
 
 /// Origins beyond this distance are moved.
 const NEAR: f64 = 24.0;
@@ -86,9 +86,15 @@ impl RayInTree {
     /// it, in the tree's space.
     #[inline(always)]
     pub(crate) fn noise(&self) -> f32 {
-        const NOISE: f64 = 1.0 / (1_u64 << 48) as f64;
-        (self.reach * NOISE) as f32
+        noise_within(self.reach)
     }
+}
+
+/// [`RayInTree::noise`] of a ray from which no point of the tree is farther than `reach`.
+#[inline(always)]
+pub(crate) fn noise_within(reach: f64) -> f32 {
+    const NOISE: f64 = 1.0 / (1_u64 << 48) as f64;
+    (reach * NOISE) as f32
 }
 
 impl TScale {

@@ -45,6 +45,7 @@
 //! compare with brute force, bit for bit, also at the borders of these bounds.
 
 use crate::kernels::ray_in_tree::RayInTree;
+use crate::kernels::woop::axes_along;
 use crate::layout::triangle_block::TriangleBlock;
 use crate::rounding::{at_least, at_most};
 use fearless_simd::{Simd, f32x8, i32x8, prelude::*, u16x8};
@@ -127,14 +128,8 @@ const E: f32 = 1.0 / (1 << 24) as f32;
 impl TriangleFilter {
     #[inline(always)]
     pub(crate) fn new(ray: &RayInTree) -> TriangleFilter {
-        let size = ray.d.abs();
-        let z = if size.z >= size.x && size.z >= size.y {
-            2
-        } else {
-            usize::from(size.y >= size.x)
-        };
-        const NEXT: [usize; 4] = [1, 2, 0, 1];
-        let axes = [NEXT[z], NEXT[z + 1], z];
+        let axes = axes_along(ray.d);
+        let z = axes[2];
         // Arrays: indexing a vector would branch, unpredictably.
         let (o, d) = (ray.o.to_array(), ray.d.to_array());
         let inverse = 1.0 / d[z];
@@ -288,14 +283,14 @@ impl TriangleFilter {
 
 /// Eight integers as exact numbers in single precision.
 #[inline(always)]
-fn widened<S: Simd>(simd: S, integers: &[u16; 8]) -> f32x8<S> {
+pub(crate) fn widened<S: Simd>(simd: S, integers: &[u16; 8]) -> f32x8<S> {
     let (low, high) = u16x8::load_array_ref(simd, integers).widen();
     f32x8::float_from(low.combine(high).bitcast::<i32x8<S>>())
 }
 
 /// The bits of the first `count` lanes.
 #[inline(always)]
-fn first_lanes(count: u32) -> u32 {
+pub(crate) fn first_lanes(count: u32) -> u32 {
     (1 << count) - 1
 }
 // END SOLUTION(part6.task1)

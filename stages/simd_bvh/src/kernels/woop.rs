@@ -1,7 +1,7 @@
 // BEGIN SOLUTION(part6.task1)
 //! The triangle test in double precision, for the few triangles that pass the filter.
 
-use kit::{Ray, TriangleHit};
+use kit::{Ray, TriangleHit, Vec3 as KitVec3};
 use lanes::Vec3;
 use lanes::triangle::{Edges, project};
 
@@ -44,6 +44,19 @@ pub(crate) fn test(vertices: &Vertices, ray: &Ray, axes: [usize; 3]) -> Decision
         b1: crossing.v / crossing.det,
         b2: crossing.w / crossing.det,
     })
+}
+
+/// The axes that become x, y and z for a ray along `d`: z is that of the largest component.
+#[inline(always)]
+pub(crate) fn axes_along(d: KitVec3) -> [usize; 3] {
+    let size = d.abs();
+    let z = if size.z >= size.x && size.z >= size.y {
+        2
+    } else {
+        usize::from(size.y >= size.x)
+    };
+    const NEXT: [usize; 4] = [1, 2, 0, 1];
+    [NEXT[z], NEXT[z + 1], z]
 }
 
 #[inline(always)]

@@ -104,15 +104,19 @@ impl Node {
 
     /// The box of a child, with its margin.
     pub(crate) fn bounds(&self, lane: usize) -> Aabb {
-        let corner = |side: Side| {
-            Vec3::from(std::array::from_fn(|axis| {
-                f64::from(self.planes(axis, side)[lane])
-            }))
-        };
-        Aabb {
-            min: corner(Side::Lower),
-            max: corner(Side::Upper),
+        let [min, max] = self.corners(lane).map(|p| Vec3::from(p.map(f64::from)));
+        Aabb { min, max }
+    }
+
+    /// The lower and the upper corner of a child's box.
+    #[inline(always)]
+    pub(crate) fn corners(&self, lane: usize) -> [[f32; 3]; 2] {
+        let mut corners = [[0.0; 3]; 2];
+        for axis in 0..3 {
+            corners[0][axis] = self.planes(axis, Side::Lower)[lane];
+            corners[1][axis] = self.planes(axis, Side::Upper)[lane];
         }
+        corners
     }
 
     /// The planes of the eight boxes on one side.

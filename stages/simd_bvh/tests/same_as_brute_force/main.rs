@@ -2,6 +2,7 @@
 //! The wide tree finds the hits of brute force, bit for bit.
 
 mod checker;
+mod tiles;
 
 use checker::{Checker, Random};
 use kit::{PrimId, Ray, Sphere, Triangle, Vec3};

@@ -111,11 +111,6 @@ const INSERTIONS: &[Insertion] = &[
     // The stage.
     Insertion {
         file: "Cargo.toml",
-        after: "members = [",
-        lines: "    \"stages/doubling\",",
-    },
-    Insertion {
-        file: "Cargo.toml",
         after: "[workspace.dependencies]",
         lines: "doubling = { path = \"stages/doubling\" }",
     },

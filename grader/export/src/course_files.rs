@@ -3,7 +3,8 @@
 //! They contain solutions. They are for containers that students cannot look into.
 
 use base::{GraderError, Workspace};
-use std::path::{Path, PathBuf};
+use std::collections::BTreeSet;
+use std::path::Path;
 use submission::file_tree::{self, Files};
 use submission::packages::members::{self, Member};
 use submission::packages::{lock, manifest};
@@ -18,11 +19,6 @@ pub fn of(workspace: &Workspace) -> Result<Files, GraderError> {
     let members = members::read(root)?;
     let needed = members::with_dependencies(&members, &PROGRAMS);
     let is_needed = |member: &Member| needed.contains(member.name.as_str());
-    let left_out: Vec<PathBuf> = members
-        .iter()
-        .filter(|member| !is_needed(member))
-        .map(|member| member.folder.clone())
-        .collect();
     let mut files = Files::new();
     for path in file_tree::workspace_paths(root)? {
         let owner = members::containing_member(&members, &path);
@@ -34,7 +30,7 @@ pub fn of(workspace: &Workspace) -> Result<Files, GraderError> {
         if is_included {
             let contents = file_tree::read(root, &path)?;
             let contents = match path.file_name().is_some_and(|name| name == "Cargo.toml") {
-                true => without_what_is_left_out(&contents, owner, &left_out),
+                true => without_what_is_left_out(&contents, owner, &members, &needed),
                 false => contents,
             };
             files.insert(path, contents);
@@ -76,11 +72,12 @@ fn is_of_workspace(path: &Path) -> bool {
 fn without_what_is_left_out(
     contents: &[u8],
     owner: Option<&Member>,
-    left_out: &[PathBuf],
+    members: &[Member],
+    needed: &BTreeSet<&str>,
 ) -> Vec<u8> {
     let text = String::from_utf8_lossy(contents);
     let text = match owner {
-        None => manifest::without_members(&text, left_out),
+        None => manifest::with_members(&text, members, needed),
         Some(_) => {
             let text = manifest::without_tests(&text);
             manifest::without_unused_dev_dependencies(&text, |_| false)

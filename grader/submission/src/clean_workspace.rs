@@ -278,11 +278,6 @@ fn trusted_files(workspace: &Workspace) -> Result<Files, GraderError> {
     let root = workspace.root();
     let members = members::read(root)?;
     let needed = members::with_dependencies(&members, &["worker"]);
-    let left_out: Vec<PathBuf> = members
-        .iter()
-        .filter(|member| !needed.contains(member.name.as_str()))
-        .map(|member| member.folder.clone())
-        .collect();
     let mut files = Files::new();
     for path in file_tree::workspace_paths(root)? {
         let owner = members::containing_member(&members, &path);
@@ -298,7 +293,7 @@ fn trusted_files(workspace: &Workspace) -> Result<Files, GraderError> {
         if is_manifest {
             let text = String::from_utf8_lossy(&contents);
             contents = match owner {
-                None => without_unsafe(&manifest::without_members(&text, &left_out))?,
+                None => without_unsafe(&manifest::with_members(&text, &members, &needed))?,
                 Some(owner) => {
                     let text = manifest::without_tests(&text);
                     let text = manifest::without_unused_dev_dependencies(&text, |_| false);

@@ -4,7 +4,8 @@ use super::carve::Carver;
 use base::GraderError;
 use grader::course::Course;
 use std::collections::BTreeSet;
-use std::path::{Path, PathBuf};
+use std::path::Path;
+use submission::packages::manifest;
 use submission::packages::members::{self, Member};
 
 /// The programs of a handout. It contains their crates and what these depend on, and no other
@@ -139,13 +140,9 @@ impl<'a> FileSelection<'a> {
             || !members::with_dependencies(self.members, &[&member.name]).is_disjoint(carved)
     }
 
-    /// The folders of the crates that a handout does not contain.
-    pub(super) fn removed_folders(&self) -> Vec<PathBuf> {
-        self.members
-            .iter()
-            .filter(|member| !self.needed.contains(member.name.as_str()))
-            .map(|member| member.folder.clone())
-            .collect()
+    /// The workspace's manifest `text` with the crates of a handout.
+    pub(super) fn with_members(&self, text: &str) -> String {
+        manifest::with_members(text, self.members, &self.needed)
     }
 }
 

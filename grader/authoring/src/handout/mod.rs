@@ -189,7 +189,7 @@ impl Handout {
             }
             let old = text(path, contents.clone())?;
             *contents = match selection.owner(path) {
-                None => manifest::without_members(&old, &selection.removed_folders()),
+                None => selection.with_members(&old),
                 Some(_) if tests_holes(path) => manifest::without_tests(&old),
                 Some(_) => old,
             }

@@ -1,40 +1,64 @@
-//! Removes the crates and targets that a handout leaves out from manifests.
+//! Removes what a handout, or a folder to build submissions in, leaves out from manifests.
 //!
 //! Works line by line, so that the other lines keep their order and comments.
 
+use super::members::Member;
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-/// Removes the members in the folders `left_out` from the workspace's `Cargo.toml`.
-pub fn without_members(text: &str, left_out: &[PathBuf]) -> String {
-    let names = |line: &str, folder: &Path| {
-        let folder = folder.to_string_lossy();
-        let line = line.trim();
-        // An entry of `members`, or of `[workspace.dependencies]`.
-        line.trim_end_matches(',') == format!("\"{folder}\"")
-            || line.contains(&format!("path = \"{folder}\""))
-    };
-    let kept = text
+/// Leaves the crates `kept` alone in the workspace's `Cargo.toml`: lists the folders of these
+/// `members`, which globs name in the course, and removes the paths of the others.
+pub fn with_members(text: &str, members: &[Member], kept: &BTreeSet<&str>) -> String {
+    let is_kept = |member: &&Member| kept.contains(member.name.as_str());
+    let removed: Vec<String> = members
+        .iter()
+        .filter(|member| !is_kept(member))
+        .map(|member| format!("path = \"{}\"", member.folder.display()))
+        .collect();
+    let with_lists = text
         .lines()
-        .filter(|line| !left_out.iter().any(|folder| names(line, folder)));
-    kept.flat_map(|line| [line, "\n"]).collect()
+        .filter(|line| !removed.iter().any(|path| line.contains(path)))
+        .flat_map(|line| [line, "\n"])
+        .collect::<String>();
+    let folders = members.iter().filter(is_kept);
+    let entries: String = folders.map(|member| entry(&member.folder)).collect();
+    let (before, after) = around_list(&with_lists, "members");
+    let text = format!("{before}members = [\n{entries}]\n{after}");
+    without_default_members(&text)
 }
 
-/// Removes the tables `[profile.PROFILE.package.NAME]` of packages that the lock file `lock` does
-/// not name: cargo warns of them at every command.
-pub fn without_unused_profiles(text: &str, lock: &str) -> String {
-    let is_unused = |table: &str| {
-        let name = table
-            .strip_prefix("[profile.")
-            .and_then(|rest| rest.split_once(".package."))
-            .and_then(|(_, name)| name.strip_suffix(']'));
-        name.is_some_and(|name| name != "\"*\"" && !lock.contains(&format!("name = \"{name}\"\n")))
+/// An entry of a list of folders.
+fn entry(folder: &Path) -> String {
+    format!("    \"{}\",\n", folder.display())
+}
+
+/// The text before the list `name`, which starts a line, and the text after the list. If there is
+/// no such list, all of the text is before it.
+fn around_list<'a>(text: &'a str, name: &str) -> (&'a str, &'a str) {
+    let start = format!("\n{name} = [");
+    let Some(at) = text.find(&start).map(|at| at + 1) else {
+        return (text, "");
     };
-    let mut dropping = false;
+    let list = &text[at..];
+    let end = list.find("]\n").map_or(list.len(), |end| end + 2);
+    (&text[..at], &list[end..])
+}
+
+/// Removes the rules `NAME.SETTING = VALUE` of `[profile.PROFILE.package]` about packages that the
+/// lock file `lock` does not name: cargo warns of them at every command.
+pub fn without_unused_profiles(text: &str, lock: &str) -> String {
+    let mut inside = false;
     let kept = text.lines().filter(|line| {
         if line.starts_with('[') {
-            dropping = is_unused(line.trim_end());
+            inside = line.starts_with("[profile.") && line.trim_end().ends_with(".package]");
         }
-        !dropping
+        let name = line.split_once('.').map(|(name, _)| name);
+        let is_of_package = |name: &str| {
+            let is_name = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
+            !name.is_empty() && name.chars().all(is_name)
+        };
+        let package = name.filter(|name| inside && is_of_package(name));
+        package.is_none_or(|name| lock.contains(&format!("name = \"{name}\"\n")))
     });
     kept.flat_map(|line| [line, "\n"]).collect()
 }
@@ -87,31 +111,26 @@ pub fn without_unused_dev_dependencies(text: &str, is_used: impl Fn(&str) -> boo
 /// members.
 pub fn with_default_members(text: &str, folders: &[PathBuf]) -> String {
     let text = &without_default_members(text);
-    let entries = folders.iter();
-    let entries: String = entries
-        .map(|folder| format!("    \"{}\",\n", folder.display()))
-        .collect();
-    let list = format!(
-        "# What `cargo test` tests. For all other crates: `cargo test --workspace`.\ndefault-members = [\n{entries}]\n"
-    );
-    match text.split_once("\n]\n") {
-        Some((members, rest)) => format!("{members}\n]\n{list}{rest}"),
-        None => text.to_string(),
-    }
+    let entries: String = folders.iter().map(|folder| entry(folder)).collect();
+    let (_, after) = around_list(text, "members");
+    let before = &text[..text.len() - after.len()];
+    format!(
+        "{before}# What `cargo test` tests. For all other crates: `cargo test --workspace`.\ndefault-members = [\n{entries}]\n{after}"
+    )
 }
 
 /// Removes the list of default members, with its comment.
 fn without_default_members(text: &str) -> String {
-    let Some((before, list)) = text.split_once("default-members = [\n") else {
+    let (before, after) = around_list(text, "default-members");
+    if after.is_empty() {
         return text.to_string();
-    };
+    }
     let mut before: Vec<&str> = before.lines().collect();
     while before.last().is_some_and(|line| line.starts_with('#')) {
         before.pop();
     }
-    let rest = list.split_once("]\n").map_or("", |(_, rest)| rest);
     let before: String = before.into_iter().flat_map(|line| [line, "\n"]).collect();
-    before + rest
+    before + after
 }
 
 #[cfg(test)]
@@ -137,18 +156,26 @@ mod tests {
 
     #[test]
     fn profiles_of_packages_that_are_gone_are_removed() {
-        let text = "[profile.dev.package.\"*\"]\ndebug = 0\n\n[profile.dev.package.gone]\nopt-level = 0\n\n[profile.dev.package.kept]\nopt-level = 0\n";
-        let expected =
-            "[profile.dev.package.\"*\"]\ndebug = 0\n\n[profile.dev.package.kept]\nopt-level = 0\n";
+        let text = "[profile.dev.package]\n\"*\".debug = 0\n# why. here\ngone.opt-level = 0\nkept.opt-level = 0\n\n[profile.dev]\nopt-level = 1\n";
+        let expected = "[profile.dev.package]\n\"*\".debug = 0\n# why. here\nkept.opt-level = 0\n\n[profile.dev]\nopt-level = 1\n";
         let lock = "[[package]]\nname = \"kept\"\nversion = \"1.0.0\"\n";
         assert_eq!(without_unused_profiles(text, lock), expected);
     }
 
     #[test]
-    fn a_member_is_removed_from_members_and_dependencies() {
-        let text = "members = [\n    \"a\",\n    \"a/b\",\n]\n\n[workspace.dependencies]\na = { path = \"a\" }\nb = { path = \"a/b\" }\nc = \"1\"\n";
-        let expected = "members = [\n    \"a\",\n]\n\n[workspace.dependencies]\na = { path = \"a\" }\nc = \"1\"\n";
-        assert_eq!(without_members(text, &[PathBuf::from("a/b")]), expected);
+    fn the_crates_that_are_kept_are_listed_and_the_others_have_no_path() {
+        let member = |name: &str, folder: &str| Member {
+            name: name.into(),
+            folder: folder.into(),
+            imports: Vec::new(),
+        };
+        let members = [member("a", "a"), member("b", "a/b"), member("c", "c")];
+        let text = "[workspace]\nmembers = [\"a\", \"a/[!x]*\", \"c\"]\n# Not b.\ndefault-members = [\n    \"a\",\n]\n\n[workspace.dependencies]\na = { path = \"a\" }\nb = { path = \"a/b\" }\nd = \"1\"\n";
+        let expected = "[workspace]\nmembers = [\n    \"a\",\n    \"c\",\n]\n\n[workspace.dependencies]\na = { path = \"a\" }\nd = \"1\"\n";
+        assert_eq!(
+            with_members(text, &members, &BTreeSet::from(["a", "c"])),
+            expected
+        );
     }
 
     #[test]

@@ -19,13 +19,15 @@ const MAY_DEPEND_ON: &[(&str, &[&str])] = &[
     ("lanes", &["kit"]),
     ("simd_bvh", &["kit", "lanes"]),
     ("simd_paths", &["kit", "lanes"]),
-    ("book", &["kit"]),
+    ("book", &["base", "kit"]),
     ("meshes", &["kit"]),
     ("scenes", &["kit", "meshes"]),
-    ("showcase", &["kit", "meshes", "bvh"]),
+    ("showcase", &["base", "kit", "meshes", "bvh"]),
     (
         "pathtracer",
         &[
+            // How a program prints.
+            "base",
             "kit",
             "scenes",
             "raygen",
@@ -42,6 +44,7 @@ const MAY_DEPEND_ON: &[(&str, &[&str])] = &[
     (
         "viewer",
         &[
+            "base",
             "kit",
             "pathtracer",
             "scenes",

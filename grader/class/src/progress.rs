@@ -1,6 +1,7 @@
 //! What a run prints while it grades: how many units are done, and the time that is left.
 
 use crate::plan::Planned;
+use base::{err, errln};
 use std::io::{self, IsTerminal, Write};
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
@@ -68,10 +69,10 @@ impl Progress {
         );
         match self.is_terminal {
             true => show(&mut state, &line),
-            false => eprintln!("{line}"),
+            false => errln!("{line}"),
         }
         if state.done == self.units && self.is_terminal {
-            eprintln!();
+            errln!();
         }
     }
 
@@ -94,9 +95,9 @@ impl Progress {
     fn print_line(&self, state: &mut State, line: &str) {
         if self.is_terminal {
             show(state, "");
-            eprint!("\r");
+            err!("\r");
         }
-        eprintln!("{line}");
+        errln!("{line}");
     }
 }
 
@@ -108,7 +109,7 @@ fn show(state: &mut State, line: &str) {
         .take(COLUMNS)
         .collect();
     let length = line.chars().count();
-    eprint!("\r{line}{}", " ".repeat(state.shown.saturating_sub(length)));
+    err!("\r{line}{}", " ".repeat(state.shown.saturating_sub(length)));
     let _ = io::stderr().flush();
     state.shown = length;
 }

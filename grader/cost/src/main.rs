@@ -3,7 +3,7 @@
 use base::program::{
     Exit, arguments_of, check_folders_of, path_argument, run_to_exit_code, subprogram_command,
 };
-use base::{GraderError, Workspace};
+use base::{GraderError, Workspace, out, outln};
 use clap::{Arg, ArgAction, ArgMatches, Command};
 use cost::page::{page, plot};
 use cost::report::Shape;
@@ -85,8 +85,8 @@ fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
         base::write_whole(path, plot.as_bytes())?;
     }
     match Format::of(matches) {
-        Format::Json => println!("{}", report::json(&cost)?),
-        Format::Table => print!("{}", table::show(&cost)),
+        Format::Json => outln!("{}", report::json(&cost)?),
+        Format::Table => out!("{}", table::show(&cost)),
     }
     Ok(Exit::Passed)
 }

@@ -1,7 +1,7 @@
 //! The program behind `grader export SYSTEM --part N --out PATH`.
 
 use base::program::{self, Exit, path_argument, subprogram_command, whole_number};
-use base::{GraderError, Workspace, folder_of, write_whole};
+use base::{GraderError, Workspace, errln, folder_of, outln, write_whole};
 use clap::parser::ValueSource;
 use clap::{Arg, ArgAction, ArgMatches, Command};
 use export::archive;
@@ -159,19 +159,19 @@ fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
             write_whole(out, &zip)?;
             let kilobytes = zip.len() / 1000;
             let count = plural(files.len(), "file", "files");
-            println!("{}: {count}, {kilobytes} kB", out.display());
+            outln!("{}: {count}, {kilobytes} kB", out.display());
         }
         _ => {
             write_folder(out, &files)?;
             let count = plural(files.len(), "file", "files");
-            println!("{}: {count}", out.display());
+            outln!("{}: {count}", out.display());
         }
     }
     let is_given = |flag: &&&str| matches.value_source(flag) == Some(ValueSource::CommandLine);
     for flag in system.unused_flags().iter().filter(is_given) {
-        eprintln!("note: no effect: --{flag}: {name} does not use it");
+        errln!("note: no effect: --{flag}: {name} does not use it");
     }
-    println!("{}", system.next_step());
+    outln!("{}", system.next_step());
     Ok(Exit::Passed)
 }
 

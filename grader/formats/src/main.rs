@@ -4,7 +4,7 @@
 mod grading;
 
 use base::program::{self, Exit};
-use base::{GraderError, interrupt, write_whole};
+use base::{GraderError, errln, interrupt, out, write_whole};
 use clap::{Arg, ArgAction, ArgMatches, Command};
 use formats::classroom50::Assignment;
 use formats::settings::Visibility;
@@ -95,15 +95,15 @@ fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     }
     write_all(&targets, &outcome, &settings)?;
     match (Format::named(printed), &outcome) {
-        (Some(format), _) => print!("{}", format.write(&outcome, &settings)?),
-        (None, Outcome::Graded(graded)) => print!("{}", grading::table(graded)),
+        (Some(format), _) => out!("{}", format.write(&outcome, &settings)?),
+        (None, Outcome::Graded(graded)) => out!("{}", grading::table(graded)),
         (None, _) => {}
     }
     match outcome {
         Outcome::Graded(graded) if graded.report.is_full() => Ok(Exit::Passed),
         Outcome::Graded(_) => Ok(Exit::Failed),
         Outcome::Refused { why, .. } => {
-            eprintln!("cannot be graded: {why}");
+            errln!("cannot be graded: {why}");
             Ok(Exit::Failed)
         }
         Outcome::Infrastructure(why) => Err(GraderError::new(why)),

@@ -1,10 +1,10 @@
 //! `grader speedup`: the ladder from brute force to a wide tree.
 
-use base::GraderError;
 use base::program::{
     Exit, arguments_of, check_folders_of, path_argument, run_to_exit_code, subprogram_command,
     whole_number,
 };
+use base::{GraderError, out, outln};
 use clap::{Arg, ArgMatches, Command};
 use grader::cli::{Format, seed_argument, seed_of};
 use grader::report;
@@ -59,8 +59,8 @@ fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
         base::write_whole(path, page::plot(&ladder)?.as_bytes())?;
     }
     match Format::of(matches) {
-        Format::Json => println!("{}", report::json(&ladder)?),
-        Format::Table => print!("{}", table::show(&ladder)),
+        Format::Json => outln!("{}", report::json(&ladder)?),
+        Format::Table => out!("{}", table::show(&ladder)),
     }
     Ok(Exit::Passed)
 }

@@ -2,8 +2,8 @@
 
 use crate::build::compile_warnings::Warnings;
 use crate::build::{BuildLimit, CompileErrors, WORKER};
-use base::GraderError;
 use base::child_processes::{self, Watchdog, tail};
+use base::{GraderError, err};
 use std::io::{BufRead, BufReader, Read};
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -47,7 +47,7 @@ pub(crate) fn run_cargo(
                     push_message(&mut errors.worker_messages, &text);
                 } else {
                     if show {
-                        eprint!("{text}");
+                        err!("{text}");
                     }
                     push_message(&mut errors.messages, &text);
                 }
@@ -62,7 +62,7 @@ pub(crate) fn run_cargo(
     };
     let status = status.map_err(|e| GraderError::new(format!("cannot wait for cargo: {e}")))?;
     if show {
-        eprint!("{}", warnings.summary());
+        err!("{}", warnings.summary());
     }
     let stderr = progress.map(|thread| thread.join().unwrap_or_default());
     let says = stderr.as_deref().unwrap_or("Cargo's message is above.");

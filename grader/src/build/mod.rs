@@ -9,7 +9,7 @@ mod target_folder;
 use crate::build::cargo_run::run_cargo;
 use crate::workers::launcher::Launcher;
 use crate::workers::runner::Worker;
-use base::{GraderError, Workspace, child_processes};
+use base::{GraderError, Workspace, child_processes, err};
 use std::collections::BTreeSet;
 use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
@@ -147,7 +147,7 @@ impl BuildRoot<'_> {
             _ => calls.clone(),
         };
         if show && features.len() == 1 {
-            eprint!("{explanation}");
+            err!("{explanation}");
         }
         errors.messages.push_str(&explanation);
         errors

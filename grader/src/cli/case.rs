@@ -11,7 +11,7 @@ use crate::score::{CaseResult, Status};
 use crate::workers::printed;
 use crate::workers::worker_set::WorkerSet;
 use base::program::Exit;
-use base::{GraderError, Workspace};
+use base::{GraderError, Workspace, out, outln};
 use judge::cases::{self, Spec};
 use judge::repro;
 use judge::snapshot::{self, Line, Snapshot};
@@ -54,7 +54,7 @@ pub(super) fn run(
     let build_root = BuildRoot::of(workspace);
     let workers = WorkerSet::build(&build_root, &stages, spec.needs_all_stages())?;
     let Some(workers) = workers.workers(&task.stage) else {
-        println!("{}: stages/{} does not compile", task.key, task.stage);
+        outln!("{}: stages/{} does not compile", task.key, task.stage);
         return Ok(Exit::Failed);
     };
     let mut ran = Vec::new();
@@ -95,14 +95,14 @@ pub(super) fn run(
     };
     let page = Page::of_stdout();
     match call {
-        None => print!("{}", shown.list(page)),
+        None => out!("{}", shown.list(page)),
         Some(call) => {
             let answers = (whole.as_ref().ok(), of_call.as_ref());
-            print!("{}", shown.one(call, answers, alone.as_ref(), page));
+            out!("{}", shown.one(call, answers, alone.as_ref(), page));
         }
     }
     if !printed.is_empty() {
-        println!("\n{}", printed::format(&printed).trim_end());
+        outln!("\n{}", printed::format(&printed).trim_end());
     }
     Ok(match result.status {
         Status::Passed => Exit::Passed,

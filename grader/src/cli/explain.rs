@@ -6,7 +6,7 @@ use crate::course::Course;
 use crate::explain;
 use crate::report::terminal::Page;
 use base::program::Exit;
-use base::{GraderError, Workspace};
+use base::{GraderError, Workspace, out};
 use clap::{Arg, ArgMatches, Command};
 use judge::cases;
 use std::path::Path;
@@ -34,7 +34,7 @@ pub(super) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     match what.split_once('/') {
         None => {
             for task in course.select(what)? {
-                print!("{}", explain::task(task, &specs, page));
+                out!("{}", explain::task(task, &specs, page));
             }
         }
         Some((key, name)) => {
@@ -46,7 +46,7 @@ pub(super) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
                 ))
             })?;
             let golden = golden(&workspace, spec, seed_of(matches));
-            print!("{}", explain::case(entry, spec, golden.as_ref(), page));
+            out!("{}", explain::case(entry, spec, golden.as_ref(), page));
         }
     }
     Ok(Exit::Passed)

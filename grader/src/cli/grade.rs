@@ -12,7 +12,7 @@ use crate::report::terminal::Page;
 use crate::report::{self, HintLevel, Report, Reveal, TaskReport, worst_test};
 use crate::workers::printed;
 use base::program::{Exit, path_argument, whole_number};
-use base::{GraderError, Workspace};
+use base::{GraderError, Workspace, errln, out, outln};
 use clap::{Arg, ArgAction, ArgMatches, Command};
 use std::path::Path;
 
@@ -157,25 +157,25 @@ pub(super) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     let report = &run.graded.report;
     match Format::of(matches) {
         Format::Json => {
-            println!("{}", report::json(report)?);
+            outln!("{}", report::json(report)?);
             if let Some(sentence) = given::sentence(&given::changed(&workspace)?) {
-                eprintln!("{sentence}");
+                errln!("{sentence}");
             }
         }
         Format::Table if matches.get_flag("long") => {
             let printed = &run.graded.printed;
             if !printed.is_empty() {
-                println!("{}", printed::format(printed));
+                outln!("{}", printed::format(printed));
             }
-            print!("{}", report::table::format_report(report, reveal));
+            out!("{}", report::table::format_report(report, reveal));
             if let Some(sentence) = given::sentence(&given::changed(&workspace)?) {
-                println!("{sentence}");
+                outln!("{sentence}");
             }
         }
         Format::Table => {
             let context = run.context(&workspace, &request.what)?;
             let page = Page::of_stdout();
-            print!("{}", screen::format_screen(report, &context, reveal, page));
+            out!("{}", screen::format_screen(report, &context, reveal, page));
         }
     }
     Ok(if report.is_full() {

@@ -8,7 +8,7 @@ use crate::report::table::status_text;
 use crate::score::Status;
 use crate::workers::worker_set::WorkerSet;
 use base::program::Exit;
-use base::{GraderError, Workspace};
+use base::{GraderError, Workspace, out, outln};
 use clap::{Arg, ArgMatches, Command};
 use judge::plural;
 use pictures::terminal::{self, Colours};
@@ -68,8 +68,8 @@ pub(super) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
         true => terminal::colours(|name| std::env::var(name).ok()),
         false => None,
     };
-    print!("{}", describe(task, &rendered, colours));
-    println!("picture: {}", workspace.relative(&path).display());
+    out!("{}", describe(task, &rendered, colours));
+    outln!("picture: {}", workspace.relative(&path).display());
     // A picture gives no points: that it differs is no failure.
     Ok(match rendered.yours {
         Ok(_) => Exit::Passed,

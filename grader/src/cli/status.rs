@@ -7,7 +7,7 @@ use crate::report::table::number;
 use crate::report::terminal::{GREEN, Page};
 use crate::report::wrap::{columns, wrap, wrap_to};
 use base::program::Exit;
-use base::{GraderError, Workspace};
+use base::{GraderError, Workspace, out};
 use clap::Command;
 use std::path::Path;
 
@@ -21,7 +21,7 @@ pub(super) fn run() -> Result<Exit, GraderError> {
     let workspace = Workspace::above(Path::new("."))?;
     let course = Course::read(&workspace)?;
     let known = next_task::known(&workspace, &course)?;
-    print!("{}", format_status(&known, Page::of_stdout()));
+    out!("{}", format_status(&known, Page::of_stdout()));
     Ok(Exit::Passed)
 }
 

@@ -11,9 +11,9 @@ use crate::report::{HintLevel, Report};
 use crate::watch::files::WatchedFiles;
 use crate::watch::{self, Desk, Event};
 use base::program::Exit;
-use base::{GraderError, Workspace};
+use base::{GraderError, Workspace, errln, out, print};
 use clap::{Arg, ArgMatches, Command};
-use std::io::{BufRead, IsTerminal, Write};
+use std::io::{BufRead, IsTerminal};
 use std::path::Path;
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
 use std::time::Duration;
@@ -48,7 +48,7 @@ pub(super) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     let page = Page::of_stdout();
     let ended = watch::run(&mut terminal, &course, limit, hint(matches), complete, page)?;
     if let Some(why) = ended.why() {
-        eprintln!("{why}");
+        errln!("{why}");
     }
     Ok(Exit::Passed)
 }
@@ -81,6 +81,9 @@ fn read_lines() -> Receiver<String> {
 impl Desk for Terminal {
     fn next_event(&mut self) -> Result<Event, GraderError> {
         loop {
+            if print::is_closed() {
+                return Ok(Event::Unread);
+            }
             let mut saved = self.files.saved();
             if !saved.is_empty() {
                 // An editor may write several files, or one in steps: wait until it is done.
@@ -125,12 +128,10 @@ impl Desk for Terminal {
     }
 
     fn show(&mut self, text: &str) {
-        let mut stdout = std::io::stdout().lock();
-        let clear = match stdout.is_terminal() {
+        let clear = match std::io::stdout().is_terminal() {
             true => "\x1b[2J\x1b[3J\x1b[H",
             false => "",
         };
-        // A closed pipe ends the loop when its input is closed, too.
-        let _ = write!(stdout, "{clear}{text}").and_then(|()| stdout.flush());
+        out!("{clear}{text}");
     }
 }

@@ -23,6 +23,8 @@ pub enum Event {
     Typed(String),
     /// There is nothing more to read: the terminal was closed.
     Closed,
+    /// Nobody reads what is shown: the pipe to `head`, for example, was closed.
+    Unread,
 }
 
 /// The world around the loop.
@@ -55,13 +57,15 @@ pub enum Ended {
     ByKey,
     /// There was nothing more to read.
     InputClosed,
+    /// Nobody read what was shown.
+    OutputClosed,
 }
 
 impl Ended {
     /// The sentence about it, where the student did not ask for it.
     pub fn why(self) -> Option<&'static str> {
         match self {
-            Ended::ByKey => None,
+            Ended::ByKey | Ended::OutputClosed => None,
             Ended::InputClosed => Some(
                 "grader watch ended: its standard input was closed, and it reads keys from there. \
                  Run it in a terminal",
@@ -100,6 +104,7 @@ pub fn run(
     loop {
         match desk.next_event()? {
             Event::Closed => return Ok(Ended::InputClosed),
+            Event::Unread => return Ok(Ended::OutputClosed),
             Event::Saved(stages) => {
                 if let Some(what) = session.touched(&stages) {
                     session.what = what;

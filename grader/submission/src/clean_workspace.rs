@@ -8,8 +8,8 @@ use crate::jail::Jail;
 use crate::packages::members::{self, Member};
 use crate::packages::{lock, manifest};
 use crate::toolchain::Toolchain;
-use base::child_processes;
 use base::{GraderError, Workspace, interrupt};
+use base::{child_processes, errln};
 use grader::workers::launcher::Launcher;
 use std::fs::File;
 use std::hash::{DefaultHasher, Hash, Hasher};
@@ -100,7 +100,7 @@ impl CleanWorkspace {
 
     /// Makes everything. What an interrupted run has left is removed.
     fn make(&self, files: &Files) -> Result<(), GraderError> {
-        eprintln!("Building the course for submissions. This is done once and takes a minute.");
+        errln!("Building the course for submissions. This is done once and takes a minute.");
         if self.top.exists() {
             let removed = std::fs::remove_dir_all(&self.top);
             removed.map_err(|e| GraderError::file("remove", &self.top, e))?;

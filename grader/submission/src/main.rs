@@ -1,7 +1,7 @@
 //! The command `grader part2 --submission DIR`: grades what a student handed in.
 
 use base::program::{self, Exit};
-use base::{GraderError, Workspace};
+use base::{GraderError, Workspace, out, outln};
 use clap::{ArgMatches, Command};
 use grader::cli::Format;
 use grader::cli::grade::{arguments, hint, submission_arguments};
@@ -58,8 +58,8 @@ fn grade_one(
     let json = report::json(&report)?;
     base::write_whole(&workspace.root().join("report.json"), json.as_bytes())?;
     match Format::of(matches) {
-        Format::Json => println!("{json}"),
-        Format::Table => print!("{}", show(&report, hint(matches))),
+        Format::Json => outln!("{json}"),
+        Format::Table => out!("{}", show(&report, hint(matches))),
     }
     Ok(if report.scores.is_full() {
         Exit::Passed

@@ -1,5 +1,6 @@
 //! The program `showcase`: makes the inputs of the front-page pictures.
 
+use base::{errln, outln};
 use image::RgbImage;
 use showcase::{sky, strip, tree};
 use std::fs::{self, File};
@@ -32,7 +33,7 @@ fn main() -> ExitCode {
     match made {
         Ok(()) => ExitCode::SUCCESS,
         Err(why) => {
-            eprintln!("error: {why}");
+            errln!("error: {why}");
             ExitCode::from(2)
         }
     }
@@ -57,7 +58,7 @@ fn whole(
     let part = out.with_extension(format!("part.{extension}"));
     let renamed = write(&part).and_then(|()| fs::rename(&part, out).map_err(|why| why.to_string()));
     renamed.map_err(|why| format!("cannot write {shown}: {why}"))?;
-    println!("Wrote       {shown}");
+    outln!("Wrote       {shown}");
     Ok(())
 }
 

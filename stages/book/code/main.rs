@@ -1,5 +1,6 @@
 //! `book`: figures, preprocessor and HTML pages of the book.
 
+use base::{errln, outln};
 use std::io::Read;
 use std::path::Path;
 use std::process::ExitCode;
@@ -29,7 +30,7 @@ fn main() -> ExitCode {
     match result {
         Ok(()) => ExitCode::SUCCESS,
         Err(message) => {
-            eprintln!("{message}");
+            errln!("{message}");
             ExitCode::from(2)
         }
     }
@@ -40,6 +41,6 @@ fn preprocess() -> Result<(), String> {
     std::io::stdin()
         .read_to_string(&mut input)
         .map_err(|error| format!("cannot read the book from mdBook: {error}"))?;
-    println!("{}", book::preprocess::run(&input)?);
+    outln!("{}", book::preprocess::run(&input)?);
     Ok(())
 }

@@ -4,8 +4,8 @@
 //! or a tree), [`normals`] and [`lit`] (from pixel to radiance), `integrator` and `packet` (scalar
 //! paths, and paths in packets of eight), `materials` (scattering), [`textures`], [`lens`] and
 //! [`environment_file`] (what flags add to a scene), [`rendered`] (a job and its result),
-//! [`layers`] (albedo, normal, depth), [`passes`] and [`progressive`] (rendering that can be
-//! stopped), [`tone`], [`rate_picture`](mod@rate_picture), [`output`] and [`part_file`] (picture
+//! [`layers`] (albedo, normal, depth), [`progressive`] (rendering that can be stopped and resumed)
+//! and [`passes`] (how many samples each pass takes), [`tone`], [`rate_picture`](mod@rate_picture), [`output`] and [`part_file`] (picture
 //! files), [`exact_sum`], [`sums_file`] and [`merge`](mod@merge) (parts of a picture), [`mitsuba`]
 //! (export for another renderer). The program is in `src/bin/pathtracer`.
 
@@ -49,9 +49,9 @@ pub use mitsuba::to_mitsuba;
 pub use normals::render_normals;
 pub use output::{Output, OutputError};
 pub use part_file::PartFile;
-pub use passes::{Passes, TileDone};
+pub use passes::Passes;
 pub use picture::{Picture, PreparedScene};
-pub use progressive::ProgressiveRender;
+pub use progressive::{ProgressiveRender, TileDone};
 pub use rate_picture::{RateScale, rate_picture};
 pub use rendered::{Job, Rendered, RenderedTile};
 pub use replay::replay_pixel;

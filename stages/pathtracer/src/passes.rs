@@ -1,10 +1,6 @@
-//! Rendering in passes over the whole picture, which is whole whenever it ends.
+//! Choosing the passes of a [`ProgressiveRender`], so that the picture is whole whenever it ends.
 
-use crate::progressive::centre_first;
-use crate::rendered::RenderedTile;
-use crate::{Counters, Job, LightSettings, PreparedScene, Rendered};
-use kit::film::Cell;
-use std::sync::Mutex;
+use crate::{Counters, Job, LightSettings, PreparedScene, ProgressiveRender, Rendered, TileDone};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// A picture that is rendered in passes of more and more samples.
@@ -21,15 +17,6 @@ pub struct Passes<'a> {
     pub settings: LightSettings,
 }
 
-/// A finished tile.
-#[derive(Clone, Copy, Debug)]
-pub struct TileDone {
-    /// Its pixels times their samples; with adaptive sampling times their largest number.
-    pub samples: u64,
-    /// The rays that were traced for it.
-    pub rays: u64,
-}
-
 /// The samples of the first pass. A pass of one sample would go through the centres of the pixels.
 const FIRST_PASS: u32 = 2;
 
@@ -41,9 +28,6 @@ const MAX_PASS: u32 = 256;
 /// Each pass has a cost for every pixel, and beams of few samples are wide. Not a time, so that the
 /// counts of a picture do not depend on the machine.
 const WORTHWHILE: u64 = 1 << 29;
-
-/// The largest number of samples of a pixel: sample numbers have 32 bits.
-const MAX_SAMPLES: u32 = 1 << 30;
 
 impl Passes<'_> {
     /// Renders rounds of passes on rayon's current thread pool until `is_done` returns true for the
@@ -65,24 +49,24 @@ impl Passes<'_> {
             return self.render_adaptive(stop, tile_done);
         }
         let never = AtomicBool::new(false);
-        let mut so_far = self.nothing();
-        let first = self.job.sampling.first_sample;
-        let (mut taken, mut end) = (0, self.job.samples);
+        let mut end = self.job.samples;
+        let first = next_pass(0, end, &Counters::default());
+        let mut render = self.of_samples(first, &self.settings);
         loop {
-            let job = self.pass(taken, next_pass(taken, end, &so_far.counters));
-            let stop = if taken == 0 { &never } else { stop };
-            self.render_tiles(&job, &self.settings, stop, &mut so_far, tile_done);
-            taken += job.samples;
+            let is_first = render.passes() == 1;
+            let stop = if is_first { &never } else { stop };
+            render.run_with(self.scene, usize::MAX, stop, tile_done);
             let is_stopped = stop.load(Ordering::Relaxed);
-            if taken < end && !is_stopped {
-                continue;
+            if render.samples() == end || is_stopped {
+                render.rendered_mut().update_film();
+                let has_room = render.has_room(self.job.samples);
+                if is_stopped || is_done(render.rendered()) || !has_room {
+                    return render.into_rendered();
+                }
+                end += self.job.samples;
             }
-            so_far.update_film();
-            let has_room = MAX_SAMPLES - first - end >= self.job.samples;
-            if is_stopped || is_done(&so_far) || !has_room {
-                return so_far;
-            }
-            end += self.job.samples;
+            let counters = &render.rendered().counters;
+            render.add_pass_of(next_pass(render.samples(), end, counters));
         }
     }
 
@@ -91,61 +75,30 @@ impl Passes<'_> {
         stop: &AtomicBool,
         tile_done: &(dyn Fn(TileDone) + Sync),
     ) -> Rendered {
-        let never = AtomicBool::new(false);
         let plain = LightSettings {
             adaptive: None,
             ..self.settings
         };
-        let mut preview = self.nothing();
-        let job = self.pass(0, FIRST_PASS.min(self.job.samples));
-        self.render_tiles(&job, &plain, &never, &mut preview, &|_| ());
-        preview.update_film();
-        let mut picture = self.nothing();
-        self.render_tiles(&self.job, &self.settings, stop, &mut picture, tile_done);
+        let mut preview = self.of_samples(FIRST_PASS.min(self.job.samples), &plain);
+        preview.run(self.scene, usize::MAX, &AtomicBool::new(false));
+        preview.rendered_mut().update_film();
+        let mut render = self.of_samples(self.job.samples, &self.settings);
+        render.run_with(self.scene, usize::MAX, stop, tile_done);
+        let mut picture = render.into_rendered();
         picture.update_film();
         if stop.load(Ordering::Relaxed) {
-            picture.fill_from(&preview);
+            picture.fill_from(preview.rendered());
         }
         picture
     }
 
-    fn nothing(&self) -> Rendered {
-        Rendered::exact(self.job.film, self.scene.picture.is_lit())
-    }
-
-    /// The job of the pass that takes `count` samples after the first `taken`.
-    fn pass(&self, taken: u32, count: u32) -> Job {
-        let mut job = self.job;
-        job.sampling.first_sample += taken;
-        job.samples = count;
-        job
-    }
-
-    /// Adds the tiles that are finished before `stop` is set. Does not update the film.
-    fn render_tiles(
-        &self,
-        job: &Job,
-        settings: &LightSettings,
-        stop: &AtomicBool,
-        picture: &mut Rendered,
-        tile_done: &(dyn Fn(TileDone) + Sync),
-    ) {
-        let tiles: Vec<Cell> = centre_first(job.cell);
-        let adding = Mutex::new(&mut *picture);
-        let finish = |tile: RenderedTile| {
-            // `stop` is never reset: if it is not set now, it was not set during the tile.
-            if !stop.load(Ordering::Relaxed) {
-                let mut picture = adding.lock().expect("adding a tile does not panic");
-                picture.add_tile(&tile);
-                drop(picture);
-                tile_done(TileDone {
-                    samples: tile.cell.area() * u64::from(job.samples),
-                    rays: tile.counters.rays,
-                });
-            }
+    /// A picture whose first pass has `samples` for each pixel.
+    fn of_samples(&self, samples: u32, settings: &LightSettings) -> ProgressiveRender {
+        let job = Job {
+            samples,
+            ..self.job
         };
-        self.scene
-            .render_tiles(job, settings, &tiles, stop, &finish);
+        ProgressiveRender::exact(self.scene, job, *settings)
     }
 }
 

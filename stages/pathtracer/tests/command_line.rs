@@ -125,6 +125,26 @@ fn a_picture_and_a_summary_are_written() {
     assert_eq!(picture.get_pixel(0, 15).0, [0, 0, 0]);
 }
 
+/// As in `pathtracer --help | head -1`: nobody reads what the program prints, which still does its
+/// work.
+#[test]
+fn the_picture_is_written_when_nobody_reads_the_summary() {
+    let folder = folder();
+    for args in ["--help", "-f a.png -r 8 8 square.dae"] {
+        let (reader, writer) = std::io::pipe().expect("a pipe");
+        drop(reader);
+        let output = std::process::Command::new(cargo_bin!("pathtracer"))
+            .current_dir(folder.path())
+            .args(args.split(' '))
+            .stdout(writer)
+            .output()
+            .expect("it runs");
+        let stderr = String::from_utf8_lossy(&output.stderr);
+        assert_eq!((output.status.code(), &*stderr), (Some(0), ""), "{args}");
+    }
+    assert!(folder.path().join("a.png").is_file());
+}
+
 #[test]
 fn a_cell_has_the_pixels_of_the_whole_picture() {
     let folder = folder();

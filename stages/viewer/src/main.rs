@@ -1,5 +1,6 @@
 //! The `viewer` program: opens the window, or writes a picture of it.
 
+use base::{errln, outln};
 use eframe::{CreationContext, Frame, NativeOptions};
 use egui::{Ui, ViewportBuilder};
 use pathtracer::args::has_display;
@@ -28,7 +29,7 @@ fn main() -> ExitCode {
     match run(&args) {
         Ok(()) => ExitCode::SUCCESS,
         Err(why) => {
-            eprintln!("error: {why}");
+            errln!("error: {why}");
             ExitCode::from(BAD_INPUT)
         }
     }
@@ -103,7 +104,7 @@ impl eframe::App for Window {
         if let Some(bench) = &mut self.bench {
             ui.ctx().request_repaint();
             if bench.next(&mut self.app.session, self.content) {
-                println!("{bench}");
+                outln!("{bench}");
                 self.app.session.apply(Command::Quit);
                 self.bench = None;
             }

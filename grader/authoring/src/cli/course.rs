@@ -2,7 +2,7 @@
 
 use authoring::check;
 use base::program::Exit;
-use base::{GraderError, Workspace};
+use base::{GraderError, Workspace, errln, outln};
 use clap::{Arg, ArgAction, ArgMatches, Command};
 use std::path::Path;
 use std::sync::mpsc::{self, RecvTimeoutError, Sender};
@@ -32,7 +32,7 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     let quick = matches.get_flag("quick");
     let workspace = Workspace::above(Path::new("."))?;
     let start = Instant::now();
-    let print = |step: &str| eprintln!("[{:4} s] {step}", start.elapsed().as_secs());
+    let print = |step: &str| errln!("[{:4} s] {step}", start.elapsed().as_secs());
     let (sender, receiver) = mpsc::channel();
     let problems = thread::scope(|scope| {
         scope.spawn(move || {
@@ -46,18 +46,18 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
         problems
     })?;
     for problem in &problems {
-        println!("{problem}");
+        outln!("{problem}");
     }
     if problems.is_empty() {
-        println!(
+        outln!(
             "The course has no problems ({} s).",
             start.elapsed().as_secs()
         );
         return Ok(Exit::Passed);
     }
     match problems.len() {
-        1 => println!("1 problem found."),
-        many => println!("{many} problems found."),
+        1 => outln!("1 problem found."),
+        many => outln!("{many} problems found."),
     }
     Ok(Exit::Failed)
 }

@@ -2,7 +2,7 @@
 
 use authoring::handout::{Handout, output_folder};
 use base::program::{Exit, path_argument};
-use base::{GraderError, Workspace};
+use base::{GraderError, Workspace, outln};
 use clap::{Arg, ArgMatches, Command};
 use std::path::{Path, PathBuf};
 
@@ -37,7 +37,7 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     output_folder::check(&workspace, out)?;
     let handout = Handout::carve(&workspace, part)?;
     handout.write(out)?;
-    println!(
+    outln!(
         "{}: {} files written, {} solutions removed. Students start with README.md",
         out.display(),
         handout.files.len(),

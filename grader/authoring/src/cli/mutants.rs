@@ -10,7 +10,7 @@ use authoring::mutants::seeds::{self, Seeded};
 use authoring::mutants::simplest::{self, Simplest};
 use authoring::mutants::table::Table;
 use base::program::{Exit, path_argument, whole_number};
-use base::{GraderError, Workspace};
+use base::{GraderError, Workspace, out, outln};
 use clap::{Arg, ArgAction, ArgMatches, Command};
 use grader::course::Course;
 use grader::diagnosis::{self, Diagnosis, Known};
@@ -88,7 +88,7 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     let mut verdict = Exit::Passed;
     if matches.get_flag("pictures") {
         for (path, bytes) in mistake_pictures::write(&workspace, &course, &course.select(what)?)? {
-            println!("{}: {bytes} bytes", workspace.relative(&path).display());
+            outln!("{}: {bytes} bytes", workspace.relative(&path).display());
         }
         return Ok(verdict);
     }
@@ -112,7 +112,7 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
         if matches.get_flag("families") {
             let known = diagnosis::known(&workspace, &task.key)?;
             let graded = run::families(&workspace, &course, task)?;
-            print!("{}", groups::of(graded, &known).to_text(&task.key));
+            out!("{}", groups::of(graded, &known).to_text(&task.key));
             continue;
         }
         if let Some(folder) = with {
@@ -164,15 +164,15 @@ fn same_as_stored(
     let stored = Table::read(workspace, task)?;
     let differences = stored.differences(table);
     for name in &differences {
-        println!("  DIFFERS from the stored table: {name}");
+        outln!("  DIFFERS from the stored table: {name}");
     }
     let same_signatures = diagnosis::known(workspace, task)? == known;
     if !same_signatures {
-        println!("  DIFFERS from the stored signatures");
+        outln!("  DIFFERS from the stored signatures");
     }
     let same = differences.is_empty() && same_signatures && stored == *table;
     if !same {
-        println!("  If this is intended, run `grader mutants {task} --bless` to store it.");
+        outln!("  If this is intended, run `grader mutants {task} --bless` to store it.");
     }
     Ok(same)
 }
@@ -182,7 +182,7 @@ const NEAREST: usize = 3;
 
 /// Prints what mutants lose that may make unlisted mistakes, and their diagnosis.
 fn show_unlisted(task: &str, graded: &[run::Graded], known: &[Known]) {
-    println!("{task}: {}", plural(graded.len(), "mutant", "mutants"));
+    outln!("{task}: {}", plural(graded.len(), "mutant", "mutants"));
     let specs = cases::all(0);
     for graded in graded {
         let result = &graded.result;
@@ -202,16 +202,16 @@ fn show_unlisted(task: &str, graded: &[run::Graded], known: &[Known]) {
             Some(diagnosis) => format!("{}: {}", diagnosis.certainty.label(), diagnosis.says),
             None => "no mistake is named".to_string(),
         };
-        println!("  {}: {lost}\n    {says}", graded.name);
+        outln!("  {}: {lost}\n    {says}", graded.name);
         if !diagnosis.as_ref().is_some_and(Diagnosis::is_likely) {
             for sentence in regularity::of(task, &result.cases, &specs) {
-                println!("    - {sentence}");
+                outln!("    - {sentence}");
             }
         }
         let nearest = diagnosis::candidates(known, &signature);
         for (mistakes, likeness, contradicted) in nearest.into_iter().take(NEAREST) {
             let but = if contradicted { ", contradicted" } else { "" };
-            println!("      {likeness:.2} {}{but}", mistakes.join(" + "));
+            outln!("      {likeness:.2} {}{but}", mistakes.join(" + "));
         }
     }
 }
@@ -234,17 +234,17 @@ fn show_blessings(task: &str, graded: &[run::Graded], in_full: bool) -> bool {
         of.map(|(name, _)| *name).collect::<Vec<&str>>()
     };
     let accepted = of(BlessVerdict::Confirmed);
-    println!(
+    outln!(
         "  if the reference made the mistake, `grader bless` would refuse {}, list what is not judged for {}, accept {}",
         of(BlessVerdict::Refused).len(),
         of(BlessVerdict::NotJudged).len(),
         accepted.len()
     );
     for name in &accepted {
-        println!("  BLESSED: the oracle confirms every answer that {name} changes");
+        outln!("  BLESSED: the oracle confirms every answer that {name} changes");
     }
     if in_full {
-        println!("{}", blessing::markdown(task, &mutants));
+        outln!("{}", blessing::markdown(task, &mutants));
         for (name, blessings) in &mutants {
             for Blessing {
                 case, confirmed, ..
@@ -254,7 +254,7 @@ fn show_blessings(task: &str, graded: &[run::Graded], in_full: bool) -> bool {
                     && change.difference > MORE_THAN_ROUNDING
                 {
                     let (call, golden, actual) = (change.call, &change.golden, &change.actual);
-                    println!("confirmed: {name}, {case} {call}: {golden} -> {actual}");
+                    outln!("confirmed: {name}, {case} {call}: {golden} -> {actual}");
                 }
             }
         }
@@ -267,12 +267,12 @@ fn show_diagnosis(name: &str, graded: Option<&run::Graded>, known: &[Known]) {
     let signature = graded.map(|graded| Signature::of(&graded.result.cases));
     let diagnosis = signature.and_then(|signature| diagnosis::diagnose(known, &signature));
     if let Some(diagnosis) = diagnosis {
-        println!("  diagnosis of {name}: {}", diagnosis.says);
+        outln!("  diagnosis of {name}: {}", diagnosis.says);
     }
 }
 
 fn show(task: &str, table: &Table, marked_down: &[&run::Graded]) {
-    println!(
+    outln!(
         "{task}: {} mutants, {} correct versions",
         table.mutants.len(),
         table.correct.len()
@@ -288,37 +288,35 @@ fn show(task: &str, table: &Table, marked_down: &[&run::Graded]) {
         } else {
             named
         };
-        println!(
+        outln!(
             "  {name}: lost points in {}, diagnosed as {named}",
             plural(failed.len(), "case", "cases")
         );
     }
     for name in table.survivors() {
-        println!("  SURVIVES: {name} loses no points");
+        outln!("  SURVIVES: {name} loses no points");
     }
     for (name, named) in table.misnamed() {
-        println!("  WRONG DIAGNOSIS: {name} is diagnosed as {named:?}");
+        outln!("  WRONG DIAGNOSIS: {name} is diagnosed as {named:?}");
     }
     for graded in marked_down {
         show_marked_down(&graded.name, graded);
     }
-    println!(
+    outln!(
         "  diagnosed correctly: {} of {}",
         table.mutants.len() - table.misnamed().len(),
         table.mutants.len()
     );
     let (recognised, held_out) = table.recognised;
     if held_out > 0 {
-        println!(
-            "  held-out mutants whose mistakes are all recognised: {recognised} of {held_out}"
-        );
+        outln!("  held-out mutants whose mistakes are all recognised: {recognised} of {held_out}");
     }
 }
 
 /// Prints how the correct versions fared with `seeds` seeds.
 fn show_seeds(task: &str, seeds: u64, graded: &Seeded) {
     let versions = plural(graded.versions, "correct version", "correct versions");
-    println!(
+    outln!(
         "{task}: {versions}, {seeds} seeds, {}: {} marked down",
         plural(
             graded.cases.len(),
@@ -339,10 +337,10 @@ fn show_simplest(task: &str, found: &Simplest) {
             Some(call) => format!("{} -> {}", call.input, call.result),
             None => "no simple call".into(),
         };
-        println!("  {}: {call}", shown.mutant);
+        outln!("  {}: {call}", shown.mutant);
     }
     for accused in &found.accused {
-        println!("  ACCUSED: {accused}");
+        outln!("  ACCUSED: {accused}");
     }
     let count = |is: &dyn Fn(&simplest::Shown) -> bool| {
         found.shown.iter().filter(|shown| is(shown)).count()
@@ -351,7 +349,7 @@ fn show_simplest(task: &str, found: &Simplest) {
         digits.sort_unstable();
         digits.get(digits.len() / 2).copied().unwrap_or(0)
     };
-    println!(
+    outln!(
         "{task}: {} lose core points; a simple call shows {}, {} of them with integers and halves \
          of two digits; digits shown (median): {} of the worst answer, {} of the simple call",
         plural(found.shown.len(), "mutant", "mutants"),
@@ -376,7 +374,7 @@ fn show_simplest(task: &str, found: &Simplest) {
 
 /// Prints where correct code lost core points.
 fn show_marked_down(name: &str, graded: &run::Graded) {
-    println!(
+    outln!(
         "  MARKED DOWN: {name} is correct, but lost {} core points",
         graded.result.max_score - graded.result.score
     );
@@ -386,6 +384,6 @@ fn show_marked_down(name: &str, graded: &run::Graded) {
             .worst()
             .map(|(_, worst)| worst.message.as_str())
             .unwrap_or_default();
-        println!("    {}: {why}", case.name);
+        outln!("    {}: {why}", case.name);
     }
 }

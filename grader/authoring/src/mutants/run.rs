@@ -4,7 +4,7 @@ use super::blessing::{Blessing, ReferenceAnswers};
 use super::corpus::{Corpus, Mutant, REFERENCE, Sources, Variant, reference_sources, variants};
 use super::families;
 use super::versions_crate::{self, VERSION_VARIABLE};
-use base::{GraderError, Workspace};
+use base::{GraderError, Workspace, errln};
 use grader::course::{Course, Task};
 use grader::diagnosis::Known;
 use grader::grade::{chosen, score_tasks};
@@ -79,7 +79,7 @@ pub fn unlisted(
     let wrong: Vec<usize> = wrong.filter(|i| !broken.contains(i)).collect();
     if !broken.is_empty() {
         let names: Vec<&str> = broken.iter().map(|i| kinds[*i].0.as_str()).collect();
-        eprintln!("These do not compile:\n  {}", names.join("\n  "));
+        errln!("These do not compile:\n  {}", names.join("\n  "));
     }
     let worker = VersionsWorker::new(program, course, kinds);
     worker.grade_all(task, &cases::all(0), wrong.into_iter())

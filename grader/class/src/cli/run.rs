@@ -9,10 +9,10 @@ use crate::progress::Progress;
 use crate::reading::intake::Revision;
 use crate::reading::{Reader, process};
 use crate::{pool, regrade, tables, unit};
-use base::GraderError;
 use base::Workspace;
 use base::program::Exit;
 use base::write_whole;
+use base::{GraderError, errln, outln};
 use clap::ArgMatches;
 use grader::course::Course;
 use grader::report::HintLevel;
@@ -65,7 +65,7 @@ pub fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     let jobs = missing(&plan, shard, out);
     if matches.get_flag("list") {
         for (key, _) in jobs {
-            println!("{}", command.line(key)?);
+            outln!("{}", command.line(key)?);
         }
         return Ok(Exit::Passed);
     }
@@ -73,7 +73,7 @@ pub fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
         // What all submissions share is built once, not by the first of each processor.
         drop(GradingCourse::open(&workspace, containment)?);
         if let Some(why) = plan.why_fewer(jobs.len(), |key| unit::is_stored(out, key)) {
-            eprintln!("{why}");
+            errln!("{why}");
         }
         let progress = Progress::start(jobs.len());
         pool::run(&jobs, at_once(matches), out, &progress, |key| {
@@ -85,7 +85,7 @@ pub fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     match shard {
         Some(_) => {
             let left = missing(&plan, shard, out).len();
-            println!(
+            outln!(
                 "{} units of this shard graded, {left} failed. When all shards are done, run `grader class --collect --out {}`",
                 jobs.len() - left,
                 out.path().display()
@@ -168,7 +168,7 @@ fn plan(
         }
         let (plan, kept) = old.extended(&wanted, |key| out.has(key));
         for kept in kept {
-            eprintln!("{kept}: the old score stays until `--regrade`");
+            errln!("{kept}: the old score stays until `--regrade`");
         }
         if plan != old {
             plan.store(&out.plan())?;
@@ -202,7 +202,7 @@ fn limits(matches: &ArgMatches) -> &'static str {
 /// Prints which submission is read, now and then.
 fn reading(i: usize, of: usize) {
     if i > 0 && i.is_multiple_of(50) {
-        eprintln!("{i} of {of} submissions read");
+        errln!("{i} of {of} submissions read");
     }
 }
 
@@ -264,16 +264,16 @@ fn write_tables(matches: &ArgMatches, out: &Out, plan: Plan) -> Result<Exit, Gra
             .find(|hint| hint.number().to_string() == *level)
     });
     let class = tables::write(out, plan, hint.unwrap_or(HintLevel::Findings))?;
-    println!("{}", class.summary());
+    outln!("{}", class.summary());
     for row in &class.rows {
         let what = match (&row.score, &row.status) {
             (None, _) => "no score",
             (Some(_), Status::Unreadable(_)) => "no points",
             _ => continue,
         };
-        println!("{what}: {}: {}", row.name.line(), row.status);
+        outln!("{what}: {}: {}", row.name.line(), row.status);
     }
-    println!(
+    outln!(
         "seed {}; tables: {}",
         class.plan.settings.seed,
         out.join("{gradebook.csv,class.html,students/}").display()
@@ -299,21 +299,21 @@ fn show_regrade(matches: &ArgMatches, out: &Out) -> Result<Exit, GraderError> {
         &out.join("regrade.csv"),
         regrade::to_csv(&changes)?.as_bytes(),
     )?;
-    print!("{}", regrade::to_text(&changes, new.rows.len()));
+    out!("{}", regrade::to_text(&changes, new.rows.len()));
     let failed = new.rows.iter().filter(|row| {
         let before = old.rows.iter().find(|old| old.name == row.name);
         row.score.is_none() && before.is_some_and(|before| before.score.is_some())
     });
     let failed: Vec<String> = failed.map(|row| row.name.line()).collect();
     if !failed.is_empty() {
-        println!(
+        outln!(
             "nothing is replaced: {} had a score and would have none. Run again",
             failed.join(", ")
         );
         return Ok(Exit::Failed);
     }
     if !changes.is_empty() && !matches.get_flag("yes") {
-        println!(
+        outln!(
             "nothing is replaced yet. To replace the scores, add `--yes`. The list is {}",
             out.join("regrade.csv").display()
         );

@@ -1,11 +1,11 @@
 //! The command `grader bless`: stores the reference's current answers as goldens.
 
 use base::program::Exit;
-use base::{GraderError, Workspace};
+use base::{GraderError, Workspace, out, outln};
 use clap::{Arg, ArgAction, ArgMatches, Command};
 use judge::plural;
 use review::bless::{self, Change};
-use std::io::{IsTerminal, Write};
+use std::io::IsTerminal;
 use std::path::Path;
 
 pub(crate) fn command() -> Command {
@@ -42,7 +42,7 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     }
     let proposed = proposal.changes;
     if proposed.is_empty() {
-        println!("The goldens are up to date.");
+        outln!("The goldens are up to date.");
         return Ok(Exit::Passed);
     }
     for change in &proposed {
@@ -50,18 +50,18 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
             .golden
             .strip_prefix(workspace.root())
             .unwrap_or(&change.golden);
-        println!("{}: {}", golden.display(), change.meaning);
+        outln!("{}: {}", golden.display(), change.meaning);
         for aspect in &change.not_judged {
-            println!("  not judged: {aspect}");
+            outln!("  not judged: {aspect}");
         }
     }
-    println!("{}", verdict(&proposed));
+    outln!("{}", verdict(&proposed));
     if matches.get_flag("yes") || confirmed(proposed.len())? {
         bless::accept(&workspace, &proposed)?;
-        println!("{} written.", plural(proposed.len(), "golden", "goldens"));
+        outln!("{} written.", plural(proposed.len(), "golden", "goldens"));
         return Ok(Exit::Passed);
     }
-    println!("No golden was written, and no file was changed.");
+    outln!("No golden was written, and no file was changed.");
     Ok(Exit::Failed)
 }
 
@@ -113,10 +113,10 @@ fn verdict(proposed: &[Change]) -> String {
 /// Asks for confirmation on the terminal. Without a terminal the answer is no.
 fn confirmed(goldens: usize) -> Result<bool, GraderError> {
     if !std::io::stdin().is_terminal() {
-        println!("Add `--yes` to write them without confirmation.");
+        outln!("Add `--yes` to write them without confirmation.");
         return Ok(false);
     }
-    print!(
+    out!(
         "Write {}? [y/N] ",
         match goldens {
             1 => "this golden".into(),
@@ -124,10 +124,8 @@ fn confirmed(goldens: usize) -> Result<bool, GraderError> {
         }
     );
     let mut answer = String::new();
-    let prompted = std::io::stdout()
-        .flush()
-        .and_then(|()| std::io::stdin().read_line(&mut answer));
-    prompted.map_err(|e| GraderError::new(format!("cannot ask for confirmation: {e}")))?;
+    let read = std::io::stdin().read_line(&mut answer);
+    read.map_err(|e| GraderError::new(format!("cannot ask for confirmation: {e}")))?;
     Ok(answer.trim().eq_ignore_ascii_case("y"))
 }
 

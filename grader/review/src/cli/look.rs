@@ -1,7 +1,7 @@
 //! The command `grader look`: writes a page for students and opens it.
 
 use base::program::Exit;
-use base::{GraderError, Workspace, write_whole};
+use base::{GraderError, Workspace, outln, write_whole};
 use clap::{Arg, ArgAction, ArgMatches, Command};
 use grader::build::BuildRoot;
 use grader::cli::picture::{task_argument, task_of};
@@ -33,10 +33,10 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     let look = Look::of(&workspace, &course, task, &specs, &workers)?;
     let out = workspace.for_students(&format!("{}.html", file_stem(&task.key)))?;
     write_whole(&out, page::write(&look).as_bytes())?;
-    println!("{}: {}", task.key, page::summary(&look));
-    println!("page: {}", workspace.relative(&out).display());
+    outln!("{}: {}", task.key, page::summary(&look));
+    outln!("page: {}", workspace.relative(&out).display());
     if !matches.get_flag("no-open") && !browser::open(&out) {
-        println!("(found no browser here: open the page yourself)");
+        outln!("(found no browser here: open the page yourself)");
     }
     Ok(if look.is_full() {
         Exit::Passed

@@ -1,7 +1,7 @@
 //! The command `grader review`: writes the page for the reviewer.
 
 use base::program::{Exit, path_argument};
-use base::{GraderError, Workspace, folder_of, interrupt, write_whole};
+use base::{GraderError, Workspace, folder_of, interrupt, outln, write_whole};
 use clap::{Arg, ArgMatches, Command};
 use grader::build::BuildRoot;
 use grader::course::{Course, Task};
@@ -67,7 +67,7 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
         }
     };
     write_whole(&out, page::write(&review, &author).as_bytes())?;
-    println!("{}: {}", out.display(), page::summary(&review));
+    outln!("{}: {}", out.display(), page::summary(&review));
     Ok(if review.is_same() {
         Exit::Passed
     } else {

@@ -2,6 +2,7 @@
 
 use crate::failure::Failure;
 use crate::{outputs, view};
+use base::outln;
 use kit::LitScene;
 use pathtracer::args::Args;
 use pathtracer::{Job, LightSettings, PartFile, to_mitsuba};
@@ -53,7 +54,7 @@ pub(crate) fn run(
     for part in written {
         part.finish()
             .map_err(|why| cannot_write(part.path(), &why))?;
-        println!("Wrote       {}", part.path().display());
+        outln!("Wrote       {}", part.path().display());
     }
     Ok(ExitCode::SUCCESS)
 }

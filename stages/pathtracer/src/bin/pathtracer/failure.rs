@@ -1,5 +1,6 @@
 //! Errors that end the program, their messages and exit codes.
 
+use base::errln;
 use kit::hole::Hole;
 use pathtracer::args::ViewError;
 use pathtracer::{EnvironmentFileError, OutputError};
@@ -38,11 +39,11 @@ impl Failure {
     /// Prints the error; returns the exit code. `mis` is whether the flag `--mis` was given.
     pub(crate) fn report(&self, mis: bool) -> ExitCode {
         match self {
-            Failure::Input(why) => eprintln!("error: {why}"),
-            Failure::Scene(why) if stderr().is_terminal() => eprintln!("{}", why.styled()),
-            Failure::Scene(why) => eprintln!("{why}"),
-            Failure::Hole(hole) => eprintln!("{hole}: {}", needed_for(hole, mis)),
-            Failure::Panic => eprintln!("no picture was written: a stage panicked (see above)"),
+            Failure::Input(why) => errln!("error: {why}"),
+            Failure::Scene(why) if stderr().is_terminal() => errln!("{}", why.styled()),
+            Failure::Scene(why) => errln!("{why}"),
+            Failure::Hole(hole) => errln!("{hole}: {}", needed_for(hole, mis)),
+            Failure::Panic => errln!("no picture was written: a stage panicked (see above)"),
         }
         ExitCode::from(match self {
             Failure::Input(_) | Failure::Scene(_) => BAD_INPUT,

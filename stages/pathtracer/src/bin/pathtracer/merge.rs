@@ -2,6 +2,7 @@
 
 use crate::failure::Failure;
 use crate::outputs::{self, PictureFile};
+use base::{errln, outln};
 use clap::Parser;
 use kit::Film;
 use pathtracer::args::{RateScaleName, ToneName, stops};
@@ -64,7 +65,7 @@ pub(crate) fn run(args: &MergeArgs) -> Result<ExitCode, Failure> {
         _ => None,
     };
     let cell = head.cell;
-    println!(
+    outln!(
         "Merged      {} parts: {} x {} pixels, samples {} to {}",
         args.parts.len(),
         cell.x1 - cell.x0,
@@ -73,9 +74,13 @@ pub(crate) fn run(args: &MergeArgs) -> Result<ExitCode, Failure> {
         head.first_sample + head.samples - 1,
     );
     if cell != head.film.whole() || head.first_sample > 0 {
-        eprintln!(
+        errln!(
             "note: this is a part of a picture of {} x {} pixels: from column {}, row {}, sample {} on",
-            head.film.w, head.film.h, cell.x0, cell.y0, head.first_sample
+            head.film.w,
+            head.film.h,
+            cell.x0,
+            cell.y0,
+            head.first_sample
         );
     }
     let film = film_of(&merged);
@@ -85,11 +90,11 @@ pub(crate) fn run(args: &MergeArgs) -> Result<ExitCode, Failure> {
             .write(&file)
             .map_err(|why| OutputError::NotWritable(args.file.clone(), why))?,
     }
-    println!("Wrote       {}", args.file.display());
+    outln!("Wrote       {}", args.file.display());
     if let Some((rate, path)) = rate {
         let picture = rate_picture(&film, cell, head.samples, args.rate_scale.into());
         rate.write_bytes(&picture)?;
-        println!("Wrote       {}", path.display());
+        outln!("Wrote       {}", path.display());
     }
     Ok(ExitCode::SUCCESS)
 }

@@ -2,13 +2,13 @@
 
 use crate::failure::Failure;
 use crate::view;
+use base::out;
 use kit::film::Cell;
 use pathtracer::args::Args;
 use pathtracer::replay::text;
 use pathtracer::{
     Accel, AccelKind, Job, LightSettings, Picture, PreparedScene, ProgressiveRender, replay_pixel,
 };
-use std::io::{self, Write};
 use std::process::ExitCode;
 use std::sync::atomic::AtomicBool;
 
@@ -48,7 +48,6 @@ pub(crate) fn run(args: &Args, light: &LightSettings) -> Result<ExitCode, Failur
     let replay = replay_pixel(picture, textures, recorded, &job, light, 1, (x, y));
     let rendered = render.rendered().film.get(x, y);
     let text = text::replay(prepared.scene(), film, &replay, rendered);
-    // A reader such as `head` may close the pipe early: that is no error.
-    let _ = io::stdout().lock().write_all(text.as_bytes());
+    out!("{text}");
     Ok(ExitCode::SUCCESS)
 }

@@ -8,6 +8,7 @@ use crate::failure::Failure;
 use crate::outputs::{Outputs, PictureFile, is_sums};
 use crate::progress::Progress;
 use crate::{part, pixel, summary, view, window};
+use base::{errln, outln};
 use kit::effects::EffectCounts;
 use kit::hole;
 use kit::{Emitter, LitScene};
@@ -50,7 +51,7 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
     let start = Instant::now();
     let scene = view::load_scene(&args.scene)?;
     let loading = start.elapsed();
-    println!("{}", summary::scene(&args.scene, &scene, loading));
+    outln!("{}", summary::scene(&args.scene, &scene, loading));
     let (camera, film) = view::camera_and_film(args, &scene)?;
     let cell = args.cell_of(film)?;
     let outputs = Outputs::create(args, path)?;
@@ -76,7 +77,7 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
     let start = Instant::now();
     let prepared = PreparedScene::new(picture, textures, args.accel.into());
     let building = start.elapsed();
-    println!("{}", summary::accel(&prepared.accel, building));
+    outln!("{}", summary::accel(&prepared.accel, building));
 
     let budget = match &prepared.picture {
         Picture::Lit(_) => Budget::new(args),
@@ -120,18 +121,18 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
     let rendered = threads.install(|| passes.render(&stop.flag, &tile_done, &mut is_done));
     let time = progress.elapsed();
     progress.finish();
-    println!(
+    outln!(
         "{}",
         summary::rendering(&job, &rendered, thread_count, time)
     );
     let is_lit = matches!(prepared.picture, Picture::Lit(_));
     if let Some(note) = brightness::note(&rendered, args.tone(), is_lit) {
-        eprintln!("{note}");
+        errln!("{note}");
     }
     match outputs.picture {
         PictureFile::Picture(file) => file.write(&rendered.film, cell)?,
         PictureFile::Sums(_) if stop.is_interrupted() => {
-            eprintln!(
+            errln!(
                 "error: interrupted: {} is not written, because a part needs all its samples",
                 path.display()
             );
@@ -139,12 +140,12 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
         }
         PictureFile::Sums(file) => part::write(&file, args, &job, &light, &prepared, &rendered)?,
     }
-    println!("Wrote       {}", path.display());
+    outln!("Wrote       {}", path.display());
     if let (Some(rate), Picture::Lit(_)) = (outputs.rate, &prepared.picture) {
         let scale = args.rate_scale.into();
         let picture = rate_picture(&rendered.film, cell, args.samples, scale);
         rate.file.write_bytes(&picture)?;
-        println!("Wrote       {}", rate.path.display());
+        outln!("Wrote       {}", rate.path.display());
     }
     if let Some(layers) = outputs.layers {
         let PreparedScene {
@@ -154,15 +155,15 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
         let channels = channels(&rendered, &features, &job);
         let (w, h) = (cell.x1 - cell.x0, cell.y1 - cell.y0);
         layers.file.write_channels(channels, w, h)?;
-        println!("Wrote       {}", layers.path.display());
+        outln!("Wrote       {}", layers.path.display());
     }
     if args.stats {
-        println!("{}", summary::stats(&rendered, loading, building, time));
+        outln!("{}", summary::stats(&rendered, loading, building, time));
     }
     if args.explain {
         match &prepared.picture {
             Picture::Normals(_) => {
-                println!("Effects     none: normals are shown, no light is simulated")
+                outln!("Effects     none: normals are shown, no light is simulated")
             }
             Picture::Lit(lit) => {
                 let forced = if light.force_effects {
@@ -177,7 +178,7 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
                 };
                 // The counts of an incomplete picture cannot be compared.
                 let forced = (!stop.is_interrupted()).then_some(&forced);
-                println!(
+                outln!(
                     "{}",
                     explain::table(&light.effects(lit), &rendered.effects, forced)
                 );
@@ -191,12 +192,10 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
     untouched.dedup_by_key(|start| start.task);
     for start in untouched {
         let task = start.task;
-        eprintln!("note: {task} is not written yet: the given code is correct, but slow");
+        errln!("note: {task} is not written yet: the given code is correct, but slow");
     }
     if stop.is_interrupted() {
-        eprintln!(
-            "note: interrupted: the picture is whole, but has more noise than a finished one"
-        );
+        errln!("note: interrupted: the picture is whole, but has more noise than a finished one");
         return Ok(ExitCode::from(INTERRUPTED));
     }
     Ok(ExitCode::SUCCESS)
@@ -233,14 +232,14 @@ fn note_unused_by_normals(args: &Args) {
 /// Prints that `flags` have no effect, and why.
 fn note_unused(flags: &[&str], why: &str) {
     if !flags.is_empty() {
-        eprintln!("note: no effect: {}: {why}", flags.join(" "));
+        errln!("note: no effect: {}: {why}", flags.join(" "));
     }
 }
 
 /// Prints a note if the scene has lights that `-H` cannot sample.
 fn note_missing_lights(lit: &LitScene, sampling: DirectSampling) {
     if sampling == DirectSampling::Hemisphere && lit.emitters.iter().any(Emitter::is_delta) {
-        eprintln!(
+        errln!(
             "note: point, spot and directional lights have no area, so -H never hits them: omit -H to include their light"
         );
     }
@@ -250,7 +249,7 @@ fn note_missing_lights(lit: &LitScene, sampling: DirectSampling) {
 /// early.
 fn note_single_batch(adaptive: Option<(u32, f64)>, samples: u32) {
     if let Some((batch, tolerance)) = adaptive.filter(|&(batch, _)| batch >= samples) {
-        eprintln!(
+        errln!(
             "note: no effect: -a {batch} {tolerance}: a batch has all -s {samples} samples of a pixel: use a larger \
              -s, such as -s {}",
             batch.saturating_mul(16)
@@ -282,7 +281,7 @@ impl Stop {
             }
         };
         if let Err(why) = ctrlc::set_handler(handler) {
-            eprintln!("note: Ctrl-C will end the program without a picture: {why}");
+            errln!("note: Ctrl-C will end the program without a picture: {why}");
         }
         stop
     }

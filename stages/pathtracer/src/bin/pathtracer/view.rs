@@ -1,6 +1,7 @@
 //! Loads the scene, its textures and the camera.
 
 use crate::failure::Failure;
+use base::errln;
 use kit::{Camera, Environment, FilmSize, Scene};
 use pathtracer::Textures;
 use pathtracer::args::Args;
@@ -13,9 +14,9 @@ pub(crate) fn load_scene(path: &Path) -> Result<Scene, Failure> {
     let loaded = scenes::load(path)?;
     for warning in &loaded.warnings {
         if stderr().is_terminal() {
-            eprintln!("{}", warning.styled());
+            errln!("{}", warning.styled());
         } else {
-            eprintln!("{warning}");
+            errln!("{warning}");
         }
     }
     Ok(loaded.scene)
@@ -26,7 +27,7 @@ pub(crate) fn load_scene(path: &Path) -> Result<Scene, Failure> {
 pub(crate) fn load_textures(file: &Path, scene: &Scene) -> Textures {
     let (textures, warnings) = Textures::load(scene, file.parent().unwrap_or(Path::new("")));
     for warning in warnings {
-        eprintln!("warning: {warning}");
+        errln!("warning: {warning}");
     }
     textures
 }
@@ -44,7 +45,7 @@ pub(crate) fn load_environment(args: &Args) -> Result<Option<Environment>, Failu
 pub(crate) fn camera_and_film(args: &Args, scene: &Scene) -> Result<(Camera, FilmSize), Failure> {
     let (view, film) = args.view(scene)?;
     if args.camera.is_none() && placement::is_edge_on(scene) {
-        eprintln!(
+        errln!(
             "note: with the scene's camera half of the picture would be empty, so the camera frames the whole \
              scene instead: use -c for another camera"
         );

@@ -5,6 +5,7 @@
 //! program is used.
 
 use crate::failure::Failure;
+use base::errln;
 use pathtracer::args::{Args, has_display};
 use std::env;
 use std::io;
@@ -23,7 +24,7 @@ pub(crate) fn open(args: &Args) -> Result<ExitCode, Failure> {
     let folder = env::current_dir().unwrap_or_default();
     let mut command = match (workspace_above(&folder), viewer_beside()) {
         (Some(root), _) => {
-            eprintln!("note: without -f the window opens; its first build takes a few minutes");
+            errln!("note: without -f the window opens; its first build takes a few minutes");
             let mut cargo = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
             cargo.args(["run", "--quiet", "--release", "--package", "viewer"]);
             cargo.arg("--manifest-path").arg(root.join("Cargo.toml"));

@@ -1,6 +1,8 @@
 //! Tools for the authors of the course: [`handout`] creates the projects for students, [`check`]
-//! tests the course itself, [`mutants`] grades typical mistakes and correct variants.
+//! tests the course itself, [`diff`] compares two versions of it, [`mutants`] grades typical mistakes
+//! and correct variants.
 
 pub mod check;
+pub mod diff;
 pub mod handout;
 pub mod mutants;

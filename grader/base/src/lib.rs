@@ -19,3 +19,6 @@ mod workspace;
 pub use error::{GraderError, without_path};
 pub use files::{folder_of, write_whole};
 pub use workspace::Workspace;
+
+/// The version of the course and of all its programs.
+pub const VERSION: &str = env!("CARGO_PKG_VERSION");

@@ -1,7 +1,7 @@
 //! What every program has in common: its command line, and its exit codes.
 
 use crate::files::folder_of;
-use crate::{GraderError, errln, interrupt};
+use crate::{GraderError, VERSION, errln, interrupt};
 use clap::error::{ContextKind, ErrorKind};
 use clap::{Arg, ArgMatches, Command, value_parser};
 use std::fmt::Display;
@@ -74,7 +74,7 @@ pub fn subprogram_command(commands: impl IntoIterator<Item = Command>) -> Comman
     Command::new("grader")
         // Not the name of the file, which nobody typed.
         .bin_name("grader")
-        .version(env!("CARGO_PKG_VERSION"))
+        .version(VERSION)
         .subcommand_required(true)
         .after_help(EXIT_CODES)
         .subcommands(commands)

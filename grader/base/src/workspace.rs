@@ -1,6 +1,6 @@
 //! The workspace of the course: its root folder and the paths of its files.
 
-use crate::GraderError;
+use crate::{GraderError, VERSION};
 use std::path::{Path, PathBuf};
 
 /// A checkout or a handout of the course.
@@ -27,9 +27,48 @@ impl Workspace {
                 start.display()
             ))
         })?;
-        Ok(Workspace {
+        let workspace = Workspace {
             root: root.to_path_buf(),
-        })
+        };
+        workspace.ensure_version(VERSION)?;
+        Ok(workspace)
+    }
+
+    /// The workspace whose root folder is `root`, of any version of the course.
+    pub fn of_any_version(root: &Path) -> Result<Workspace, GraderError> {
+        let root = root
+            .canonicalize()
+            .map_err(|e| GraderError::file("open", root, e))?;
+        match root.join(COURSE).is_file() {
+            true => Ok(Workspace { root }),
+            false => Err(GraderError::new(format!(
+                "{} is no version of the course: it has no {COURSE}. Name the top folder of a checkout or of a handout",
+                root.display()
+            ))),
+        }
+    }
+
+    /// The version of the course that its manifest names; `None` if it names none.
+    pub fn version(&self) -> Option<String> {
+        let manifest = std::fs::read_to_string(self.root.join("Cargo.toml")).ok()?;
+        let (_, package) = manifest.split_once("[workspace.package]\n")?;
+        let line = package
+            .lines()
+            .take_while(|line| !line.starts_with('['))
+            .find_map(|line| line.strip_prefix("version = "))?;
+        Some(line.trim().trim_matches('"').to_string())
+    }
+
+    /// Fails if this is another version of the course than that of the program, `ours`: cases,
+    /// points and answers may differ.
+    fn ensure_version(&self, ours: &str) -> Result<(), GraderError> {
+        match self.version() {
+            Some(theirs) if theirs != ours => Err(GraderError::new(format!(
+                "{} is version {theirs} of the course, this grader is version {ours}. Use the grader of that folder: run `cargo grader` there",
+                self.root.display()
+            ))),
+            _ => Ok(()),
+        }
     }
 
     /// The root folder.
@@ -105,5 +144,40 @@ impl Workspace {
     /// The path of the list of what the oracle does not judge in the goldens of a task.
     pub fn not_judged(&self, task: &str) -> PathBuf {
         self.root.join("golden").join(task).join("not_judged.txt")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_course_of_another_version_is_refused() {
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        let root = folder.path();
+        std::fs::create_dir_all(root.join("stages")).expect("a folder");
+        std::fs::write(root.join(COURSE), "").expect("a file");
+        let of_version = |version: &str| {
+            let manifest = format!(
+                "[workspace]\nmembers = []\n\n[workspace.package]\nedition = \"2024\"\nversion = \"{version}\"\n"
+            );
+            std::fs::write(root.join("Cargo.toml"), manifest).expect("a file");
+            Workspace::above(&root.join("stages"))
+        };
+        let same = of_version(VERSION).expect("the same version");
+        assert_eq!(same.version().as_deref(), Some(VERSION));
+        let error = of_version("99.1.0")
+            .expect_err("another version")
+            .to_string();
+        let expected = format!("is version 99.1.0 of the course, this grader is version {VERSION}");
+        assert!(error.contains(&expected), "{error}");
+        let other = Workspace::of_any_version(root).expect("any version");
+        assert_eq!(other.version().as_deref(), Some("99.1.0"));
+        // Only a root folder, not a folder below one.
+        let error = Workspace::of_any_version(&root.join("stages")).expect_err("no root");
+        assert!(
+            error.to_string().contains("no version of the course"),
+            "{error}"
+        );
     }
 }

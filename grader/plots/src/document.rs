@@ -30,8 +30,10 @@ impl Document {
         let mut html = format!(
             "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
              <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
-             <meta name=\"color-scheme\" content=\"light dark\">\n<title>{title}</title>\n\
+             <meta name=\"color-scheme\" content=\"light dark\">\n\
+             <meta name=\"generator\" content=\"First Light {}\">\n<title>{title}</title>\n\
              <style>\n{STYLE}{COLOR_RULES}{}</style>\n</head>\n<body>\n<h1>{title}</h1>\n<p class=\"machine\">{}</p>\n",
+            base::VERSION,
             self.style,
             escape(&self.about)
         );

@@ -68,7 +68,7 @@ const SUBPROGRAMS: &[(&str, &str, &str)] = &[
     (
         "course",
         "authoring",
-        "For instructors: checks the course itself",
+        "For instructors: checks the course itself, compares it with another version",
     ),
     (
         "mutants",
@@ -100,7 +100,7 @@ fn command() -> Command {
         .mut_arg("format", |argument| argument.hide_possible_values(true))
         .disable_help_subcommand(true)
         .about("Scores your ray tracer, stage by stage")
-        .version(env!("CARGO_PKG_VERSION"))
+        .version(base::VERSION)
         .args_conflicts_with_subcommands(true)
         .after_help(help::after())
         .subcommands([

@@ -21,6 +21,8 @@ use std::path::PathBuf;
 /// The report of one run of the grader.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Report {
+    /// The version of the course and of the grader.
+    pub version: &'static str,
     /// Core points earned.
     pub score: f64,
     /// Core points possible.
@@ -84,6 +86,7 @@ impl Report {
             points.fold(0.0, |sum, points| sum + points)
         };
         Report {
+            version: base::VERSION,
             score: sum(|task| task.score),
             max_score: sum(|task| task.max_score),
             robust_score: sum(|task| task.robust_score),

@@ -9,7 +9,7 @@ use std::path::Path;
 use std::process::ExitCode;
 
 const USAGE: &str = "usage: showcase sky OUT.exr\n       showcase tree OUT.dae\n       \
-                     showcase strip OUT.png A.png B.png ...";
+                     showcase strip OUT.png A.png B.png ...\n       showcase --version";
 
 fn main() -> ExitCode {
     let args: Vec<String> = std::env::args().skip(1).collect();
@@ -27,6 +27,10 @@ fn main() -> ExitCode {
         }),
         ["strip", out, pictures @ ..] if !pictures.is_empty() => {
             whole(out, "png", |part| save_strip(part, pictures))
+        }
+        ["--version"] => {
+            outln!("showcase {}", base::VERSION);
+            Ok(())
         }
         _ => Err(USAGE.to_owned()),
     };

@@ -8,7 +8,8 @@ use std::process::ExitCode;
 const USAGE: &str = "\
 usage: book figures            writes the figures to stages/book/src/figures
        book build FOLDER       writes the book as HTML pages to FOLDER
-       book preprocess         the preprocessor of mdBook: reads its JSON, writes it with MathML";
+       book preprocess         the preprocessor of mdBook: reads its JSON, writes it with MathML
+       book --version          prints the version";
 
 fn main() -> ExitCode {
     let args: Vec<String> = std::env::args().skip(1).collect();
@@ -25,6 +26,10 @@ fn main() -> ExitCode {
             };
         }
         ["preprocess"] => preprocess(),
+        ["--version"] => {
+            outln!("book {}", base::VERSION);
+            Ok(())
+        }
         _ => Err(USAGE.into()),
     };
     match result {

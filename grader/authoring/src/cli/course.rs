@@ -1,10 +1,11 @@
-//! The command `grader course check`: checks the course before it is handed out.
+//! The commands `grader course check`, which checks the course before it is handed out, and `grader
+//! course diff`, which compares it with another version.
 
-use authoring::check;
+use authoring::{check, diff};
 use base::program::Exit;
-use base::{GraderError, Workspace, errln, outln};
-use clap::{Arg, ArgAction, ArgMatches, Command};
-use std::path::Path;
+use base::{GraderError, Workspace, errln, out, outln};
+use clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
+use std::path::{Path, PathBuf};
 use std::sync::mpsc::{self, RecvTimeoutError, Sender};
 use std::thread;
 use std::time::{Duration, Instant};
@@ -21,14 +22,39 @@ pub(crate) fn command() -> Command {
                 .action(ArgAction::SetTrue)
                 .help("Run only the checks that build nothing"),
         );
+    let diff = Command::new("diff")
+        .about(
+            "Lists the cases, points and goldens that changed since another version of the course",
+        )
+        .arg(
+            Arg::new("old")
+                .value_name("OLD")
+                .required(true)
+                .value_parser(value_parser!(PathBuf))
+                .help("The top folder of the older version: a checkout, or a handout"),
+        );
     Command::new("course")
-        .about("For instructors: checks the course itself")
+        .about("For instructors: checks the course itself, compares it with another version")
         .subcommand_required(true)
-        .subcommand(check)
+        .subcommands([check, diff])
 }
 
 pub(crate) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
-    let (_, matches) = matches.subcommand().expect("clap requires it");
+    match matches.subcommand().expect("clap requires it") {
+        ("check", matches) => run_check(matches),
+        (_, matches) => run_diff(matches),
+    }
+}
+
+fn run_diff(matches: &ArgMatches) -> Result<Exit, GraderError> {
+    let old: &PathBuf = matches.get_one("old").expect("clap requires it");
+    let old = Workspace::of_any_version(old)?;
+    let new = Workspace::above(Path::new("."))?;
+    out!("{}", diff::table(&diff::changes(&old, &new)?, &old, &new));
+    Ok(Exit::Passed)
+}
+
+fn run_check(matches: &ArgMatches) -> Result<Exit, GraderError> {
     let quick = matches.get_flag("quick");
     let workspace = Workspace::above(Path::new("."))?;
     let start = Instant::now();

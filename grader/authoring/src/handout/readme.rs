@@ -33,6 +33,7 @@ pub fn write(course: &Course, part: u32, files: &Files) -> Result<String, Grader
         .collect();
     let first_task = here.tasks.first().map_or("all", |task| &task.key);
     Ok(TEMPLATE
+        .replace("{version}", base::VERSION)
         .replace("{part}", &part.to_string())
         .replace("{given}", &given(course, part))
         .replace("{first_task}", first_task)

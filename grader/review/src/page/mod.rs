@@ -155,6 +155,7 @@ pub(crate) fn whole(own_style: &str, title: &str, header: &str, content: &str) -
     TEMPLATE
         .replace("<!-- style -->", &format!("{STYLE}{own_style}"))
         .replace("<!-- script -->", &SCRIPTS.concat())
+        .replace("<!-- version -->", base::VERSION)
         .replace("<!-- title -->", &escape(title))
         .replace("<!-- header -->", header)
         .replace("<!-- content -->", content)

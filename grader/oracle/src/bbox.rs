@@ -26,6 +26,18 @@ pub const END_ERROR: f64 = 16.0 * U;
 const LARGEST: f64 = f64::from_bits((1023 + 1000) << 52);
 
 /// The oracle's result for one ray and one box.
+///
+/// ```
+/// use kit::{Aabb, Interval, Ray, Vec3};
+/// use oracle::{BoxJudgement, KernelClass, bbox};
+/// let unit = Aabb::of([Vec3::ZERO, Vec3::ONE]);
+/// let verdict = bbox(&unit, &Ray::new(Vec3::new(0.5, 0.5, 3.0), Vec3::NEG_Z));
+/// let inside = verdict.inside.expect("the ray hits");
+/// assert_eq!((inside.min.to_f64(), inside.max.to_f64()), (2.0, 3.0));
+/// let answer = Interval { min: 2.0, max: 3.0 };
+/// assert_eq!(verdict.judge(KernelClass::Robust, Some(answer)), BoxJudgement::Right);
+/// assert_eq!(verdict.judge(KernelClass::Robust, None), BoxJudgement::FalseMiss);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BoxVerdict {
     /// The exact interval in which the ray is inside the box, or the reason for a miss.

@@ -13,6 +13,14 @@ use super::dyadic::Dyadic;
 ///
 /// The lowest bit of `m` is set if nonzero bits were cut off after it (a *sticky* bit), so that
 /// rounding to `f64` ([`BigFloat::to_f64`]) distinguishes "slightly more than half" from "half".
+///
+/// ```
+/// use oracle::{BigFloat, ulps};
+/// let tenth = BigFloat::new(0.1);
+/// assert_eq!(tenth.to_f64(), 0.1);
+/// // The next number is one unit in the last place away.
+/// assert_eq!(ulps(0.1_f64.next_up(), &tenth), 1.0);
+/// ```
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub struct BigFloat {
     m: i128,

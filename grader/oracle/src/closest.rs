@@ -9,6 +9,20 @@ use super::triangle::triangle;
 use super::verdict::{Answers, Candidate, Judgement, KernelClass, PerKernel};
 
 /// The exact closest hit of a ray, and which answers score.
+///
+/// ```
+/// use kit::{PrimId, Primitive, Ray, Triangle, Vec3};
+/// use oracle::{KernelClass, closest};
+/// let at = |z| Triangle::flat(Vec3::new(0.0, 0.0, z), Vec3::new(4.0, 0.0, z), Vec3::new(0.0, 4.0, z));
+/// let triangles = [at(0.0), at(1.0), at(1.0)];
+/// let ray = Ray::new(Vec3::new(1.0, 1.0, 3.0), Vec3::NEG_Z);
+/// let closest = closest(triangles.iter().map(Primitive::Triangle), &ray);
+/// // Two triangles at the same distance: either scores, the lower id is named.
+/// assert_eq!(closest.nearest.map(|(id, t)| (id, t.to_f64())), Some((PrimId(1), 2.0)));
+/// assert_eq!(closest.ties, [PrimId(1), PrimId(2)]);
+/// assert!(closest.judge(KernelClass::Textbook, Some((PrimId(2), 2.0))).scores());
+/// assert!(!closest.judge(KernelClass::Textbook, Some((PrimId(0), 3.0))).scores());
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Closest {
     /// The exact closest hit; of equal ones the one with the lowest id.

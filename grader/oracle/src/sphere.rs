@@ -24,6 +24,21 @@ pub enum SphereClass {
 }
 
 /// The oracle's result for one ray and one sphere.
+///
+/// ```
+/// use kit::{Ray, Sphere, Vec3};
+/// use oracle::{KernelClass, SphereClass, sphere};
+/// let ball = Sphere {
+///     center: Vec3::ZERO,
+///     radius: 1.0,
+/// };
+/// let verdict = |x| sphere(&ball, &Ray::new(Vec3::new(x, 0.0, 3.0), Vec3::NEG_Z));
+/// let through = verdict(0.0);
+/// assert_eq!(through.class, SphereClass::Near);
+/// assert_eq!(through.roots.map(|roots| roots.map(|t| t.to_f64())), Some([2.0, 4.0]));
+/// assert!(!through.judge(KernelClass::Robust, Some(4.0)).scores());
+/// assert_eq!(verdict(1.0).class, SphereClass::Tangent);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SphereVerdict {
     /// The exact answer.

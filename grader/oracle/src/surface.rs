@@ -9,6 +9,17 @@ use super::triangle::Crossing;
 use super::verdict::{KernelClass, PerKernel};
 
 /// The true hit point.
+///
+/// ```
+/// use kit::{Ray, Triangle, Vec3};
+/// use oracle::{KernelClass, surface};
+/// let tri = Triangle::flat(Vec3::ZERO, Vec3::X, Vec3::Y);
+/// let ray = Ray::new(Vec3::new(0.25, 0.5, 2.0), Vec3::NEG_Z);
+/// let crossing = oracle::triangle(&tri, &ray).crossing.expect("the ray hits");
+/// let point = surface::triangle_point(&tri, &crossing);
+/// assert!(point.accepts(KernelClass::Robust, Vec3::new(0.25, 0.5, 0.0)));
+/// assert!(!point.accepts(KernelClass::Robust, Vec3::new(0.25, 0.5, 0.1)));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PointTruth {
     /// The point, in world space.

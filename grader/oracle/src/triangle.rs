@@ -10,6 +10,16 @@ use super::triangle_error::{RobustBounds, TriangleErrorBounds};
 use super::verdict::{Answers, Candidate, Certainty, Judgement, KernelClass, Miss, PerKernel};
 
 /// How a ray meets a triangle, exactly.
+///
+/// ```
+/// use kit::{Ray, Triangle, Vec3};
+/// use oracle::{Miss, TriangleClass, triangle};
+/// let tri = Triangle::flat(Vec3::ZERO, Vec3::X, Vec3::Y);
+/// let class = |x, y| triangle(&tri, &Ray::new(Vec3::new(x, y, 2.0), Vec3::NEG_Z)).class;
+/// assert_eq!(class(0.5, 0.5), TriangleClass::Edge(0));
+/// assert_eq!(class(1.0, 0.0), TriangleClass::Vertex(1));
+/// assert_eq!(class(1.0, 1.0), TriangleClass::Miss(Miss::LineMisses));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TriangleClass {
     /// Through the interior.
@@ -24,6 +34,15 @@ pub enum TriangleClass {
 }
 
 /// The intersection of the line of a ray with the plane of a triangle.
+///
+/// ```
+/// use kit::{Ray, Triangle, Vec3};
+/// let tri = Triangle::flat(Vec3::ZERO, Vec3::X, Vec3::Y);
+/// let ray = Ray::new(Vec3::new(0.25, 0.5, 2.0), Vec3::NEG_Z);
+/// let crossing = oracle::triangle(&tri, &ray).crossing.expect("the ray hits");
+/// assert_eq!(crossing.t.to_f64(), 2.0);
+/// assert_eq!((crossing.b1.to_f64(), crossing.b2.to_f64()), (0.25, 0.5));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Crossing {
     /// Distance along the ray, in lengths of its direction.
@@ -41,6 +60,17 @@ pub struct Crossing {
 }
 
 /// The oracle's result for one ray and one triangle.
+///
+/// ```
+/// use kit::{Ray, Triangle, Vec3};
+/// use oracle::{Judgement, KernelClass, TriangleClass, triangle};
+/// let tri = Triangle::flat(Vec3::ZERO, Vec3::X, Vec3::Y);
+/// let ray = Ray::new(Vec3::new(0.25, 0.25, 2.0), Vec3::NEG_Z);
+/// let verdict = triangle(&tri, &ray);
+/// assert_eq!(verdict.class, TriangleClass::Inside);
+/// assert!(verdict.judge(KernelClass::Textbook, Some(2.0)).scores());
+/// assert_eq!(verdict.judge(KernelClass::Textbook, None), Judgement::FalseMiss);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TriangleVerdict {
     /// The exact answer.

@@ -14,6 +14,15 @@ pub enum KernelClass {
 }
 
 /// One value for each [`KernelClass`].
+///
+/// ```
+/// use oracle::{KernelClass, PerKernel};
+/// let bound = PerKernel::each(|kernel| match kernel {
+///     KernelClass::Textbook => 8,
+///     KernelClass::Robust => 2,
+/// });
+/// assert_eq!(*bound.get(KernelClass::Robust), 2);
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PerKernel<T> {
     /// For textbook code.
@@ -111,6 +120,23 @@ pub struct Candidate {
 }
 
 /// The set of answers that score.
+///
+/// ```
+/// use oracle::{Answers, BigFloat, Candidate, Judgement};
+/// let answers = Answers {
+///     hits: [
+///         Some(Candidate {
+///             t: BigFloat::new(2.0),
+///             tolerance: 1e-12,
+///         }),
+///         None,
+///     ],
+///     miss: false,
+/// };
+/// assert_eq!(answers.judge(Some(2.0)), Judgement::Right { ulps: 0.0 });
+/// assert!(matches!(answers.judge(Some(2.5)), Judgement::WrongT { .. }));
+/// assert_eq!(Answers::MISS.judge(Some(2.0)), Judgement::FalseHit);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Answers {
     /// Hits that score, the true or most likely one first.

@@ -41,6 +41,16 @@ pub fn fit_samples(
 }
 
 /// The result of a χ² test of directions.
+///
+/// ```
+/// use statistics::chi_square::fit_samples;
+/// use std::f64::consts::PI;
+/// let uniform = |_: kit::Vec3| 1.0 / (4.0 * PI);
+/// let right = fit_samples(10_000, 1, |u, _| Some(kit::warp::uniform_sphere(u)), uniform);
+/// assert!(right.p > 0.01);
+/// let wrong = fit_samples(10_000, 1, |u, _| Some(kit::warp::uniform_hemisphere(u)), uniform);
+/// assert!(wrong.p < 1e-9);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fit {
     /// The p-value: the probability that directions that follow the density have at least this χ².

@@ -5,6 +5,15 @@ use crate::Vec3;
 /// Axis-aligned box: the points `p` with `min <= p <= max` on every axis, in world space.
 ///
 /// Points on the faces belong to the box.
+///
+/// ```
+/// use kit::{Aabb, Vec3};
+/// let unit = Aabb::of([Vec3::ZERO, Vec3::ONE]);
+/// let larger = unit.grown_by(Vec3::new(3.0, 0.5, 0.5));
+/// assert_eq!(larger.max, Vec3::new(3.0, 1.0, 1.0));
+/// assert_eq!(Aabb::EMPTY.union(unit), unit);
+/// assert!(Aabb::EMPTY.is_empty() && !unit.is_empty());
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Aabb {
     /// Corner with the smallest coordinates.

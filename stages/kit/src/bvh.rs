@@ -4,6 +4,17 @@
 use crate::{Aabb, PrimId};
 
 /// A bounding volume hierarchy. `nodes[0]` is the root; the tree of an empty scene has no nodes.
+///
+/// ```
+/// use kit::{Aabb, Bvh, NodeKind, PrimId, Vec3};
+/// let unit = Aabb::of([Vec3::ZERO, Vec3::ONE]);
+/// let tree = Bvh::one_leaf(&[unit, unit]);
+/// assert_eq!(tree.nodes[0].bounds, unit);
+/// let NodeKind::Leaf { first, count } = tree.nodes[0].kind else {
+///     panic!("the root is a leaf");
+/// };
+/// assert_eq!(tree.leaf(first, count), [PrimId(0), PrimId(1)]);
+/// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Bvh {
     /// The nodes. Only the position of the root is fixed.

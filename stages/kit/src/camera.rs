@@ -3,6 +3,23 @@
 use crate::{Mat3, Vec3, math};
 
 /// A pinhole camera. In camera space it is at the origin, looks along -z and has +y up.
+///
+/// ```
+/// use kit::{Camera, Vec3, camera};
+/// let pos = Vec3::new(0.0, 0.0, 5.0);
+/// let c2w = Camera::look_at(pos, Vec3::ZERO, Vec3::Y).expect("it has a direction");
+/// // The camera looks along -z of its own space.
+/// assert_eq!(c2w * Vec3::NEG_Z, Vec3::NEG_Z);
+/// let camera = Camera {
+///     pos,
+///     c2w,
+///     h_fov: camera::scale_fov(60.0, 1.5),
+///     v_fov: 60.0,
+///     n_clip: 0.0,
+///     f_clip: f64::INFINITY,
+/// };
+/// assert!(camera.h_fov > camera.v_fov);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
     /// Position in world space.

@@ -73,6 +73,14 @@ impl Effect {
 }
 
 /// The number of operations of each effect.
+///
+/// ```
+/// use kit::effects::{Effect, EffectCounts};
+/// let mut counts = [0; Effect::ALL.len()];
+/// counts[Effect::Lens as usize] = 7;
+/// let counts = EffectCounts::from(counts);
+/// assert_eq!((counts + counts).of(Effect::Lens), 14);
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct EffectCounts([u64; Effect::ALL.len()]);
 

@@ -34,6 +34,18 @@ pub struct Cell {
 }
 
 /// A rendered image: one estimate for each pixel, row by row from the bottom left.
+///
+/// ```
+/// use kit::{Film, FilmSize, PixelEstimate, Spectrum};
+/// let mut film = Film::new(FilmSize { w: 40, h: 20 });
+/// let grey = PixelEstimate {
+///     radiance: Spectrum::grey(0.5),
+///     samples: 4,
+/// };
+/// film.set(39, 0, grey); // bottom right
+/// assert_eq!(film.get(39, 0), grey);
+/// assert_eq!(film.size().whole().tiles().len(), 3 * 2);
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Film {
     size: FilmSize,

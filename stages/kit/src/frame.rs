@@ -6,6 +6,14 @@ use crate::Vec3;
 ///
 /// In the local space of the frame the normal is `(0, 0, 1)`, so the cosine between a unit
 /// direction `w` and the normal is `w.z`.
+///
+/// ```
+/// use kit::{Frame, Vec3};
+/// let frame = Frame::around(Vec3::Y);
+/// assert_eq!(frame.to_local(Vec3::Y), Vec3::Z);
+/// let w = Vec3::new(1.0, 2.0, 3.0);
+/// assert!((frame.to_world(frame.to_local(w)) - w).length() < 1e-15);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frame {
     /// Local x axis.

@@ -6,6 +6,14 @@ use crate::Vec3;
 ///
 /// Both ends of the range count. `d` need not have unit length: `t` counts multiples of the length
 /// of `d`.
+///
+/// ```
+/// use kit::{Ray, Vec3};
+/// let mut ray = Ray::new(Vec3::ZERO, Vec3::new(0.0, 0.0, 2.0));
+/// assert_eq!(ray.at(3.0), Vec3::new(0.0, 0.0, 6.0));
+/// ray.max_t = 3.0;
+/// assert!(ray.in_range(3.0) && !ray.in_range(3.5));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ray {
     /// Origin.

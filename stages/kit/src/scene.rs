@@ -6,6 +6,17 @@ use crate::{Aabb, Camera, Light, Material, PrimId, Sphere, Triangle};
 /// Geometry, materials, lights and the camera of one scene file.
 ///
 /// The ids of primitives count triangles first, then spheres.
+///
+/// ```
+/// use kit::{PrimId, Primitive, Scene, Triangle, Vec3};
+/// let triangle = Triangle::flat(Vec3::ZERO, Vec3::X, Vec3::Y);
+/// let scene = Scene {
+///     triangles: vec![triangle],
+///     ..Scene::default()
+/// };
+/// assert_eq!(scene.len(), 1);
+/// assert_eq!(scene.primitive(PrimId(0)), Primitive::Triangle(&triangle));
+/// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Scene {
     /// All triangles, with instances transformed to world space.

@@ -6,6 +6,13 @@ use crate::{Aabb, Vec3};
 ///
 /// The assignment calls the vertices `p1 p2 p3` and their normals `n1 n2 n3`. Here they count from
 /// 0, like the barycentric weights.
+///
+/// ```
+/// use kit::{Triangle, Vec3};
+/// let triangle = Triangle::flat(Vec3::ZERO, Vec3::X, Vec3::Y);
+/// assert_eq!(triangle.n0, Vec3::Z);
+/// assert_eq!(triangle.bounds().max, Vec3::new(1.0, 1.0, 0.0));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Triangle {
     /// First vertex, with barycentric weight `1 - b1 - b2`.
@@ -47,6 +54,15 @@ impl Triangle {
 }
 
 /// A sphere in world space.
+///
+/// ```
+/// use kit::{Sphere, Vec3};
+/// let sphere = Sphere {
+///     center: Vec3::ZERO,
+///     radius: 2.0,
+/// };
+/// assert_eq!(sphere.bounds().min, Vec3::splat(-2.0));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sphere {
     /// Centre.

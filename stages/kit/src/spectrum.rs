@@ -4,6 +4,14 @@ use std::iter::Sum;
 use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Sub};
 
 /// Radiance, reflectance or another quantity per colour channel: linear sRGB, without upper limit.
+///
+/// ```
+/// use kit::Spectrum;
+/// let red = Spectrum::new(1.0, 0.0, 0.0);
+/// let sum = red + 0.5 * Spectrum::WHITE;
+/// assert_eq!(sum, Spectrum::new(1.5, 0.5, 0.5));
+/// assert_eq!(red.luminance(), 0.2126);
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Spectrum {
     /// Red.

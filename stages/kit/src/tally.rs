@@ -5,6 +5,16 @@
 /// Welford's recurrence ("Note on a method for calculating corrected sums of squares and products",
 /// 1962): summing squares and subtracting the squared mean loses all digits when the variance is
 /// small against the mean.
+///
+/// ```
+/// use kit::Tally;
+/// let mut tally = Tally::default();
+/// [1.0, 2.0, 3.0].into_iter().for_each(|x| tally.push(x));
+/// assert_eq!((tally.count(), tally.mean(), tally.variance()), (3, 2.0, 1.0));
+/// let mut both = Tally::of_equal(2.0, 3);
+/// both.merge(&tally);
+/// assert_eq!((both.count(), both.mean()), (6, 2.0));
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Tally {
     n: u64,

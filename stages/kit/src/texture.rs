@@ -4,6 +4,14 @@ use crate::{Hit, Spectrum, Vec2};
 
 /// An image that repeats over the plane. One copy fills [0, 1]², with `v` pointing up from the
 /// bottom left.
+///
+/// ```
+/// use kit::{Spectrum, Texture, Vec2};
+/// let checker = [Spectrum::BLACK, Spectrum::WHITE, Spectrum::WHITE, Spectrum::BLACK];
+/// let texture = Texture::new(2, checker.to_vec()).expect("two full rows");
+/// assert_eq!(texture.at(Vec2::new(0.25, 0.25)), Spectrum::WHITE);
+/// assert_eq!(texture.at(Vec2::splat(0.5)), Spectrum::grey(0.5));
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Texture {
     width: usize,

@@ -26,6 +26,12 @@ pub fn uniform_sphere(u: Vec2) -> Vec3 {
 ///
 /// Scaling a triangle by `s` towards `p0` scales its area by `s²`, so `s` is the square root of a
 /// uniform number.
+///
+/// ```
+/// use kit::{Vec2, warp};
+/// let b = warp::uniform_triangle(Vec2::new(0.25, 0.5));
+/// assert_eq!(b, Vec2::new(0.25, 0.25));
+/// ```
 #[inline]
 pub fn uniform_triangle(u: Vec2) -> Vec2 {
     let s = u.x.sqrt();

@@ -50,6 +50,17 @@ impl From<u64> for Sampling {
 }
 
 /// The random numbers of one pixel, by sample and dimension.
+///
+/// ```
+/// use kit::PixelSampler;
+/// let points = |x| {
+///     let mut sampler = PixelSampler::new(x, 0, 7);
+///     [sampler.get_sample(), sampler.next_2d()]
+/// };
+/// // The numbers depend on the pixel and the seed alone.
+/// assert_eq!(points(3), points(3));
+/// assert_ne!(points(3), points(4));
+/// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct PixelSampler {
     pattern: Pattern,

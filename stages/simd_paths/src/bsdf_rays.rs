@@ -16,7 +16,7 @@ use crate::ray_packet::{HitPacket, RayPacket};
 use crate::shadow_queue::ShadowQueue;
 use crate::surface_packet::SurfacePacket;
 use crate::vec3x8::{LANES, Vec3x8};
-use crate::{PathScene, ScalarFallback, Workspace};
+use crate::{PathMemory, PathScene, ScalarFallback};
 use fearless_simd::{Simd, f64x8, mask64x8, prelude::*};
 use kit::{Emitter, PrimId, Spectrum, Vec3};
 use lanes::diffuse::DiffuseSample;
@@ -60,7 +60,7 @@ impl<S: Simd> PathPacket<'_, S> {
         surfaces: &SurfacePacket<S>,
         wo_z: f64x8<S>,
         diffuse: u64,
-        workspace: &mut Workspace,
+        memory: &mut PathMemory,
         shadows: &mut ShadowQueue,
         fallback: &dyn ScalarFallback,
     ) {
@@ -70,17 +70,17 @@ impl<S: Simd> PathPacket<'_, S> {
         for _ in 0..self.settings.light_samples {
             let DiffuseSample { wi, pdf, weight } = self.sample_diffuse(surfaces.color, wo_z);
             let sample = shadows.push_undecided(simd);
-            workspace.counts.rays += u64::from(exists.count_ones());
-            workspace.counts.light_rays += u64::from(exists.count_ones());
+            memory.counts.rays += u64::from(exists.count_ones());
+            memory.counts.light_rays += u64::from(exists.count_ones());
             let d = Frame::around(surfaces.n).to_world(wi);
             let (o, skip) = surfaces.leave(simd, d);
             let mut open = exists;
             if let Some(lamps) = &self.scene.lamps {
                 let rays = unlimited(simd, o, d);
-                let scratch = &mut workspace.scratch;
+                let scratch = &mut memory.scratch;
                 let tests;
                 (open, tests) = lamps.occluded(simd, &rays, exists, skip, scratch, fallback);
-                workspace.counts.prim_tests += tests;
+                memory.counts.prim_tests += tests;
             }
             if open != 0 {
                 let rays = BsdfRay {
@@ -113,12 +113,12 @@ impl BsdfRays {
         simd: S,
         scene: &PathScene<'_>,
         traced: &mut TracedRays,
-        workspace: &mut Workspace,
+        memory: &mut PathMemory,
         fallback: &mut dyn ScalarFallback,
         mut add: impl FnMut(usize, Spectrum),
     ) {
         if scene.list.is_none() && self.0.count() > 0 {
-            let (scratch, counts) = (&mut workspace.scratch, &mut workspace.counts);
+            let (scratch, counts) = (&mut memory.scratch, &mut memory.counts);
             traced.trace(simd, scene, &self.bundle(), scratch, counts, fallback);
         }
         for first in (0..self.0.count()).step_by(LANES) {
@@ -135,7 +135,7 @@ impl BsdfRays {
                 &rays,
                 active,
                 bsdf_rays.skip,
-                workspace,
+                memory,
                 fallback,
             );
             let hit = active & !hits.is_none().to_bitmask();
@@ -147,7 +147,7 @@ impl BsdfRays {
             }
             if scene.has_background {
                 let missed = active & !hit;
-                workspace.counts.background += u64::from(missed.count_ones());
+                memory.counts.background += u64::from(missed.count_ones());
                 for lane in lanes(missed) {
                     let background = weighted_background(
                         scene,

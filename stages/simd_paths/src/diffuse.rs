@@ -1,7 +1,7 @@
 // BEGIN SOLUTION(part6.task2)
 //! Diffuse surfaces: direct light as in the stage `direct`, and scattering.
 
-use crate::Workspace;
+use crate::PathMemory;
 use crate::light;
 use crate::packet::PathPacket;
 use crate::ray_packet::RayPacket;
@@ -70,7 +70,7 @@ impl<S: Simd> PathPacket<'_, S> {
         surfaces: &SurfacePacket<S>,
         wo_z: f64x8<S>,
         diffuse: u64,
-        workspace: &mut Workspace,
+        memory: &mut PathMemory,
     ) -> u64 {
         let simd = self.simd;
         let zero = f64x8::splat(simd, 0.0);
@@ -78,7 +78,7 @@ impl<S: Simd> PathPacket<'_, S> {
         // No light is scattered towards a viewer in the plane of the surface.
         let mask = mask64x8::from_bitmask(simd, diffuse);
         let continues = mask & wo_z.simd_ne(zero);
-        workspace.counts.bounces += u64::from(continues.to_bitmask().count_ones());
+        memory.counts.bounces += u64::from(continues.to_bitmask().count_ones());
         let (throughput, survivors) = self.roulette(bounce, self.paths.throughput * weight);
         let d = Frame::around(surfaces.n).to_world(wi);
         let (o, skip) = surfaces.leave(simd, d);

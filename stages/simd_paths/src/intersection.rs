@@ -8,7 +8,7 @@ use crate::lane_mask::lanes;
 use crate::primitive_list::{PrimitiveList, Scratch};
 use crate::ray_packet::{HIT_COLUMNS, HitPacket, RayPacket, hit_columns, prim_id};
 use crate::vec3x8::LANES;
-use crate::{Counts, PathScene, ScalarFallback, Workspace};
+use crate::{Counts, PathMemory, PathScene, ScalarFallback};
 use fearless_simd::{Simd, f64x8, mask64x8, prelude::*};
 use kit::{PrimId, Ray, TriangleHit};
 
@@ -166,13 +166,13 @@ pub(crate) fn closest<S: Simd>(
     rays: &RayPacket<S>,
     active: u64,
     skip: f64x8<S>,
-    workspace: &mut Workspace,
+    memory: &mut PathMemory,
     fallback: &dyn ScalarFallback,
 ) -> HitPacket<S> {
     match source {
         HitSource::List(list) => {
-            workspace.counts.prim_tests += u64::from(active.count_ones()) * list.len() as u64;
-            list.closest(simd, rays, active, skip, &mut workspace.scratch, fallback)
+            memory.counts.prim_tests += u64::from(active.count_ones()) * list.len() as u64;
+            list.closest(simd, rays, active, skip, &mut memory.scratch, fallback)
         }
         HitSource::Found(traced, first) => traced.hits(simd, first, rays.max_t),
     }

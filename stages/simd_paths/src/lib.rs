@@ -54,4 +54,4 @@ mod scene;
 
 pub use fallback::{Beam, HALF_SPACES, HalfSpace, NextRay, ScalarFallback, ScalarPath};
 pub use fearless_simd::Level;
-pub use scene::{BATCH_SIZE, Counts, PathScene, PathSettings, PathStart, View, Workspace};
+pub use scene::{BATCH_SIZE, Counts, PathMemory, PathScene, PathSettings, PathStart, View};

@@ -9,7 +9,7 @@ use crate::ray_packet::RayPacket;
 use crate::shadow_queue::ShadowQueue;
 use crate::surface_packet::SurfacePacket;
 use crate::vec3x8::{LANES, Vec3x8};
-use crate::{PathScene, PathSettings, ScalarFallback, Workspace, intersection};
+use crate::{PathMemory, PathScene, PathSettings, ScalarFallback, intersection};
 use fearless_simd::{Simd, f64x8, mask64x8, prelude::*};
 use kit::sampler::PixelSamplers;
 use kit::{Spectrum, Vec3};
@@ -40,7 +40,7 @@ impl<S: Simd> PathPacket<'_, S> {
         &mut self,
         bounce: u32,
         range: [f64; 2],
-        workspace: &mut Workspace,
+        memory: &mut PathMemory,
         shadows: &mut ShadowQueue,
         fallback: &mut dyn ScalarFallback,
         radiance: &mut [Spectrum],
@@ -53,12 +53,12 @@ impl<S: Simd> PathPacket<'_, S> {
             min_t: f64x8::splat(simd, range[0]),
             max_t: f64x8::splat(simd, range[1]),
         };
-        workspace.counts.rays += u64::from(self.alive.count_ones());
+        memory.counts.rays += u64::from(self.alive.count_ones());
         let (alive, skip) = (self.alive, self.paths.skip);
-        let hits = intersection::closest(simd, self.hits, &rays, alive, skip, workspace, fallback);
+        let hits = intersection::closest(simd, self.hits, &rays, alive, skip, memory, fallback);
         let hit = self.alive & !hits.is_none().to_bitmask();
         if self.scene.has_background && hit != self.alive {
-            self.add_background(self.alive & !hit, workspace, radiance);
+            self.add_background(self.alive & !hit, memory, radiance);
         }
         if hit == 0 {
             return 0;
@@ -86,7 +86,7 @@ impl<S: Simd> PathPacket<'_, S> {
         let scattered = (other != 0)
             .then(|| self.scatter_others(other, bounce, &surfaces, &hits, fallback, radiance));
         let by_mirrors = (specular != 0 && bounce < self.settings.max_depth)
-            .then(|| self.scatter_specular(bounce, &surfaces, &ids, specular, workspace));
+            .then(|| self.scatter_specular(bounce, &surfaces, &ids, specular, memory));
         let wo = -self.paths.d;
         if emissive != 0 {
             let counts = f64x8::splat(simd, 0.5).simd_lt(self.paths.emission_counts);
@@ -103,10 +103,10 @@ impl<S: Simd> PathPacket<'_, S> {
             shadows.push_packet(self.paths.throughput, self.paths.index, diffuse);
             self.sample_lights(&surfaces, wo_z, diffuse, shadows);
             if self.scene.samples_bsdf(self.settings) {
-                self.sample_bsdf(&surfaces, wo_z, diffuse, workspace, shadows, fallback);
+                self.sample_bsdf(&surfaces, wo_z, diffuse, memory, shadows, fallback);
             }
             if bounce < self.settings.max_depth {
-                survivors = self.scatter(bounce, &surfaces, wo_z, diffuse, workspace);
+                survivors = self.scatter(bounce, &surfaces, wo_z, diffuse, memory);
             }
         }
         if let Some(scattered) = by_mirrors {
@@ -116,8 +116,8 @@ impl<S: Simd> PathPacket<'_, S> {
     }
 
     /// Adds the background to the lanes in `missed`, unless direct light has counted it.
-    fn add_background(&self, missed: u64, workspace: &mut Workspace, radiance: &mut [Spectrum]) {
-        workspace.counts.background += u64::from(missed.count_ones());
+    fn add_background(&self, missed: u64, memory: &mut PathMemory, radiance: &mut [Spectrum]) {
+        memory.counts.background += u64::from(missed.count_ones());
         for lane in lanes(missed).filter(|&lane| self.paths.emission_counts[lane] > 0.5) {
             let light = self.scene.lit.background(self.paths.d.lane(lane));
             let throughput = self.paths.throughput.lane(lane);

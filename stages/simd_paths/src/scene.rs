@@ -112,7 +112,7 @@ pub const BATCH_SIZE: usize = 256;
 
 /// The memory that a thread reuses from batch to batch.
 #[derive(Clone, Debug, Default)]
-pub struct Workspace {
+pub struct PathMemory {
     // BEGIN SOLUTION(part6.task2)
     pub(crate) queue: PathQueue,
     pub(crate) scratch: Scratch,
@@ -197,26 +197,26 @@ impl<'a> PathScene<'a> {
         settings: &PathSettings,
         starts: &[PathStart],
         samples: u32,
-        workspace: &mut Workspace,
+        memory: &mut PathMemory,
         fallback: &mut dyn ScalarFallback,
     ) -> Vec<Spectrum> {
         // BEGIN SOLUTION(part6.task2)
         let samples = samples as usize;
         let mut radiance = vec![Spectrum::BLACK; starts.len() * samples];
-        let mut visible = mem::take(&mut workspace.visible);
+        let mut visible = mem::take(&mut memory.visible);
         dispatch!(self.level, simd => {
-            visible.find(simd, self, view, starts, samples, workspace, fallback);
+            visible.find(simd, self, view, starts, samples, memory, fallback);
             let paths = CameraPaths { starts, pixels: visible.pixels(), samples };
             for first in (0..paths.pixels.len() * samples).step_by(BATCH_SIZE) {
-                camera::generate_paths(simd, view, paths, first, &mut workspace.queue, fallback);
+                camera::generate_paths(simd, view, paths, first, &mut memory.queue, fallback);
                 trace::trace_paths(
-                    simd, self, settings, view, workspace, fallback, &mut radiance,
+                    simd, self, settings, view, memory, fallback, &mut radiance,
                 );
             }
         });
-        workspace.visible = visible;
+        memory.visible = visible;
         radiance
-        // STUB: kit::hole!("part6.task2", self, view, settings, starts, samples, workspace, fallback)
+        // STUB: kit::hole!("part6.task2", self, view, settings, starts, samples, memory, fallback)
         // END SOLUTION(part6.task2)
     }
 }

@@ -9,7 +9,7 @@ use crate::lane_mask::lanes;
 use crate::primitive_list::NearbyPrimitives;
 use crate::ray_packet::RayPacket;
 use crate::vec3x8::{LANES, Vec3x8};
-use crate::{PathScene, PathSettings, ScalarFallback, Workspace};
+use crate::{PathMemory, PathScene, PathSettings, ScalarFallback};
 use fearless_simd::{Simd, f64x8, mask64x8, prelude::*};
 use kit::{Emitter, Spectrum, Vec3};
 
@@ -161,12 +161,12 @@ impl ShadowQueue {
         are_coherent: bool,
         nearby: &mut NearbyPrimitives,
         traced: &mut TracedRays,
-        workspace: &mut Workspace,
+        memory: &mut PathMemory,
         fallback: &mut dyn ScalarFallback,
     ) {
         for queue in &self.rays {
-            workspace.counts.rays += queue.count as u64;
-            workspace.counts.light_rays += queue.count as u64;
+            memory.counts.rays += queue.count as u64;
+            memory.counts.light_rays += queue.count as u64;
             let chunk = if are_coherent {
                 BEAM_SIZE
             } else {
@@ -179,7 +179,7 @@ impl ShadowQueue {
                     list = nearby.find(simd, scene, &bundle, fallback).or(list);
                 }
                 let Some(list) = list else {
-                    let (scratch, counts) = (&mut workspace.scratch, &mut workspace.counts);
+                    let (scratch, counts) = (&mut memory.scratch, &mut memory.counts);
                     let samples = &mut self.samples;
                     let block = |ray: usize| block(samples, queue.sample[start + ray]);
                     traced.occluded(simd, scene, &bundle, scratch, counts, fallback, block);
@@ -188,10 +188,10 @@ impl ShadowQueue {
                 for first in (0..bundle.count).step_by(LANES) {
                     let active = bundle.active(first);
                     let (rays, skip) = bundle.packet(simd, first);
-                    let scratch = &mut workspace.scratch;
+                    let scratch = &mut memory.scratch;
                     let (blocked, tests) =
                         list.occluded(simd, &rays, active, skip, scratch, fallback);
-                    workspace.counts.prim_tests += tests;
+                    memory.counts.prim_tests += tests;
                     for lane in lanes(blocked) {
                         block(&mut self.samples, queue.sample[start + first + lane]);
                     }
@@ -207,7 +207,7 @@ impl ShadowQueue {
         simd: S,
         scene: &PathScene<'_>,
         traced: &mut TracedRays,
-        workspace: &mut Workspace,
+        memory: &mut PathMemory,
         fallback: &mut dyn ScalarFallback,
     ) {
         let samples = &mut self.samples;
@@ -219,7 +219,7 @@ impl ShadowQueue {
             }
         };
         self.bsdf_rays
-            .trace(simd, scene, traced, workspace, fallback, add);
+            .trace(simd, scene, traced, memory, fallback, add);
     }
 
     /// Adds the light of all samples to `radiance`, in the order of the stage `direct`.

@@ -1,7 +1,7 @@
 // BEGIN SOLUTION(part6.task2)
 //! Mirrors and smooth glass.
 
-use crate::Workspace;
+use crate::PathMemory;
 use crate::lane_mask::lanes;
 use crate::packet::PathPacket;
 use crate::surface_packet::SurfacePacket;
@@ -76,7 +76,7 @@ impl<S: Simd> PathPacket<'_, S> {
         surfaces: &SurfacePacket<S>,
         ids: &[usize; LANES],
         specular: u64,
-        workspace: &mut Workspace,
+        memory: &mut PathMemory,
     ) -> SpecularScatter<S> {
         let simd = self.simd;
         let of_others = self.samplers.clone();
@@ -91,16 +91,16 @@ impl<S: Simd> PathPacket<'_, S> {
             }
             let counted = u64::from(specular >> lane & 1 == 1);
             match materials[lane].reflection {
-                Reflection::All => workspace.counts.mirrors += counted,
-                Reflection::None => workspace.counts.refractions += counted,
-                Reflection::Fresnel => workspace.counts.fresnel += counted,
+                Reflection::All => memory.counts.mirrors += counted,
+                Reflection::None => memory.counts.refractions += counted,
+                Reflection::Fresnel => memory.counts.fresnel += counted,
             }
         }
         let frame = Frame::around(surfaces.n);
         let wo = frame.to_local(-self.paths.d);
         let sample = in_lanes(simd, &materials).sample(wo, choice);
         let continues = mask64x8::from_bitmask(simd, specular) & sample.exists;
-        workspace.counts.bounces += u64::from(continues.to_bitmask().count_ones());
+        memory.counts.bounces += u64::from(continues.to_bitmask().count_ones());
         let (throughput, survivors) = self.roulette(bounce, self.paths.throughput * sample.weight);
         SpecularScatter {
             samplers: mem::replace(&mut self.samplers, of_others),

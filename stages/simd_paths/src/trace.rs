@@ -6,7 +6,7 @@ use crate::intersection::HitSource;
 use crate::lane_mask::lanes;
 use crate::packet::PathPacket;
 use crate::vec3x8::LANES;
-use crate::{BATCH_SIZE, PathScene, PathSettings, ScalarFallback, View, Workspace};
+use crate::{BATCH_SIZE, PathMemory, PathScene, PathSettings, ScalarFallback, View};
 use fearless_simd::{Simd, mask64x8, prelude::*};
 use kit::Spectrum;
 use std::mem;
@@ -22,13 +22,13 @@ pub(crate) fn trace_paths<S: Simd>(
     scene: &PathScene<'_>,
     settings: &PathSettings,
     view: &View,
-    workspace: &mut Workspace,
+    memory: &mut PathMemory,
     fallback: &mut dyn ScalarFallback,
     radiance: &mut [Spectrum],
 ) {
-    let mut nearby = mem::take(&mut workspace.nearby);
-    let mut shadows = mem::take(&mut workspace.shadows);
-    let mut traced = mem::take(&mut workspace.traced);
+    let mut nearby = mem::take(&mut memory.nearby);
+    let mut shadows = mem::take(&mut memory.shadows);
+    let mut traced = mem::take(&mut memory.traced);
     for bounce in 1..=settings.max_depth {
         // Rays from the camera, and from what they hit to the lights, are close to each other.
         let are_coherent = bounce == 1;
@@ -40,24 +40,24 @@ pub(crate) fn trace_paths<S: Simd>(
         }
         shadows.clear(scene.lit.emitters.len());
         let mut kept = 0;
-        let count = workspace.queue.count;
+        let count = memory.queue.count;
         // The rays of a beam have a list of their own. Those that have none are traced together.
         let chunk = if are_coherent { BEAM_SIZE } else { BATCH_SIZE };
         for first in (0..count).step_by(LANES) {
             if first % chunk == 0 {
-                let rays = workspace.queue.rays(first, chunk, range);
+                let rays = memory.queue.rays(first, chunk, range);
                 list = scene.list.as_ref();
                 if are_coherent {
                     list = nearby.find(simd, scene, &rays, fallback).or(list);
                 }
                 if list.is_none() {
-                    let (scratch, counts) = (&mut workspace.scratch, &mut workspace.counts);
+                    let (scratch, counts) = (&mut memory.scratch, &mut memory.counts);
                     traced.trace(simd, scene, &rays, scratch, counts, fallback);
                 }
                 misses_all = !scene.has_background && list.is_some_and(|list| list.len() == 0);
             }
             if misses_all {
-                workspace.counts.rays += (count - first).min(LANES) as u64;
+                memory.counts.rays += (count - first).min(LANES) as u64;
                 continue;
             }
             let hits = match list {
@@ -70,36 +70,35 @@ pub(crate) fn trace_paths<S: Simd>(
                 settings,
                 hits,
                 alive: (1 << (count - first).min(LANES)) - 1,
-                paths: workspace.queue.load(simd, first),
-                samplers: workspace.queue.samplers(first),
+                paths: memory.queue.load(simd, first),
+                samplers: memory.queue.samplers(first),
             };
-            let survivors =
-                packet.bounce(bounce, range, workspace, &mut shadows, fallback, radiance);
+            let survivors = packet.bounce(bounce, range, memory, &mut shadows, fallback, radiance);
             let mask = mask64x8::from_bitmask(simd, survivors);
-            workspace.queue.store(kept, &packet.paths, mask);
+            memory.queue.store(kept, &packet.paths, mask);
             for lane in lanes(survivors) {
-                workspace.queue.samplers[kept] = packet.samplers.get(lane);
+                memory.queue.samplers[kept] = packet.samplers.get(lane);
                 kept += 1;
             }
         }
-        workspace.queue.count = kept;
+        memory.queue.count = kept;
         shadows.trace(
             simd,
             scene,
             are_coherent,
             &mut nearby,
             &mut traced,
-            workspace,
+            memory,
             fallback,
         );
-        shadows.trace_bsdf(simd, scene, &mut traced, workspace, fallback);
+        shadows.trace_bsdf(simd, scene, &mut traced, memory, fallback);
         shadows.add_light(simd, scene, settings, radiance);
         if kept == 0 {
             break;
         }
     }
-    workspace.nearby = nearby;
-    workspace.shadows = shadows;
-    workspace.traced = traced;
+    memory.nearby = nearby;
+    memory.shadows = shadows;
+    memory.traced = traced;
 }
 // END SOLUTION(part6.task2)

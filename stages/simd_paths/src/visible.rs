@@ -2,7 +2,7 @@
 //! The pixels that are not empty: in many pictures most camera rays hit nothing.
 
 use crate::beam::BEAM_SIZE;
-use crate::{Beam, PathScene, PathStart, ScalarFallback, View, Workspace};
+use crate::{Beam, PathMemory, PathScene, PathStart, ScalarFallback, View};
 use fearless_simd::Simd;
 use std::ops::Range;
 
@@ -38,7 +38,7 @@ impl VisiblePixels {
         view: &View,
         starts: &[PathStart],
         samples: usize,
-        workspace: &mut Workspace,
+        memory: &mut PathMemory,
         fallback: &mut dyn ScalarFallback,
     ) {
         self.pixels.clear();
@@ -46,10 +46,10 @@ impl VisiblePixels {
         self.pending.push(0..starts.len());
         while let Some(range) = self.pending.pop() {
             if may_be_empty && let Some(beam) = Beam::through(view, &starts[range.clone()]) {
-                let nearby = &mut workspace.nearby;
+                let nearby = &mut memory.nearby;
                 let list = nearby.find_in(simd, scene, &beam, MAX_FOUND, fallback);
                 if list.is_some_and(|list| list.len() == 0) {
-                    workspace.counts.rays += (range.len() * samples) as u64;
+                    memory.counts.rays += (range.len() * samples) as u64;
                     continue;
                 }
             }

@@ -18,7 +18,7 @@ use kit::effects::Effect;
 use kit::film::Cell as Tile;
 use kit::{LitScene, PixelEstimate, PixelSampler, Ray, Spectrum, Tally, Vec3};
 use simd_bvh::{StreamMemory, WideBvh};
-use simd_paths::{BATCH_SIZE, Counts, PathScene, PathSettings, PathStart, View, Workspace};
+use simd_paths::{BATCH_SIZE, Counts, PathMemory, PathScene, PathSettings, PathStart, View};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Renders one picture with paths in packets.
@@ -210,7 +210,7 @@ impl<'a> PacketRenderer<'a> {
 /// The memory that a thread reuses.
 #[derive(Debug, Default)]
 struct Memory {
-    paths: Workspace,
+    paths: PathMemory,
     stream: StreamMemory,
 }
 

@@ -9,7 +9,7 @@ use kit::{Camera, FilmSize, LitScene, Mat3, PixelSampler, PrimId, Sphere, Vec2, 
 use lanes::instruction_sets;
 use scalar::{ScalarPaths, radiance};
 use scenes::{Random, box_with_a_point_light, random_scene};
-use simd_paths::{Counts, PathScene, PathSettings, PathStart, View, Workspace};
+use simd_paths::{Counts, PathMemory, PathScene, PathSettings, PathStart, View};
 
 /// A camera inside the scene.
 fn view(centered: bool, has_lens: bool) -> View {
@@ -62,13 +62,13 @@ fn compare(lit: &LitScene, settings: PathSettings, sampling: Sampling, view: &Vi
             let scene = scene.at_level(level);
             let mut fallback = ScalarPaths::new(lit, settings);
             fallback.apart.clone_from(&apart);
-            let mut workspace = Workspace::default();
+            let mut memory = PathMemory::default();
             let results = scene.trace(
                 view,
                 &settings,
                 &starts,
                 samples,
-                &mut workspace,
+                &mut memory,
                 &mut fallback,
             );
             assert_eq!(results.len(), expected.len());
@@ -79,9 +79,9 @@ fn compare(lit: &LitScene, settings: PathSettings, sampling: Sampling, view: &Vi
                     "{level:?}, path {i}: {radiance:?}\n{lit:#?}"
                 );
             }
-            let counts = sum(workspace.counts, fallback.counts.get());
+            let counts = sum(memory.counts, fallback.counts.get());
             assert_eq!(counts, scalar.counts.get(), "{level:?}: the counts differ");
-            all_counts.push(workspace.counts);
+            all_counts.push(memory.counts);
         }
         let first: Counts = all_counts[0];
         assert!(all_counts.iter().all(|c| *c == first), "{all_counts:?}");

@@ -1,8 +1,9 @@
 //! `grader --help` lists what students use, `grader help instructors` the rest.
 
 use super::{Format, SUBPROGRAMS, course_systems, grade, subprogram};
-use base::GraderError;
+use crate::report::terminal::stdout_has_colours;
 use base::program::{EXIT_CODES, Exit};
+use base::{GraderError, out};
 use clap::{Arg, ArgMatches, Command};
 use std::ffi::OsString;
 
@@ -53,8 +54,11 @@ pub(super) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
             })?
         }
     };
-    let printed = named.print_help();
-    printed.map_err(|e| GraderError::new(format!("cannot print the help: {e}")))?;
+    let help = named.render_help();
+    match stdout_has_colours() {
+        true => out!("{}", help.ansi()),
+        false => out!("{help}"),
+    }
     Ok(Exit::Passed)
 }
 

@@ -126,7 +126,7 @@ const MAY_DEPEND_ON: &[(&str, &[&str])] = &[
     ),
     // It measures the stages side by side and judges nothing.
     (
-        "ladder",
+        "speedup",
         &[
             "base",
             "kit",

@@ -37,7 +37,7 @@ const SUBPROGRAMS: &[(&str, &str, &str)] = &[
     ),
     (
         "speedup",
-        "ladder",
+        "speedup",
         "Measures what each step from brute force to a wide tree gains in speed: yours are among them",
     ),
     (

@@ -16,7 +16,7 @@ const PROGRAMS: &[&str] = &[
     "pathtracer",
     "viewer",
     "cost",
-    "ladder",
+    "speedup",
     "review",
     "submission",
     "formats",

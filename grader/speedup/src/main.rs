@@ -8,7 +8,7 @@ use base::{GraderError, out, outln};
 use clap::{Arg, ArgMatches, Command};
 use grader::cli::{Format, seed_argument, seed_of};
 use grader::report;
-use ladder::{LadderRequest, measure, page, table};
+use speedup::{LadderRequest, measure, page, table};
 use meshes::MeshKind;
 use std::path::PathBuf;
 use std::process::ExitCode;

@@ -8,8 +8,8 @@ use base::{GraderError, out, outln};
 use clap::{Arg, ArgMatches, Command};
 use grader::cli::{Format, seed_argument, seed_of};
 use grader::report;
-use speedup::{LadderRequest, measure, page, table};
 use meshes::MeshKind;
+use speedup::{LadderRequest, measure, page, table};
 use std::path::PathBuf;
 use std::process::ExitCode;
 

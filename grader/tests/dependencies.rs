@@ -116,7 +116,10 @@ const MAY_DEPEND_ON: &[(&str, &[&str])] = &[
             "wire",
         ],
     ),
-    ("class", &["base", "grader", "judge", "pages", "submission"]),
+    (
+        "class",
+        &["base", "formats", "grader", "judge", "pages", "submission"],
+    ),
     (
         "cost",
         &[

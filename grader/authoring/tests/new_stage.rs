@@ -34,12 +34,14 @@ pub fn twice(x: f64) -> f64 {
 /// The task's folder in the judge.
 const CHECK: &str = r#"//! `part7.task1`: doubling.
 
-use crate::tools::Tier;
 use crate::tools::check::{CaseContext, Check, one_each};
+use crate::tools::shown::{ShownCall, ShownRay};
 use crate::tools::snapshot::lines::each;
-use crate::tools::snapshot::{Content, forms, number};
+use crate::tools::snapshot::{Content, Fields, forms, number};
 use crate::tools::spec::Spec;
 use crate::tools::tally::{Aspect, Tally};
+use crate::tools::{Tier, plural};
+use kit::{Aabb, Ray, Vec3};
 use wire::kind;
 
 /// The cases of the task.
@@ -82,6 +84,42 @@ impl Check for kind::Doubling {
             forms(vec![number("x", *x)], answer.clone(), answer)
         });
         Some((Vec::new(), lines))
+    }
+
+    fn input(numbers: &Vec<f64>, call: usize) -> Option<String> {
+        numbers.get(call).map(|x| format!("x = {x:?}"))
+    }
+
+    fn circumstances(numbers: &Vec<f64>, call: usize) -> Vec<&'static str> {
+        let is_negative = numbers.get(call).is_some_and(|x| *x < 0.0);
+        is_negative.then_some("x is negative").into_iter().collect()
+    }
+
+    fn exact(_: &Vec<f64>, _: bool, _: &[u32]) -> Option<Vec<Fields>> {
+        None
+    }
+
+    /// As a ray along x that should end at the doubled number.
+    fn shown(
+        numbers: &Vec<f64>,
+        _: Tier,
+        _: bool,
+        call: usize,
+        answers: Option<&Vec<f64>>,
+    ) -> Option<ShownCall> {
+        let x = *numbers.get(call)?;
+        let b = Aabb { min: Vec3::splat(-8.0), max: Vec3::splat(8.0) };
+        let yours = answers.and_then(|answers| answers.get(call));
+        Some(ShownCall::Ray(ShownRay {
+            boxes: vec![b],
+            expected: vec![2.0 * x],
+            yours: yours.copied().into_iter().collect(),
+            ..ShownRay::new(Ray::new(Vec3::ZERO, Vec3::X))
+        }))
+    }
+
+    fn overview(numbers: &Vec<f64>) -> String {
+        plural(numbers.len(), "number", "numbers")
     }
 }
 "#;

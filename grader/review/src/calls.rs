@@ -1,7 +1,6 @@
 //! The calls of a case that differ.
 
 use super::delta;
-use super::exact;
 use super::picture::Pixels;
 use ::pictures::cause::Cause;
 use judge::cases::Spec;
@@ -52,7 +51,7 @@ impl Row {
 /// Which of the `differing` answers are nearer to the truth.
 pub(super) fn nearer(spec: &Spec, golden: &Snapshot, full: &Snapshot, differing: &[u32]) -> Nearer {
     let mut counts = Nearer::default();
-    let Some(exact) = exact::records(spec, differing) else {
+    let Some(exact) = spec.exact(differing) else {
         return counts;
     };
     for (call, exact) in differing.iter().zip(&exact) {
@@ -107,7 +106,7 @@ pub(super) fn rows(
 ) -> Vec<Row> {
     let is_known = |call: &u32| (*call as usize) < full.calls;
     let known: Vec<u32> = calls.iter().copied().filter(is_known).collect();
-    let exact = exact::records(spec, &known).unwrap_or_default();
+    let exact = spec.exact(&known).unwrap_or_default();
     let exact: BTreeMap<u32, Fields> = known.into_iter().zip(exact).collect();
     let row = |call: u32| {
         let hits = hits.map(|hits| hits[call as usize]);

@@ -3,7 +3,7 @@
 //!
 //! Start at [`Review::add`]: a worker answers the cases. [`case`] compares each answer with its
 //! golden, line by line and, if the case has a [`picture`], pixel by pixel; [`calls`] are those that
-//! differ, each with its cause. The [`exact`] oracle checks the answers independently of both.
+//! differ, each with its cause. The exact oracle checks the answers independently of both.
 //! [`page`] writes the result as one self-contained HTML file; [`delta`], [`magnitude`] and
 //! [`box_walk`] say how much answers, colours and traversals differ. [`look`] is the page for
 //! students.
@@ -14,7 +14,6 @@ pub mod box_walk;
 pub mod calls;
 pub mod case;
 pub mod delta;
-pub mod exact;
 pub mod look;
 pub mod magnitude;
 pub mod page;

@@ -5,11 +5,11 @@
 //! the normal is in the middle, the horizon is the unit circle, and the area of a light in the disc
 //! is proportional to what a diffuse surface receives from it (Nusselt's analogue).
 
-use super::legend;
-use super::plot::Plot;
+use super::plot::{Drawing, Plot, legend};
 use judge::plural;
+use judge::shown::ShownPoint;
 use kit::{Frame, Vec3};
-use wire::direct::{DirectWork, LambertProbe, ShadedPoint, Strategy};
+use wire::direct::{LambertProbe, ShadedPoint};
 use wire::light::{Light, LitWorld, Material, Panel};
 use wire::work::Xyz;
 
@@ -102,33 +102,13 @@ fn disc() -> Plot {
     plot
 }
 
-/// The world above the first point.
-pub(super) fn direct(work: &DirectWork) -> (String, Vec<String>) {
-    let function = match work.strategy {
-        Strategy::ZeroBounce => "zero_bounce_radiance",
-        Strategy::Hemisphere => "estimate_direct_lighting_hemisphere",
-        Strategy::Lights => "estimate_direct_lighting_importance",
-    };
-    let words = format!(
-        "{} with {}: {} in a world of {}, {}{}.",
-        function,
-        plural(work.samples as usize, "sample", "samples"),
-        plural(work.points.len(), "point", "points"),
-        plural(work.world.panels.len(), "rectangle", "rectangles"),
-        plural(work.world.lights.len(), "further light", "further lights"),
-        match work.world.environment {
-            Some(_) => ", an environment",
-            None => "",
-        }
-    );
-    let Some(point) = work.points.first() else {
-        return (words, Vec::new());
-    };
+/// The world above a point.
+pub(super) fn lit_point(ShownPoint { world, point, .. }: &ShownPoint) -> Drawing {
     let hemisphere = Hemisphere::above(point);
     let mut plot = disc();
     // A cell has one mark: lights are drawn after what may cover them.
     for emits in [false, true] {
-        for panel in &work.world.panels {
+        for panel in &world.panels {
             if shines(&hemisphere, panel) == emits {
                 for place in hemisphere.panel(panel) {
                     plot.set(place, if emits { 'L' } else { '#' });
@@ -136,7 +116,7 @@ pub(super) fn direct(work: &DirectWork) -> (String, Vec<String>) {
             }
         }
     }
-    for place in hemisphere.lights(&work.world) {
+    for place in hemisphere.lights(world) {
         plot.set(place, 'L');
     }
     if let Some(place) = hemisphere.place(point.wo) {
@@ -149,14 +129,17 @@ pub(super) fn direct(work: &DirectWork) -> (String, Vec<String>) {
     lines.push(legend(
         "L light, # other surface, v viewer; circle: horizon",
     ));
-    (words, lines)
+    Drawing {
+        words: String::new(),
+        lines,
+    }
 }
 
-/// The directions of all probes, in local space.
-pub(super) fn lambert(probes: &[LambertProbe]) -> (String, Vec<String>) {
+/// Pairs of directions in local space.
+pub(super) fn directions<'a>(pairs: impl Iterator<Item = &'a LambertProbe>) -> Drawing {
     let mut plot = disc();
     let mut below = 0;
-    for probe in probes {
+    for probe in pairs {
         for (w, mark) in [(probe.wi, 'i'), (probe.wo, 'v')] {
             match w[2] > 0.0 {
                 true => {
@@ -175,13 +158,10 @@ pub(super) fn lambert(probes: &[LambertProbe]) -> (String, Vec<String>) {
         let directions = plural(below, "direction is", "directions are");
         lines.push(legend(&format!("{directions} below the horizon")));
     }
-    (
-        format!(
-            "{}.",
-            plural(probes.len(), "pair", "pairs") + " of directions"
-        ),
+    Drawing {
+        words: String::new(),
         lines,
-    )
+    }
 }
 
 #[cfg(test)]
@@ -226,21 +206,15 @@ mod tests {
         let above = Hemisphere::above(&point([0.0, 0.0, 1.0]));
         assert!(shines(&above, &panel(-1.0)) && !shines(&above, &panel(1.0)));
         assert_eq!(above.panel(&panel(-1.0)).len(), (GRID * GRID) as usize);
-        let work = DirectWork {
-            world: LitWorld {
-                panels: vec![panel(-1.0)],
-                ..LitWorld::default()
-            },
-            strategy: Strategy::Lights,
-            points: vec![point([0.0, 0.9, 0.1])],
-            samples: 4,
-            seed: 0,
+        let world = LitWorld {
+            panels: vec![panel(-1.0)],
+            ..LitWorld::default()
         };
-        let (words, lines) = direct(&work);
-        assert!(
-            words.contains("4 samples") && words.contains("1 rectangle"),
-            "{words}"
-        );
+        let Drawing { lines, .. } = lit_point(&ShownPoint {
+            world,
+            point: point([0.0, 0.9, 0.1]),
+            rays: Vec::new(),
+        });
         let drawing = lines.join("\n");
         assert!(
             drawing.matches('L').count() > 20 && drawing.contains('v'),

@@ -1,6 +1,6 @@
 //! Explains a case: what it tests, in words and drawn.
 //!
-//! The drawings are made of the case's own inputs and of the exact expected answers: `shapes` draws
+//! The drawings are made of the calls as [`ShownCall`] has them, with the exact results: `shapes` draws
 //! triangles, spheres and boxes with the rays at them, `film` samples in a pixel and points of a
 //! sensor, [`hemisphere`] lights above a point. Other kinds of work get a table of their first calls.
 
@@ -12,12 +12,13 @@ mod shapes;
 use crate::course::{CaseEntry, Task};
 use crate::report::table::number;
 use crate::report::terminal::Page;
-use crate::report::wrap::{columns, numbers_to_fit, one_line, wrap};
+use crate::report::wrap::{columns, numbers_to_fit, wrap};
 use judge::Tier;
 use judge::cases::{PITFALL, Spec, checked};
+use judge::shown::{ShownCall, ShownRay};
 use judge::snapshot::Snapshot;
+use plot::Drawing;
 use std::fmt::Write;
-use wire::Work;
 
 /// Lists the cases of a task with their points and what they test.
 pub fn task(task: &Task, specs: &[Spec], page: Page) -> String {
@@ -83,16 +84,14 @@ pub fn case(entry: &CaseEntry, spec: &Spec, golden: Option<&Snapshot>, page: Pag
     if let Some((_, pitfall)) = spec.about.split_once(PITFALL) {
         paragraph(&format!("  Pitfall: {pitfall}"));
     }
-    let tier = entry.tier;
-    let (words, drawing) = match &spec.work {
-        Work::Triangles(work) => shapes::triangles(work, spec, tier),
-        Work::Spheres(work) => shapes::spheres(work, spec, tier),
-        Work::Boxes(work) => shapes::boxes(work, golden),
-        Work::Pixels(work) => film::pixels(work),
-        Work::CameraRays(work) => film::camera_rays(work),
-        Work::Direct(work) => hemisphere::direct(work),
-        Work::Lambert(probes) => hemisphere::lambert(probes),
-        _ => first_calls(spec, golden, page),
+    let calls: Vec<ShownCall> = (0..spec.calls())
+        .map_while(|call| spec.shown(entry.tier, call, None))
+        .collect();
+    let drawing = drawing(&calls);
+    let overview = spec.overview();
+    let (words, drawing) = match drawing {
+        Some(Drawing { words, lines }) => (format!("{overview}{words}."), lines),
+        None => first_calls(&overview, golden, page),
     };
     paragraph(&format!("  {words}"));
     for line in drawing {
@@ -104,9 +103,33 @@ pub fn case(entry: &CaseEntry, spec: &Spec, golden: Option<&Snapshot>, page: Pag
 /// The most calls in a table.
 const FIRST_CALLS: usize = 6;
 
+/// Draws all calls in one drawing; `None` if they have no common drawing.
+fn drawing(calls: &[ShownCall]) -> Option<Drawing> {
+    match calls.first()? {
+        ShownCall::Ray(_) => {
+            let rays: Vec<&ShownRay> = calls
+                .iter()
+                .filter_map(|call| match call {
+                    ShownCall::Ray(ray) => Some(ray),
+                    _ => None,
+                })
+                .collect();
+            shapes::rays(&rays).or_else(|| film::sensor(&rays))
+        }
+        ShownCall::Pixel(pixel) => Some(film::pixel(pixel)),
+        ShownCall::LitPoint(point) => Some(hemisphere::lit_point(point)),
+        ShownCall::Directions(_) => {
+            let pairs = calls.iter().filter_map(|call| match call {
+                ShownCall::Directions(pair) => Some(pair),
+                _ => None,
+            });
+            Some(hemisphere::directions(pairs))
+        }
+    }
+}
+
 /// The first calls with the reference's answers, as the goldens have them.
-fn first_calls(spec: &Spec, golden: Option<&Snapshot>, page: Page) -> (String, Vec<String>) {
-    let words = judge::plural(spec.calls(), "call", "calls");
+fn first_calls(words: &str, golden: Option<&Snapshot>, page: Page) -> (String, Vec<String>) {
     let Some(golden) = golden else {
         return (format!("{words}."), Vec::new());
     };
@@ -122,9 +145,4 @@ fn first_calls(spec: &Spec, golden: Option<&Snapshot>, page: Page) -> (String, V
         format!("{words}. The first, with the reference's answers:"),
         lines,
     )
-}
-
-/// A line below a plot.
-fn legend(text: &str) -> String {
-    one_line(&format!("  {text}"), plot::WIDTH + 14)
 }

@@ -1,5 +1,7 @@
 //! A plot of characters.
 
+use crate::report::wrap::one_line;
+
 /// Columns of a plot.
 pub(super) const WIDTH: usize = 60;
 
@@ -89,6 +91,18 @@ impl Plot {
 
 /// The mark of a line.
 const LINE: char = '.';
+
+/// What the calls have in common, drawn.
+pub(super) struct Drawing {
+    /// What follows the sentence about the inputs.
+    pub(super) words: String,
+    pub(super) lines: Vec<String>,
+}
+
+/// A line below a plot.
+pub(super) fn legend(text: &str) -> String {
+    one_line(&format!("  {text}"), WIDTH + 14)
+}
 
 #[cfg(test)]
 mod tests {

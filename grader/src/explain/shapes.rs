@@ -1,22 +1,43 @@
 //! Draws rays at triangles, spheres and boxes.
 
-use super::legend;
-use super::plot::Plot;
-use judge::Tier;
-use judge::cases::Spec;
-use judge::convert;
-use judge::expected::{Expected, HitOrMiss};
+use super::plot::{Drawing, Plot, legend};
+use judge::expected::HitOrMiss;
 use judge::plural;
-use judge::snapshot::Snapshot;
-use kit::Vec3;
-use wire::work::{BoxWork, Probe, SphereWork, TriangleWork};
+use judge::shown::ShownRay;
+use kit::{Aabb, Sphere, Triangle, Vec3};
 
-/// A sentence about the inputs, and the drawing.
-type Explained = (String, Vec<String>);
+/// Draws rays that are each tested against one triangle, one sphere or one box; `None` for others.
+pub(super) fn rays(rays: &[&ShownRay]) -> Option<Drawing> {
+    fn each<'a, T>(
+        rays: &[&'a ShownRay],
+        shape: impl Fn(&'a ShownRay) -> Option<&'a T>,
+    ) -> Option<Vec<(&'a ShownRay, &'a T)>> {
+        let pairs = rays.iter().map(|ray| Some((*ray, shape(ray)?)));
+        pairs.collect()
+    }
+    fn the<T>(shapes: &[T], others: usize) -> Option<&T> {
+        match shapes {
+            [shape] if others == 0 => Some(shape),
+            _ => None,
+        }
+    }
+    let triangle = |ray: &'_ ShownRay| ray.scene.spheres.len() + ray.boxes.len();
+    let of_triangles = each(rays, |ray| the(&ray.scene.triangles, triangle(ray)));
+    let of_spheres = || {
+        each(rays, |ray| {
+            the(&ray.scene.spheres, ray.scene.triangles.len())
+        })
+    };
+    let of_boxes = || each(rays, |ray| the(&ray.boxes, ray.scene.triangles.len()));
+    of_triangles
+        .map(|pairs| triangles(&pairs))
+        .or_else(|| Some(spheres(&of_spheres()?)))
+        .or_else(|| Some(boxes(&of_boxes()?)))
+}
 
 /// The mark of a ray.
-fn mark(expected: &Expected) -> char {
-    match expected.decision() {
+fn mark(shown: &ShownRay) -> char {
+    match shown.decision {
         HitOrMiss::Hit => 'o',
         HitOrMiss::Miss => 'x',
         HitOrMiss::Either => '?',
@@ -24,8 +45,12 @@ fn mark(expected: &Expected) -> char {
 }
 
 /// "8 rays: 5 must hit, 3 must miss".
-fn counts(all: &[Expected]) -> String {
-    let of = |decision| all.iter().filter(|one| one.decision() == decision).count();
+fn counts<T>(all: &[(&ShownRay, T)]) -> String {
+    let of = |decision| {
+        all.iter()
+            .filter(|(ray, _)| ray.decision == decision)
+            .count()
+    };
     let mut text = plural(all.len(), "ray", "rays");
     let parts = [
         (of(HitOrMiss::Hit), "must hit"),
@@ -54,8 +79,7 @@ fn finish(plot: &Plot, what: &str, outside: usize) -> Vec<String> {
 
 /// All triangles as one: each ray is where the line along it meets its triangle's plane, by its
 /// barycentric weights.
-pub(super) fn triangles(work: &TriangleWork, spec: &Spec, tier: Tier) -> Explained {
-    let all = spec.expected(tier);
+fn triangles(all: &[(&ShownRay, &Triangle)]) -> Drawing {
     let mut plot = Plot::new([-0.6, -0.45], [1.6, 1.3]);
     // p0 at the bottom left, p1 at the bottom right, p2 at the top.
     let place = |b1: f64, b2: f64| [b1 + 0.5 * b2, b2];
@@ -64,9 +88,8 @@ pub(super) fn triangles(work: &TriangleWork, spec: &Spec, tier: Tier) -> Explain
         plot.line(corners[i], corners[(i + 1) % 3]);
     }
     let (mut front, mut back, mut never, mut outside) = (0, 0, 0, 0);
-    for (probe, expected) in work.probes.iter().zip(&all) {
-        let triangle = convert::triangle(&work.triangles[probe.shape as usize]);
-        let ray = convert::ray(&probe.ray);
+    for (shown, triangle) in all {
+        let ray = &shown.ray;
         let (e1, e2) = (triangle.p1 - triangle.p0, triangle.p2 - triangle.p0);
         let normal = e1.cross(e2);
         let along = normal.dot(ray.d);
@@ -81,26 +104,27 @@ pub(super) fn triangles(work: &TriangleWork, spec: &Spec, tier: Tier) -> Explain
         }
         front += usize::from(along < 0.0);
         back += usize::from(along > 0.0);
-        outside += usize::from(!plot.mark(place(b1, b2), mark(expected)));
+        outside += usize::from(!plot.mark(place(b1, b2), mark(shown)));
     }
     let mut words = format!(
-        "{}; {}. {front} come from the front, {back} from behind.",
-        plural(work.triangles.len(), "triangle", "triangles"),
-        counts(&all)
+        "; {}. {front} come from the front, {back} from behind",
+        counts(all)
     );
     if never > 0 {
         let rays = plural(never, "ray never crosses", "rays never cross");
-        words.push_str(&format!(" {rays} the plane at one point."));
+        words.push_str(&format!(". {rays} the plane at one point"));
     }
     let what = "where rays cross the plane; p0 left, p1 right, p2 top";
-    (words, finish(&plot, what, outside))
+    Drawing {
+        words,
+        lines: finish(&plot, what, outside),
+    }
 }
 
 /// All spheres as one: each ray goes to the right, as far above the centre as it passes it, from
 /// the mark of its origin on.
-pub(super) fn spheres(work: &SphereWork, spec: &Spec, tier: Tier) -> Explained {
+fn spheres(all: &[(&ShownRay, &Sphere)]) -> Drawing {
     const REACH: f64 = 3.6;
-    let all = spec.expected(tier);
     let mut plot = Plot::new([-REACH, -1.1], [REACH, 1.7]);
     for step in 0..90 {
         let around = |step: i32| {
@@ -110,9 +134,8 @@ pub(super) fn spheres(work: &SphereWork, spec: &Spec, tier: Tier) -> Explained {
         plot.line(around(step), around(step + 1));
     }
     let (mut inside, mut nearest, mut farthest, mut outside) = (0, f64::INFINITY, 0.0_f64, 0);
-    for (probe, expected) in work.probes.iter().zip(&all) {
-        let sphere = convert::sphere(&work.spheres[probe.shape as usize]);
-        let ray = convert::ray(&probe.ray);
+    for (shown, sphere) in all {
+        let ray = &shown.ray;
         let to_center = sphere.center - ray.o;
         let d = ray.d.normalize_or_zero();
         let along = to_center.dot(d) / sphere.radius;
@@ -123,36 +146,30 @@ pub(super) fn spheres(work: &SphereWork, spec: &Spec, tier: Tier) -> Explained {
             farthest = farthest.max(aside);
         }
         let x = (-along).clamp(-REACH, REACH);
-        outside += usize::from(!plot.mark([x, aside], mark(expected)));
+        outside += usize::from(!plot.mark([x, aside], mark(shown)));
     }
     let words = format!(
-        "{}; {}. {inside} start inside. They pass the centre at {nearest:.3} to {farthest:.3} radii.",
-        plural(work.spheres.len(), "sphere", "spheres"),
-        counts(&all)
+        "; {}. {inside} start inside. They pass the centre at {nearest:.3} to {farthest:.3} radii",
+        counts(all)
     );
     let what = "origins of rays that go right; farther ones are at the edge";
-    (words, finish(&plot, what, outside))
+    Drawing {
+        words,
+        lines: finish(&plot, what, outside),
+    }
 }
 
 /// The most rays that are drawn at a box.
 const RAYS_AT_A_BOX: usize = 6;
 
 /// The first box that has a size along two axes, seen along the third one, and some of its rays.
-/// Whether they hit is known where the goldens have a row for them.
-pub(super) fn boxes(work: &BoxWork, golden: Option<&Snapshot>) -> Explained {
-    let words = format!(
-        "{}; {}.",
-        plural(work.boxes.len(), "box", "boxes"),
-        plural(work.probes.len(), "ray", "rays")
-    );
-    let drawable = |probe: &&(u32, &Probe)| sides(&work.boxes[probe.1.shape as usize]).is_some();
-    let numbered: Vec<(u32, &Probe)> = (0..).zip(&work.probes).collect();
-    let Some((_, first)) = numbered.iter().find(drawable) else {
-        return (format!("{words} No box has an area to draw."), Vec::new());
-    };
-    let [min, max] = work.boxes[first.shape as usize].map(Vec3::from);
-    let Some([u, v]) = sides(&[min.into(), max.into()]) else {
-        return (words, Vec::new());
+fn boxes(all: &[(&ShownRay, &Aabb)]) -> Drawing {
+    let drawable = all.iter().find_map(|(_, b)| Some((*b, sides(b)?)));
+    let Some((&Aabb { min, max }, [u, v])) = drawable else {
+        return Drawing {
+            words: ". No box has an area to draw".to_owned(),
+            lines: Vec::new(),
+        };
     };
     let flat = |p: Vec3| [p[u], p[v]];
     let margin = 0.8 * (max - min);
@@ -166,33 +183,32 @@ pub(super) fn boxes(work: &BoxWork, golden: Option<&Snapshot>) -> Explained {
     for i in 0..4 {
         plot.line(corners[i], corners[(i + 1) % 4]);
     }
-    let same = numbered
-        .iter()
-        .filter(|(_, probe)| probe.shape == first.shape);
+    let same = all.iter().filter(|(_, b)| (b.min, b.max) == (min, max));
     let mut outside = 0;
-    for (call, probe) in same.take(RAYS_AT_A_BOX) {
-        let ray = convert::ray(&probe.ray);
+    for (shown, _) in same.take(RAYS_AT_A_BOX) {
+        let ray = &shown.ray;
         let reach = 2.0 * ((max - min).length() + (0.5 * (min + max) - ray.o).length());
         let end = ray.o + reach * ray.d.normalize_or_zero();
         // From the origin to far behind the box, as far as the drawing shows it.
         plot.line(flat(ray.o), flat(end));
-        let row = golden.and_then(|golden| golden.row(*call));
-        let mark = row.map_or('?', |row| if row.is_miss() { 'x' } else { 'o' });
         // At the origin, or where the ray enters the drawing.
         let steps = (0..400).map(|step| ray.o.lerp(end, f64::from(step) / 400.0));
         let mut steps = steps.map(flat);
-        outside += usize::from(!steps.any(|point| plot.mark(point, mark)));
+        outside += usize::from(!steps.any(|point| plot.mark(point, mark(shown))));
     }
     let axes = ["x", "y", "z"];
     let what = format!(
-        "box {} with some of its rays, {} right, {} up",
-        first.shape, axes[u], axes[v]
+        "a box with some of its rays, {} right, {} up",
+        axes[u], axes[v]
     );
-    (words, finish(&plot, &what, outside))
+    Drawing {
+        words: String::new(),
+        lines: finish(&plot, &what, outside),
+    }
 }
 
 /// The first two axes along which a box has a finite size.
-fn sides([min, max]: &[[f64; 3]; 2]) -> Option<[usize; 2]> {
+fn sides(&Aabb { min, max }: &Aabb) -> Option<[usize; 2]> {
     let mut axes = (0..3).filter(|axis| {
         let size = max[*axis] - min[*axis];
         size > 0.0 && size.is_finite()

@@ -281,7 +281,7 @@ pub fn score_tasks(
 /// Adds the input of the call that crashed to the status.
 fn with_input(status: Status, crash: Option<Crash>, spec: &Spec) -> Status {
     let call = crash.and_then(|crash| crash.call);
-    let input = call.and_then(|call| judge::call_input::of(&spec.work, call as usize));
+    let input = call.and_then(|call| spec.input(call as usize));
     match (status, input) {
         (Status::Crashed(how), Some(input)) => Status::Crashed(crash::with_input(&how, &input)),
         (status, _) => status,

@@ -4,7 +4,6 @@
 use crate::score::CaseResult;
 use judge::Tier;
 use judge::cases::Spec;
-use judge::circumstances;
 use judge::tally::{Aspect, Class, Fault, Finding};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -191,7 +190,7 @@ fn where_wrong(
             let is_wrong = wrong_calls.contains(&call);
             wrong += usize::from(is_wrong);
             others += usize::from(!is_wrong);
-            for circumstance in circumstances::of(&spec.work, call as usize) {
+            for circumstance in spec.circumstances(call as usize) {
                 counts.entry(circumstance).or_default()[usize::from(!is_wrong)] += 1;
             }
         }
@@ -230,7 +229,7 @@ mod tests {
 
     fn case(spec: &Spec, wrong: impl Fn(&[&str]) -> Vec<(Aspect, Class)>) -> CaseResult {
         let mut tally = Tally::default();
-        let calls = (0..).map(|call| circumstances::of(&spec.work, call));
+        let calls = (0..).map(|call| spec.circumstances(call));
         for (call, here) in calls.take_while(|here| !here.is_empty()).enumerate() {
             let wrong = wrong(&here);
             for aspect in [Aspect::HitOrMiss, Aspect::T, Aspect::Normal] {

@@ -22,8 +22,11 @@ pub fn of(task: &str, seed: u64) -> Vec<Spec> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::tools::Tier;
     use crate::tools::aspects::chance::{MAX_TESTS, MIN_ESTIMATES};
     use crate::tools::aspects::independence::MIN_PAIRS;
+    use crate::tools::shown::ShownCall;
+    use crate::tools::truth::expected::HitOrMiss;
     use wire::Work;
 
     #[test]
@@ -125,5 +128,50 @@ mod tests {
             assert!(spec.calls() == 1 || text(&spec.work) != text(&alone.work));
         }
         assert!(cut > 100, "{cut}");
+    }
+
+    #[test]
+    fn every_call_of_a_graded_case_has_an_input() {
+        for spec in all(0) {
+            let is_timed = matches!(spec.work, Work::BuildGrowth(_));
+            let last = spec.input(spec.calls() - 1);
+            assert_eq!(last.is_some(), !is_timed, "{} {}", spec.task, spec.name);
+            let is_one_input = matches!(spec.work, Work::Build(_));
+            assert_eq!(spec.input(usize::MAX - 1).is_some(), is_one_input);
+        }
+    }
+
+    #[test]
+    fn circumstances_are_those_of_the_call() {
+        let spec = all(0)
+            .into_iter()
+            .find(|spec| spec.is("part2.task2", "origin_inside"))
+            .expect("the case exists");
+        let found = spec.circumstances(0);
+        assert!(
+            found.contains(&"the ray starts inside the box"),
+            "{found:?}"
+        );
+        assert!(!found.contains(&"the ray starts outside the box"));
+        assert_eq!(spec.circumstances(spec.calls()), Vec::<&str>::new());
+    }
+
+    #[test]
+    fn rays_at_shapes_are_shown_with_their_expected_hits() {
+        let mut rays = 0;
+        for spec in all(0) {
+            let Some(ShownCall::Ray(shown)) = spec.shown(Tier::Core, 0, None) else {
+                continue;
+            };
+            rays += 1;
+            let name = format!("{} {}", spec.task, spec.name);
+            assert!(shown.yours.is_empty(), "{name}");
+            assert!(shown.rows.iter().all(|row| !row.is_right), "{name}");
+            if shown.decision == HitOrMiss::Hit {
+                assert!(!shown.expected.is_empty(), "{name}");
+            }
+            assert!(spec.shown(Tier::Core, spec.calls(), None).is_none());
+        }
+        assert!(rays > 50, "{rays}");
     }
 }

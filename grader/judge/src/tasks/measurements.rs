@@ -2,7 +2,9 @@
 
 use crate::tools::Tier;
 use crate::tools::check::{CaseContext, Check, LARGE_LIMIT_MS, in_range, same_length};
+use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::Content;
+use crate::tools::snapshot::Fields;
 use crate::tools::tally::Tally;
 use wire::answer::{TimingAnswer, VisitsAnswer};
 use wire::kind;
@@ -33,6 +35,28 @@ impl Check for kind::Timing {
     fn lines(_: &TimingWork, _: &TimingAnswer) -> Option<Content> {
         None
     }
+
+    fn input(_: &TimingWork, _: usize) -> Option<String> {
+        None
+    }
+
+    fn circumstances(_: &TimingWork, _: usize) -> Vec<&'static str> {
+        Vec::new()
+    }
+
+    fn exact(_: &TimingWork, _: bool, _: &[u32]) -> Option<Vec<Fields>> {
+        None
+    }
+
+    fn shown(
+        _: &TimingWork,
+        _: Tier,
+        _: bool,
+        _: usize,
+        _: Option<&TimingAnswer>,
+    ) -> Option<ShownCall> {
+        None
+    }
 }
 
 impl Check for kind::TimeTest {
@@ -51,6 +75,28 @@ impl Check for kind::TimeTest {
     fn judge(_: &mut Tally, _: &CaseContext<'_>, _: Tier, _: &TestTiming, _: &Vec<f64>) {}
 
     fn lines(_: &TestTiming, _: &Vec<f64>) -> Option<Content> {
+        None
+    }
+
+    fn input(_: &TestTiming, _: usize) -> Option<String> {
+        None
+    }
+
+    fn circumstances(_: &TestTiming, _: usize) -> Vec<&'static str> {
+        Vec::new()
+    }
+
+    fn exact(_: &TestTiming, _: bool, _: &[u32]) -> Option<Vec<Fields>> {
+        None
+    }
+
+    fn shown(
+        _: &TestTiming,
+        _: Tier,
+        _: bool,
+        _: usize,
+        _: Option<&Vec<f64>>,
+    ) -> Option<ShownCall> {
         None
     }
 }
@@ -79,6 +125,28 @@ impl Check for kind::Visits {
     fn judge(_: &mut Tally, _: &CaseContext<'_>, _: Tier, _: &VisitsWork, _: &VisitsAnswer) {}
 
     fn lines(_: &VisitsWork, _: &VisitsAnswer) -> Option<Content> {
+        None
+    }
+
+    fn input(_: &VisitsWork, _: usize) -> Option<String> {
+        None
+    }
+
+    fn circumstances(_: &VisitsWork, _: usize) -> Vec<&'static str> {
+        Vec::new()
+    }
+
+    fn exact(_: &VisitsWork, _: bool, _: &[u32]) -> Option<Vec<Fields>> {
+        None
+    }
+
+    fn shown(
+        _: &VisitsWork,
+        _: Tier,
+        _: bool,
+        _: usize,
+        _: Option<&VisitsAnswer>,
+    ) -> Option<ShownCall> {
         None
     }
 }

@@ -2,7 +2,9 @@
 
 use crate::tools::Tier;
 use crate::tools::check::{CaseContext, Check, same_length};
+use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::Content;
+use crate::tools::snapshot::Fields;
 use crate::tools::tally::Tally;
 use wire::kind;
 use wire::picture::{PictureAnswer, PictureWork};
@@ -33,6 +35,28 @@ impl Check for kind::Picture {
     fn judge(_: &mut Tally, _: &CaseContext<'_>, _: Tier, _: &PictureWork, _: &PictureAnswer) {}
 
     fn lines(_: &PictureWork, _: &PictureAnswer) -> Option<Content> {
+        None
+    }
+
+    fn input(_: &PictureWork, _: usize) -> Option<String> {
+        None
+    }
+
+    fn circumstances(_: &PictureWork, _: usize) -> Vec<&'static str> {
+        Vec::new()
+    }
+
+    fn exact(_: &PictureWork, _: bool, _: &[u32]) -> Option<Vec<Fields>> {
+        None
+    }
+
+    fn shown(
+        _: &PictureWork,
+        _: Tier,
+        _: bool,
+        _: usize,
+        _: Option<&PictureAnswer>,
+    ) -> Option<ShownCall> {
         None
     }
 }

@@ -7,9 +7,8 @@
 //! [`spec`] a case, [`kinds`] what several tasks share.
 
 pub(crate) mod aspects;
-pub mod call_input;
+pub(crate) mod call_text;
 pub(crate) mod check;
-pub mod circumstances;
 pub(crate) mod colours;
 pub mod convert;
 pub mod errors;
@@ -18,6 +17,7 @@ mod plural;
 pub(crate) mod questions;
 pub mod recorded;
 pub(crate) mod repro;
+pub mod shown;
 pub(crate) mod simple;
 pub(crate) mod snapshot;
 pub(crate) mod spec;

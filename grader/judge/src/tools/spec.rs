@@ -4,10 +4,12 @@ use crate::tools::Tier;
 use crate::tools::check::any::{AnyCheck, check_of_kind};
 use crate::tools::check::expected_cache::ExpectedCache;
 use crate::tools::check::{CaseContext, Check};
+use crate::tools::shown::ShownCall;
+use crate::tools::snapshot::Fields;
 use crate::tools::tally::Aspect;
 use crate::tools::truth::expected::Expected;
 use std::sync::Arc;
-use wire::Work;
+use wire::{Answer, Work};
 
 /// One case of one task.
 #[derive(Clone, Debug)]
@@ -166,5 +168,35 @@ impl Spec {
             enclosed: self.enclosed,
             cache: &self.expected_cache,
         }
+    }
+
+    /// The input of call number `call`, as text: for reports on calls that have no answer to show it
+    /// with. `None` for work whose input is long, or where there is no such call.
+    pub fn input(&self, call: usize) -> Option<String> {
+        self.check.input(&self.work, call)
+    }
+
+    /// The circumstances of a call, of which mistakes often depend: each ends the sentence "wrong
+    /// only where ...".
+    pub fn circumstances(&self, call: usize) -> Vec<&'static str> {
+        self.check.circumstances(&self.work, call)
+    }
+
+    /// The right hit or interval of each of `calls`, as the fields of a record, without fields for a
+    /// miss. `None` for work that computes neither.
+    pub fn exact(&self, calls: &[u32]) -> Option<Vec<Fields>> {
+        self.check.exact(&self.work, self.enclosed, calls)
+    }
+
+    /// One call with what scores at `tier` and, if there is an answer, what the code returned. `None`
+    /// for work that is shown in another way, or where there is no such call.
+    pub fn shown(&self, tier: Tier, call: usize, answer: Option<&Answer>) -> Option<ShownCall> {
+        self.check
+            .shown(&self.work, tier, self.enclosed, call, answer)
+    }
+
+    /// The inputs of all calls, in a sentence without its full stop.
+    pub fn overview(&self) -> String {
+        self.check.overview(&self.work)
     }
 }

@@ -1,11 +1,8 @@
 //! Draws one ray and the shape that it is tested against, as SVG.
 
-use judge::expected::ExpectedHit;
-use judge::{Tier, convert, truth};
-use kit::{Aabb, Primitive, Ray, Sphere, Triangle, Vec3};
+use judge::shown::ShownRay;
+use kit::{Aabb, Ray, Sphere, Triangle, Vec3};
 use std::fmt::Write;
-use wire::answer::Hit;
-use wire::{Answer, Work};
 
 /// Normals that differ by less look the same.
 const VISIBLE_ANGLE: f64 = 0.05;
@@ -24,82 +21,38 @@ enum Shape {
     Box(Aabb),
 }
 
-/// A ray, its shape, and where the ray meets it.
-struct Scene {
+/// A ray with one shape.
+struct Figure<'a> {
     shape: Shape,
-    ray: Ray,
-    expected: Vec<f64>,
-    yours: Vec<f64>,
+    shown: &'a ShownRay,
+}
+
+/// Draws a ray; `None` if it is not tested against one shape, or has numbers that cannot be drawn.
+pub(super) fn draw(shown: &ShownRay) -> Option<String> {
+    let figure = Figure {
+        shape: the_shape(shown)?,
+        shown,
+    };
+    let view = View::of(&figure)?;
+    Some(figure.draw(&view))
+}
+
+/// The only shape; `None` if there are several, or none.
+fn the_shape(shown: &ShownRay) -> Option<Shape> {
+    let ShownRay { scene, boxes, .. } = shown;
+    match (&scene.triangles[..], &scene.spheres[..], &boxes[..]) {
+        ([triangle], [], []) => Some(Shape::Triangle(*triangle)),
+        ([], [sphere], []) => Some(Shape::Sphere(*sphere)),
+        ([], [], [b]) => Some(Shape::Box(*b)),
+        _ => None,
+    }
+}
+
+impl Figure<'_> {
     /// The normals at the hits, expected and yours, if they point elsewhere.
-    normals: Option<[Vec3; 2]>,
-}
-
-/// Draws call number `call` of `work`; `None` if it is not about one shape, or has numbers that
-/// cannot be drawn.
-pub(super) fn draw(work: &Work, answer: &Answer, call: usize) -> Option<String> {
-    let scene = Scene::of(work, answer, call)?;
-    let view = View::of(&scene)?;
-    Some(scene.draw(&view))
-}
-
-impl Scene {
-    fn of(work: &Work, answer: &Answer, call: usize) -> Option<Scene> {
-        let exact = |shape: Primitive<'_>, ray: &Ray| {
-            truth::first_of(Tier::Core, &[shape], ray, false)
-                .hits
-                .into_iter()
-                .next()
-        };
-        let normals = |expected: &Option<ExpectedHit>, yours: Option<Hit>| {
-            let pair = [expected.as_ref()?.n?, Vec3::from(yours?.n)];
-            (pair[0].distance(pair[1]) > VISIBLE_ANGLE && pair[1].is_finite()).then_some(pair)
-        };
-        Some(match (work, answer) {
-            (Work::Triangles(work), Answer::Triangles(answers)) => {
-                let probe = work.probes.get(call)?;
-                let triangle = convert::triangle(work.triangles.get(probe.shape as usize)?);
-                let (ray, answer) = (convert::ray(&probe.ray), answers.get(call)?);
-                let t = answer.hit.map(|hit| hit.t).or(answer.test.map(|[t, ..]| t));
-                let expected = exact(Primitive::Triangle(&triangle), &ray);
-                Scene {
-                    normals: normals(&expected, answer.hit),
-                    expected: expected.iter().map(|hit| hit.t).collect(),
-                    yours: t.into_iter().collect(),
-                    shape: Shape::Triangle(triangle),
-                    ray,
-                }
-            }
-            (Work::Spheres(work), Answer::Spheres(answers)) => {
-                let probe = work.probes.get(call)?;
-                let sphere = convert::sphere(work.spheres.get(probe.shape as usize)?);
-                let (ray, answer) = (convert::ray(&probe.ray), answers.get(call)?);
-                let t = answer.hit.map(|hit| hit.t).or(answer.test);
-                let expected = exact(Primitive::Sphere(&sphere), &ray);
-                Scene {
-                    normals: normals(&expected, answer.hit),
-                    expected: expected.iter().map(|hit| hit.t).collect(),
-                    yours: t.into_iter().collect(),
-                    shape: Shape::Sphere(sphere),
-                    ray,
-                }
-            }
-            (Work::Boxes(work), Answer::Boxes(answers)) => {
-                let probe = work.probes.get(call)?;
-                let [min, max] = work.boxes.get(probe.shape as usize)?.map(Vec3::from);
-                let (b, ray) = (Aabb { min, max }, convert::ray(&probe.ray));
-                let verdict = oracle::bbox(&b, &ray);
-                let ends = verdict.ends.filter(|_| verdict.hits());
-                let ends = ends.map(|(enters, leaves)| [enters.to_f64(), leaves.to_f64()]);
-                Scene {
-                    normals: None,
-                    expected: ends.into_iter().flatten().collect(),
-                    yours: answers.get(call)?.iter().flatten().copied().collect(),
-                    shape: Shape::Box(b),
-                    ray,
-                }
-            }
-            _ => return None,
-        })
+    fn differing_normals(&self) -> Option<[Vec3; 2]> {
+        let [expected, yours] = self.shown.normals?;
+        (expected.distance(yours) > VISIBLE_ANGLE && yours.is_finite()).then_some([expected, yours])
     }
 
     fn draw(&self, view: &View) -> String {
@@ -112,41 +65,44 @@ impl Scene {
             2.0 * h
         );
         self.draw_shape(view, &mut svg);
-        let reach = view.reach / self.ray.d.length();
-        let middle = view.nearest_t(&self.ray);
+        let reach = view.reach / self.shown.ray.d.length();
+        let middle = view.nearest_t(&self.shown.ray);
         let (start, end) = (middle - reach, middle + reach);
-        let inside = [start.max(self.ray.min_t), end.min(self.ray.max_t)];
+        let inside = [
+            start.max(self.shown.ray.min_t),
+            end.min(self.shown.ray.max_t),
+        ];
         line(
             &mut svg,
             "outside",
-            view.at(&self.ray, start),
-            view.at(&self.ray, end),
+            view.at(&self.shown.ray, start),
+            view.at(&self.shown.ray, end),
         );
         if inside[0] < inside[1] {
-            let [from, to] = inside.map(|t| view.at(&self.ray, t));
+            let [from, to] = inside.map(|t| view.at(&self.shown.ray, t));
             line(&mut svg, "inside", from, to);
         }
         arrow(
             &mut svg,
-            view.at(&self.ray, end),
-            view.at(&self.ray, end - 0.1 * reach),
+            view.at(&self.shown.ray, end),
+            view.at(&self.shown.ray, end - 0.1 * reach),
         );
         if (start..=end).contains(&0.0) {
-            dot(&mut svg, "origin", view.at(&self.ray, 0.0), 4.0);
+            dot(&mut svg, "origin", view.at(&self.shown.ray, 0.0), 4.0);
         }
-        if let (Some(normals), Some(t)) = (self.normals, self.expected.first()) {
-            let p = self.ray.at(*t);
+        if let (Some(normals), Some(t)) = (self.differing_normals(), self.shown.expected.first()) {
+            let p = self.shown.ray.at(*t);
             for (class, n) in ["expected", "yours"].into_iter().zip(normals) {
                 let tip = p + n.normalize_or_zero() * (0.5 * view.reach);
                 line(&mut svg, class, view.project(p), view.project(tip));
             }
         }
         let within = |t: &&f64| (start..=end).contains(*t);
-        for t in self.expected.iter().filter(within) {
-            dot(&mut svg, "expected", view.at(&self.ray, *t), 6.0);
+        for t in self.shown.expected.iter().filter(within) {
+            dot(&mut svg, "expected", view.at(&self.shown.ray, *t), 6.0);
         }
-        for t in self.yours.iter().filter(within) {
-            cross(&mut svg, view.at(&self.ray, *t));
+        for t in self.shown.yours.iter().filter(within) {
+            cross(&mut svg, view.at(&self.shown.ray, *t));
         }
         svg + "</svg>" + KEY
     }
@@ -195,8 +151,8 @@ struct View {
 
 impl View {
     /// The view of a scene; `None` if it is not finite or has no size.
-    fn of(scene: &Scene) -> Option<View> {
-        let (centre, radius, normal) = match &scene.shape {
+    fn of(figure: &Figure<'_>) -> Option<View> {
+        let (centre, radius, normal) = match &figure.shape {
             Shape::Triangle(t) => {
                 let centre = (t.p0 + t.p1 + t.p2) / 3.0;
                 let far = [t.p0, t.p1, t.p2].map(|p| p.distance(centre));
@@ -210,7 +166,7 @@ impl View {
                 Vec3::new(0.5, 0.8, 0.6),
             ),
         };
-        let d = scene.ray.d.try_normalize()?;
+        let d = figure.shown.ray.d.try_normalize()?;
         // Across the ray, so that as much as possible of the shape and all of the ray are seen;
         // turned a little towards the ray, so that a shape across it is not seen from its edge.
         let across = normal - normal.dot(d) * d;
@@ -221,7 +177,7 @@ impl View {
         };
         let towards_viewer = (across - 0.45 * d).try_normalize()?;
         let right = (d - d.dot(towards_viewer) * towards_viewer).try_normalize()?;
-        let offset = scene.ray.o - centre;
+        let offset = figure.shown.ray.o - centre;
         let miss = (offset - offset.dot(d) * d).length();
         let size = radius.max(miss);
         let view = View {
@@ -232,7 +188,7 @@ impl View {
             reach: 1.9 * size,
         };
         let is_drawable = centre.is_finite() && size > 0.0 && size.is_finite();
-        (is_drawable && view.scale.is_finite() && view.nearest_t(&scene.ray).is_finite())
+        (is_drawable && view.scale.is_finite() && view.nearest_t(&figure.shown.ray).is_finite())
             .then_some(view)
     }
 
@@ -285,20 +241,17 @@ fn arrow(svg: &mut String, tip: [f64; 2], tail: [f64; 2]) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use wire::work::{BoxWork, Probe};
 
     fn boxes(d: [f64; 3], interval: Option<[f64; 2]>) -> Option<String> {
-        let ray = wire::work::Ray {
-            o: [-3.0, 0.5, 0.5],
-            d,
-            min_t: 0.0,
-            max_t: f64::INFINITY,
-        };
-        let work = Work::Boxes(BoxWork {
-            boxes: vec![[[0.0; 3], [1.0; 3]]],
-            probes: vec![Probe { shape: 0, ray }],
-        });
-        draw(&work, &Answer::Boxes(vec![interval]), 0)
+        draw(&ShownRay {
+            boxes: vec![Aabb {
+                min: Vec3::ZERO,
+                max: Vec3::ONE,
+            }],
+            expected: vec![3.0, 4.0],
+            yours: interval.into_iter().flatten().collect(),
+            ..ShownRay::new(Ray::new(Vec3::new(-3.0, 0.5, 0.5), d.into()))
+        })
     }
 
     #[test]

@@ -1,9 +1,9 @@
 //! Draws the rays of an estimate of direct light, in the hemisphere above the point, as SVG.
 
 use grader::explain::hemisphere::{Hemisphere, shines};
+use judge::shown::ShownPoint;
 use std::fmt::Write;
-use wire::direct::{DirectAnswer, DirectWork, RecordedRay};
-use wire::{Answer, Work};
+use wire::direct::RecordedRay;
 
 /// The radius of the hemisphere in the drawing.
 const RADIUS: f64 = 92.0;
@@ -17,16 +17,9 @@ const OUTSIDE: f64 = 1.05;
 /// The most rays that are drawn: those of a few samples.
 const RAYS: usize = 256;
 
-/// Draws call number `call` of `work`; `None` if it is not an estimate of direct light.
-pub(super) fn draw(work: &Work, answer: &Answer, call: usize) -> Option<String> {
-    let (Work::Direct(work), Answer::Direct(answers)) = (work, answer) else {
-        return None;
-    };
-    of_point(work, answers.get(call)?, call)
-}
-
-fn of_point(work: &DirectWork, answer: &DirectAnswer, call: usize) -> Option<String> {
-    let point = work.points.get(call)?;
+/// Draws the rays of an estimate.
+pub(super) fn draw(shown: &ShownPoint) -> String {
+    let ShownPoint { world, point, rays } = shown;
     let above = Hemisphere::above(point);
     let at = |[x, y]: [f64; 2]| [RADIUS * x, -RADIUS * y];
     let [w, h] = HALF;
@@ -47,7 +40,7 @@ fn of_point(work: &DirectWork, answer: &DirectAnswer, call: usize) -> Option<Str
     };
     for emits in [false, true] {
         let class = if emits { "light" } else { "surface" };
-        for panel in &work.world.panels {
+        for panel in &world.panels {
             if shines(&above, panel) == emits {
                 for place in above.panel(panel) {
                     dot(class, place, 2.6);
@@ -55,11 +48,11 @@ fn of_point(work: &DirectWork, answer: &DirectAnswer, call: usize) -> Option<Str
             }
         }
     }
-    for place in above.lights(&work.world) {
+    for place in above.lights(world) {
         dot("light", place, 5.0);
     }
     let mut below = 0;
-    for traced in answer.rays.iter().take(RAYS) {
+    for traced in rays.iter().take(RAYS) {
         match above.place(traced.ray.d) {
             Some(place) => dot(class_of(traced), place, 2.4),
             None => {
@@ -79,9 +72,9 @@ fn of_point(work: &DirectWork, answer: &DirectAnswer, call: usize) -> Option<Str
         svg,
         "<p class=\"key\">The hemisphere above the point; the normal is in the middle. {} of yours, {below} of them below the horizon (rings): \
          <span class=\"good\">● light arrives or the way is free</span> · <span class=\"bad\">● dark or blocked</span> · large: to the viewer</p>",
-        judge::plural(answer.rays.len(), "ray", "rays")
+        judge::plural(rays.len(), "ray", "rays")
     );
-    Some(svg)
+    svg
 }
 
 /// A ray that sees light, or a shadow ray that reaches it.
@@ -96,7 +89,7 @@ fn class_of(traced: &RecordedRay) -> &'static str {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use wire::direct::{ShadedPoint, Strategy};
+    use wire::direct::ShadedPoint;
     use wire::light::{LitWorld, Material, Panel};
     use wire::work::Ray;
 
@@ -110,23 +103,18 @@ mod tests {
             faces: -1.0,
             material: Material::Emission([1.0; 3]),
         };
-        let work = Work::Direct(DirectWork {
-            world: LitWorld {
-                panels: vec![light],
-                ..LitWorld::default()
-            },
-            strategy: Strategy::Hemisphere,
-            points: vec![ShadedPoint {
-                p: [0.0; 3],
-                n: [0.0, 0.0, 1.0],
-                ng: [0.0, 0.0, 1.0],
-                error: 0.0,
-                material: Material::Diffuse([0.5; 3]),
-                wo: [0.0, 0.6, 0.8],
-            }],
-            samples: 3,
-            seed: 0,
-        });
+        let world = LitWorld {
+            panels: vec![light],
+            ..LitWorld::default()
+        };
+        let point = ShadedPoint {
+            p: [0.0; 3],
+            n: [0.0, 0.0, 1.0],
+            ng: [0.0, 0.0, 1.0],
+            error: 0.0,
+            material: Material::Diffuse([0.5; 3]),
+            wo: [0.0, 0.6, 0.8],
+        };
         let ray = |d: [f64; 3], seen: f64, hit: bool| RecordedRay {
             ray: Ray {
                 o: [0.0; 3],
@@ -137,15 +125,12 @@ mod tests {
             seen: [seen; 3],
             hit,
         };
-        let answer = Answer::Direct(vec![DirectAnswer {
-            radiance: [0.0; 3],
-            rays: vec![
-                ray([0.0, 0.0, 1.0], 1.0, true),
-                ray([0.8, 0.0, 0.6], 0.0, true),
-                ray([0.6, 0.0, -0.8], 0.0, false),
-            ],
-        }]);
-        let svg = draw(&work, &answer, 0).expect("it can be drawn");
+        let rays = vec![
+            ray([0.0, 0.0, 1.0], 1.0, true),
+            ray([0.8, 0.0, 0.6], 0.0, true),
+            ray([0.6, 0.0, -0.8], 0.0, false),
+        ];
+        let svg = draw(&ShownPoint { world, point, rays });
         assert!(
             svg.contains("<circle class=\"free\" cx=\"0.0\" cy=\"-0.0\""),
             "{svg}"
@@ -154,6 +139,5 @@ mod tests {
         assert!(svg.contains("3 rays of yours, 1 of them below the horizon (rings)"));
         assert!(svg.contains("<circle class=\"below\" cx=\"96.6\""), "{svg}");
         assert!(svg.contains("class=\"light\"") && svg.contains("class=\"origin\""));
-        assert_eq!(draw(&work, &answer, 1), None);
     }
 }

@@ -17,7 +17,9 @@ use grader::grade::picture::{self, Rendered};
 use grader::score::{CaseResult, Status, TaskResult};
 use grader::signature::Signature;
 use grader::workers::worker_set::WorkerSet;
+use judge::Tier;
 use judge::cases::Spec;
+use judge::shown::ShownCall;
 use judge::tally::Finding;
 use wire::Answer;
 
@@ -114,6 +116,10 @@ fn worst_ray(case: &CaseResult, spec: &Spec, answer: &Answer) -> Option<String> 
     let wrong = case.findings.iter().filter(|finding| !finding.passed());
     let worst = wrong.filter_map(|finding: &Finding| finding.worst.as_ref());
     let call = worst.map(|worst| worst.call).next()?;
-    let call = call as usize;
-    figure::draw(&spec.work, answer, call).or_else(|| lit_point::draw(&spec.work, answer, call))
+    match spec.shown(Tier::Core, call as usize, Some(answer))? {
+        ShownCall::Ray(ray) => figure::draw(&ray),
+        ShownCall::LitPoint(point) => Some(lit_point::draw(&point)),
+        // The page shows their samples and directions in the picture of the task.
+        ShownCall::Pixel(_) | ShownCall::Directions(_) => None,
+    }
 }

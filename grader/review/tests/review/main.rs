@@ -9,8 +9,8 @@ use judge::Tier;
 use judge::cases::{self, Spec};
 use judge::snapshot::{self, Fields, Snapshot, parse};
 use pages::picture;
+use review::Review;
 use review::case::Case;
-use review::{Review, exact};
 use std::path::Path;
 use std::sync::LazyLock;
 use tempfile::TempDir;
@@ -40,7 +40,7 @@ impl Golden {
         let found = cases::all(0).into_iter().find(|spec| spec.is(task, name));
         let spec = found.expect("the case exists");
         let calls: Vec<u32> = (0..judge::calls(&spec.work) as u32).collect();
-        let records = exact::records(&spec, &calls).expect("the oracle knows the case");
+        let records = spec.exact(&calls).expect("the oracle knows the case");
         let answer = answer(&spec.work, &records);
 
         let folder = tempfile::tempdir().expect("a folder");

@@ -60,6 +60,7 @@ pub(super) fn draw(lines: &Lines<'_>, ui: &Ui, opened: &OpenCase, view: &CaseVie
 }
 
 fn ray(lines: &Lines<'_>, ui: &Ui, case: &RayCase) {
+    let case = &case.shown;
     let edge = Stroke::new(1.5, ui.visuals().text_color());
     let fill = Color32::from_rgb(120, 140, 200).gamma_multiply(0.3);
     for triangle in &case.scene.triangles {
@@ -72,12 +73,12 @@ fn ray(lines: &Lines<'_>, ui: &Ui, case: &RayCase) {
         lines.aabb(b, edge, Hidden::Shown);
     }
     let size = case.bounds().extent().length().max(1e-300);
-    if let Some(camera) = &case.camera {
+    if let Some((camera, _)) = &case.camera {
         let film = FilmSize { w: 10, h: 10 };
         frustum(lines, camera, film, 1.0, colors::line(ui), None);
     }
     let ray = &case.ray;
-    let farthest = case.student.iter().chain(&case.right).copied();
+    let farthest = case.yours.iter().chain(&case.expected).copied();
     let reach = farthest.fold(1.5 * size / ray.d.length(), f64::max);
     let end = ray.max_t.min(reach);
     let color = colors::ray(RayRole::Camera);
@@ -85,7 +86,7 @@ fn ray(lines: &Lines<'_>, ui: &Ui, case: &RayCase) {
     let stroke = Stroke::new(2.5, color);
     lines.line(ray.at(start), ray.at(end), stroke, Hidden::Shown);
     lines.disc(ray.o, 4.0, color);
-    hits(lines, ray, &case.right, &case.student);
+    hits(lines, ray, &case.expected, &case.yours);
 }
 
 /// The exact hits, and over them those of the stage.

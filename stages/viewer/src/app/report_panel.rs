@@ -108,7 +108,7 @@ fn now(ui: &mut Ui, opened: &OpenCase) {
         });
     }
     if let Some(failure) = opened.failure() {
-        ui.colored_label(colors::HOVERED, failure.to_string());
+        ui.colored_label(colors::HOVERED, failure);
     }
     let Some(content) = opened.content() else {
         return;
@@ -138,10 +138,10 @@ fn now(ui: &mut Ui, opened: &OpenCase) {
 fn rows(ui: &mut Ui, view: &RayCase) {
     ui.separator();
     if let Some(failure) = &view.failure {
-        ui.colored_label(colors::HOVERED, failure.to_string());
+        ui.colored_label(colors::HOVERED, failure);
     }
     ui.weak("Your code now, and the exact answer:");
-    for row in &view.rows {
+    for row in &view.shown.rows {
         ui.horizontal(|ui| {
             let color = match row.is_right {
                 true => colors::RIGHT,
@@ -150,7 +150,8 @@ fn rows(ui: &mut Ui, view: &RayCase) {
             colors::dot(ui, color);
             ui.label(RichText::new(row.name).strong());
         });
-        for (who, value) in [("yours", &row.student), ("exact", &row.right)] {
+        for (who, value) in [("yours", &row.yours), ("exact", &row.expected)] {
+            let value = value.as_deref().unwrap_or("-");
             let text = RichText::new(format!("{who}: {value}")).size(11.0);
             ui.add(Label::new(text).wrap());
         }

@@ -66,7 +66,7 @@ impl CaseView {
     /// A box around what is drawn.
     pub fn bounds(&self) -> Aabb {
         match self {
-            CaseView::Ray(case) => case.bounds(),
+            CaseView::Ray(case) => case.shown.bounds(),
             CaseView::Tree(case) => {
                 let boxes = case.primitives.iter().filter(|b| is_drawn(b));
                 boxes.fold(Aabb::EMPTY, |all, b| all.union(*b))

@@ -18,7 +18,7 @@ pub mod visit_case;
 pub use case_view::CaseView;
 pub use file::{FailedCase, read};
 pub use open_case::{CaseContent, CasePart, CasePictures, OpenCase};
-pub use ray_case::{RayCase, Row};
+pub use ray_case::RayCase;
 
 use crate::task::Wake;
 use std::path::{Path, PathBuf};

@@ -79,12 +79,16 @@ fn failing_cases_open_with_their_ray_and_both_answers() {
         panic!("a ray: {content_of_ray:?}")
     };
     assert!(view.is_of_report);
-    assert_eq!(view.scene.triangles.len(), 1);
-    assert_eq!(view.right.len(), 1, "the exact answer is a hit");
+    assert_eq!(view.shown.scene.triangles.len(), 1);
+    assert_eq!(view.shown.expected.len(), 1, "the exact answer is a hit");
     // Here the stages are the reference: its answer is right.
     assert_eq!(view.failure, None);
-    assert_eq!(view.rows[0].student, "hit");
-    assert!(view.rows.iter().all(|row| row.is_right), "{:?}", view.rows);
+    assert_eq!(view.shown.rows[0].yours.as_deref(), Some("hit"));
+    assert!(
+        view.shown.rows.iter().all(|row| row.is_right),
+        "{:?}",
+        view.shown.rows
+    );
     assert_eq!(content_of_ray.wrong_now, Some(Vec::new()));
     let case = &open.cases[0];
     assert_eq!(

@@ -1,5 +1,6 @@
 //! `part1.task1`: the sample loop of a pixel.
 
+mod call;
 pub(crate) mod cases;
 pub(crate) mod judge;
 mod lines;
@@ -9,7 +10,10 @@ mod simple;
 
 use crate::tools::Tier;
 use crate::tools::check::{CaseContext, Check, in_range, one_each};
+use crate::tools::plural;
+use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::Content;
+use crate::tools::snapshot::Fields;
 use crate::tools::tally::{Aspect, Tally};
 use wire::answer::PixelAnswer;
 use wire::kind;
@@ -70,6 +74,39 @@ impl Check for kind::Pixels {
 
     fn lines(work: &PixelWork, answers: &Vec<PixelAnswer>) -> Option<Content> {
         Some((Vec::new(), lines::pixels(work, answers)))
+    }
+
+    fn input(work: &PixelWork, call: usize) -> Option<String> {
+        call::input(work, call)
+    }
+
+    fn circumstances(work: &PixelWork, call: usize) -> Vec<&'static str> {
+        call::circumstances(work, call)
+    }
+
+    fn exact(_: &PixelWork, _: bool, _: &[u32]) -> Option<Vec<Fields>> {
+        None
+    }
+
+    fn shown(
+        work: &PixelWork,
+        _: Tier,
+        _: bool,
+        call: usize,
+        _: Option<&Vec<PixelAnswer>>,
+    ) -> Option<ShownCall> {
+        call::shown(work, call)
+    }
+
+    fn overview(work: &PixelWork) -> String {
+        format!(
+            "{} of a film of {} x {}, each with {}; {}",
+            plural(work.pixels.len(), "pixel", "pixels"),
+            work.film[0],
+            work.film[1],
+            plural(work.ns_aa as usize, "sample", "samples"),
+            plural(work.seeds.len(), "seed", "seeds")
+        )
     }
 
     fn repro(_: Tier, work: &PixelWork, call: usize) -> Option<String> {

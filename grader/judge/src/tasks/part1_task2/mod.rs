@@ -1,5 +1,6 @@
 //! `part1.task2`: camera rays.
 
+mod call;
 pub(crate) mod cases;
 pub(crate) mod judge;
 mod lines;
@@ -9,7 +10,9 @@ mod simple;
 use crate::tools::Tier;
 use crate::tools::check::{CaseContext, Check, one_each};
 use crate::tools::colours;
+use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::Content;
+use crate::tools::snapshot::Fields;
 use crate::tools::tally::{Aspect, Tally};
 use wire::kind;
 use wire::work::{CameraWork, Ray, Xyz};
@@ -45,6 +48,32 @@ impl Check for kind::CameraRays {
 
     fn lines(work: &CameraWork, answers: &Vec<Ray>) -> Option<Content> {
         Some((Vec::new(), lines::rays(work, answers)))
+    }
+
+    fn input(work: &CameraWork, call: usize) -> Option<String> {
+        call::input(work, call)
+    }
+
+    fn circumstances(work: &CameraWork, call: usize) -> Vec<&'static str> {
+        call::circumstances(work, call)
+    }
+
+    fn exact(_: &CameraWork, _: bool, _: &[u32]) -> Option<Vec<Fields>> {
+        None
+    }
+
+    fn shown(
+        work: &CameraWork,
+        _: Tier,
+        _: bool,
+        call: usize,
+        answer: Option<&Vec<Ray>>,
+    ) -> Option<ShownCall> {
+        call::shown(work, call, answer)
+    }
+
+    fn overview(work: &CameraWork) -> String {
+        call::overview(work)
     }
 
     fn repro(_: Tier, work: &CameraWork, call: usize) -> Option<String> {

@@ -1,12 +1,16 @@
 //! `part1.task3`: triangles.
 
+mod call;
 pub(crate) mod cases;
 pub(crate) mod judge;
 mod repro;
 mod simple;
 
 use crate::tools::check::{CaseContext, Check, one_each};
+use crate::tools::plural;
+use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::Content;
+use crate::tools::snapshot::Fields;
 use crate::tools::snapshot::lines::{self, each};
 use crate::tools::tally::{Aspect, Tally};
 use crate::tools::truth::expected::Expected;
@@ -59,6 +63,32 @@ impl Check for kind::Triangles {
             lines::hit(Some(probe.shape), &probe.ray, answer.hit.as_ref())
         });
         Some((Vec::new(), lines))
+    }
+
+    fn input(work: &TriangleWork, call: usize) -> Option<String> {
+        call::input(work, call)
+    }
+
+    fn circumstances(work: &TriangleWork, call: usize) -> Vec<&'static str> {
+        call::circumstances(work, call)
+    }
+
+    fn exact(work: &TriangleWork, _: bool, calls: &[u32]) -> Option<Vec<Fields>> {
+        Some(call::exact(work, calls))
+    }
+
+    fn shown(
+        work: &TriangleWork,
+        tier: Tier,
+        _: bool,
+        call: usize,
+        answer: Option<&Vec<TriangleAnswer>>,
+    ) -> Option<ShownCall> {
+        call::shown(work, tier, call, answer)
+    }
+
+    fn overview(work: &TriangleWork) -> String {
+        plural(work.triangles.len(), "triangle", "triangles")
     }
 
     fn repro(tier: Tier, work: &TriangleWork, call: usize) -> Option<String> {

@@ -1,12 +1,16 @@
 //! `part1.task4`: spheres.
 
+mod call;
 pub(crate) mod cases;
 pub(crate) mod judge;
 mod repro;
 mod simple;
 
 use crate::tools::check::{CaseContext, Check, one_each};
+use crate::tools::plural;
+use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::Content;
+use crate::tools::snapshot::Fields;
 use crate::tools::snapshot::lines::{self, each};
 use crate::tools::tally::{Aspect, Tally};
 use crate::tools::truth::expected::Expected;
@@ -69,6 +73,32 @@ impl Check for kind::Spheres {
             lines::hit(Some(probe.shape), &probe.ray, answer.hit.as_ref())
         });
         Some((Vec::new(), lines))
+    }
+
+    fn input(work: &SphereWork, call: usize) -> Option<String> {
+        call::input(work, call)
+    }
+
+    fn circumstances(work: &SphereWork, call: usize) -> Vec<&'static str> {
+        call::circumstances(work, call)
+    }
+
+    fn exact(work: &SphereWork, _: bool, calls: &[u32]) -> Option<Vec<Fields>> {
+        Some(call::exact(work, calls))
+    }
+
+    fn shown(
+        work: &SphereWork,
+        tier: Tier,
+        _: bool,
+        call: usize,
+        answer: Option<&Vec<SphereAnswer>>,
+    ) -> Option<ShownCall> {
+        call::shown(work, tier, call, answer)
+    }
+
+    fn overview(work: &SphereWork) -> String {
+        plural(work.spheres.len(), "sphere", "spheres")
     }
 
     fn repro(tier: Tier, work: &SphereWork, call: usize) -> Option<String> {

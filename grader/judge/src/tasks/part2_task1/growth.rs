@@ -7,7 +7,9 @@
 
 use crate::tools::Tier;
 use crate::tools::check::{CaseContext, Check};
+use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::Content;
+use crate::tools::snapshot::Fields;
 use crate::tools::snapshot::{forms, number};
 use crate::tools::tally::{Aspect, Class, Tally};
 use wire::answer::BuildGrowthAnswer;
@@ -81,6 +83,28 @@ impl Check for kind::BuildGrowth {
             forms(size, nodes.clone(), nodes)
         });
         Some((Vec::new(), lines.collect()))
+    }
+
+    fn input(_: &BuildGrowthWork, _: usize) -> Option<String> {
+        None
+    }
+
+    fn circumstances(_: &BuildGrowthWork, _: usize) -> Vec<&'static str> {
+        Vec::new()
+    }
+
+    fn exact(_: &BuildGrowthWork, _: bool, _: &[u32]) -> Option<Vec<Fields>> {
+        None
+    }
+
+    fn shown(
+        _: &BuildGrowthWork,
+        _: Tier,
+        _: bool,
+        _: usize,
+        _: Option<&BuildGrowthAnswer>,
+    ) -> Option<ShownCall> {
+        None
     }
 }
 

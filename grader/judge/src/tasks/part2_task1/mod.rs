@@ -12,8 +12,11 @@ mod structure;
 
 use crate::tools::Tier;
 use crate::tools::check::{CaseContext, Check};
+use crate::tools::plural;
 use crate::tools::recorded;
+use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::Content;
+use crate::tools::snapshot::Fields;
 use crate::tools::snapshot::number;
 use crate::tools::tally::{Aspect, Tally};
 use kit::Aabb;
@@ -70,6 +73,32 @@ impl Check for kind::Build {
     fn lines(_: &BuildWork, answer: &BuildAnswer) -> Option<Content> {
         let totals = vec![number("nodes", answer.tree.nodes.len() as f64)];
         Some((totals, lines::nodes(&answer.tree)))
+    }
+
+    fn input(work: &BuildWork, _: usize) -> Option<String> {
+        Some(format!(
+            "{}, max_leaf_size = {}",
+            plural(work.bounds.len(), "box", "boxes"),
+            work.max_leaf_size
+        ))
+    }
+
+    fn circumstances(_: &BuildWork, _: usize) -> Vec<&'static str> {
+        Vec::new()
+    }
+
+    fn exact(_: &BuildWork, _: bool, _: &[u32]) -> Option<Vec<Fields>> {
+        None
+    }
+
+    fn shown(
+        _: &BuildWork,
+        _: Tier,
+        _: bool,
+        _: usize,
+        _: Option<&BuildAnswer>,
+    ) -> Option<ShownCall> {
+        None
     }
 
     fn repro(_: Tier, work: &BuildWork, _: usize) -> Option<String> {

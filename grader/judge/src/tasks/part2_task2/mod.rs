@@ -1,11 +1,14 @@
 //! `part2.task2`: intervals of rays inside boxes.
 
+mod call;
 pub(crate) mod cases;
 mod judge;
 mod repro;
 mod simple;
 
 use crate::tools::check::{CaseContext, Check, one_each};
+use crate::tools::plural;
+use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::Content;
 use crate::tools::snapshot::lines::{each, ray_at};
 use crate::tools::snapshot::{Fields, Value, field, forms};
@@ -52,6 +55,36 @@ impl Check for kind::Boxes {
             forms(question, interval.clone(), interval)
         });
         Some((Vec::new(), lines))
+    }
+
+    fn input(work: &BoxWork, call: usize) -> Option<String> {
+        call::input(work, call)
+    }
+
+    fn circumstances(work: &BoxWork, call: usize) -> Vec<&'static str> {
+        call::circumstances(work, call)
+    }
+
+    fn exact(work: &BoxWork, _: bool, calls: &[u32]) -> Option<Vec<Fields>> {
+        Some(call::exact(work, calls))
+    }
+
+    fn shown(
+        work: &BoxWork,
+        _: Tier,
+        _: bool,
+        call: usize,
+        answer: Option<&Vec<Option<[f64; 2]>>>,
+    ) -> Option<ShownCall> {
+        call::shown(work, call, answer)
+    }
+
+    fn overview(work: &BoxWork) -> String {
+        format!(
+            "{}; {}",
+            plural(work.boxes.len(), "box", "boxes"),
+            plural(work.probes.len(), "ray", "rays")
+        )
     }
 
     fn repro(tier: Tier, work: &BoxWork, call: usize) -> Option<String> {

@@ -1,6 +1,7 @@
 //! `part2.task3`: traversing the tree in scripted worlds, whose test results are given. Whole
 //! scenes are in [`super::scene_hits`].
 
+mod call;
 pub(crate) mod cases;
 pub(crate) mod judge;
 mod repro;
@@ -9,6 +10,7 @@ mod simple;
 
 use crate::tools::Tier;
 use crate::tools::check::{CaseContext, Check, one_each};
+use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::Content;
 use crate::tools::snapshot::lines::{each, ray_at};
 use crate::tools::snapshot::{Fields, forms, number};
@@ -67,6 +69,28 @@ impl Check for kind::Traverse {
             forms(ray_at(None, &scripted.ray), fields.clone(), fields)
         });
         Some((Vec::new(), lines))
+    }
+
+    fn input(work: &ScriptedWorld, call: usize) -> Option<String> {
+        call::input(work, call)
+    }
+
+    fn circumstances(work: &ScriptedWorld, call: usize) -> Vec<&'static str> {
+        call::circumstances(work, call)
+    }
+
+    fn exact(_: &ScriptedWorld, _: bool, _: &[u32]) -> Option<Vec<Fields>> {
+        None
+    }
+
+    fn shown(
+        _: &ScriptedWorld,
+        _: Tier,
+        _: bool,
+        _: usize,
+        _: Option<&Vec<TraverseAnswer>>,
+    ) -> Option<ShownCall> {
+        None
     }
 
     fn repro(_: Tier, world: &ScriptedWorld, call: usize) -> Option<String> {

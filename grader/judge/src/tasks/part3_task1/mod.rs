@@ -1,5 +1,6 @@
 //! `part3.task1`: diffuse surfaces.
 
+mod call;
 pub(crate) mod cases;
 pub(crate) mod judge;
 mod lines;
@@ -9,7 +10,10 @@ mod turns;
 
 use crate::tools::Tier;
 use crate::tools::check::{CaseContext, Check, one_each};
+use crate::tools::plural;
+use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::Content;
+use crate::tools::snapshot::Fields;
 use crate::tools::snapshot::lines::each;
 use crate::tools::tally::{Aspect, Tally};
 use wire::direct::{LambertAnswer, LambertProbe};
@@ -57,6 +61,32 @@ impl Check for kind::Lambert {
 
     fn lines(probes: &Vec<LambertProbe>, answers: &Vec<LambertAnswer>) -> Option<Content> {
         Some((Vec::new(), each(probes, answers, lines::lambert)))
+    }
+
+    fn input(work: &Vec<LambertProbe>, call: usize) -> Option<String> {
+        call::input(work, call)
+    }
+
+    fn circumstances(work: &Vec<LambertProbe>, call: usize) -> Vec<&'static str> {
+        call::circumstances(work, call)
+    }
+
+    fn exact(_: &Vec<LambertProbe>, _: bool, _: &[u32]) -> Option<Vec<Fields>> {
+        None
+    }
+
+    fn shown(
+        work: &Vec<LambertProbe>,
+        _: Tier,
+        _: bool,
+        call: usize,
+        _: Option<&Vec<LambertAnswer>>,
+    ) -> Option<ShownCall> {
+        work.get(call).copied().map(ShownCall::Directions)
+    }
+
+    fn overview(work: &Vec<LambertProbe>) -> String {
+        format!("{} of directions", plural(work.len(), "pair", "pairs"))
     }
 
     fn repro(_: Tier, probes: &Vec<LambertProbe>, call: usize) -> Option<String> {

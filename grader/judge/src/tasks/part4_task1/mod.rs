@@ -1,5 +1,6 @@
 //! `part4.task1`: mirrors and glass.
 
+mod call;
 pub(crate) mod cases;
 pub(crate) mod judge;
 mod lines;
@@ -8,7 +9,9 @@ mod simple;
 
 use crate::tools::Tier;
 use crate::tools::check::{CaseContext, Check, one_each};
+use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::Content;
+use crate::tools::snapshot::Fields;
 use crate::tools::snapshot::lines::each;
 use crate::tools::tally::{Aspect, Tally};
 use wire::global::{SpecularAnswer, SpecularCall};
@@ -50,6 +53,28 @@ impl Check for kind::Specular {
 
     fn lines(calls: &Vec<SpecularCall>, answers: &Vec<SpecularAnswer>) -> Option<Content> {
         Some((Vec::new(), each(calls, answers, lines::specular)))
+    }
+
+    fn input(work: &Vec<SpecularCall>, call: usize) -> Option<String> {
+        call::input(work, call)
+    }
+
+    fn circumstances(work: &Vec<SpecularCall>, call: usize) -> Vec<&'static str> {
+        call::circumstances(work, call)
+    }
+
+    fn exact(_: &Vec<SpecularCall>, _: bool, _: &[u32]) -> Option<Vec<Fields>> {
+        None
+    }
+
+    fn shown(
+        _: &Vec<SpecularCall>,
+        _: Tier,
+        _: bool,
+        _: usize,
+        _: Option<&Vec<SpecularAnswer>>,
+    ) -> Option<ShownCall> {
+        None
     }
 
     fn repro(tier: Tier, calls: &Vec<SpecularCall>, call: usize) -> Option<String> {

@@ -1,5 +1,6 @@
 //! `part4.task2`: paths.
 
+mod call;
 pub(crate) mod cases;
 mod draws;
 mod judge;
@@ -9,7 +10,9 @@ mod throughput;
 
 use crate::tools::Tier;
 use crate::tools::check::{CaseContext, Check, in_range, one_each};
+use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::Content;
+use crate::tools::snapshot::Fields;
 use crate::tools::snapshot::lines::each;
 use crate::tools::tally::{Aspect, Tally};
 use wire::global::{PathAnswer, ScriptedPath};
@@ -53,6 +56,28 @@ impl Check for kind::Paths {
 
     fn simple(_: &Vec<ScriptedPath>) -> Vec<Vec<ScriptedPath>> {
         simple::questions()
+    }
+
+    fn input(work: &Vec<ScriptedPath>, call: usize) -> Option<String> {
+        call::input(work, call)
+    }
+
+    fn circumstances(work: &Vec<ScriptedPath>, call: usize) -> Vec<&'static str> {
+        call::circumstances(work, call)
+    }
+
+    fn exact(_: &Vec<ScriptedPath>, _: bool, _: &[u32]) -> Option<Vec<Fields>> {
+        None
+    }
+
+    fn shown(
+        _: &Vec<ScriptedPath>,
+        _: Tier,
+        _: bool,
+        _: usize,
+        _: Option<&Vec<PathAnswer>>,
+    ) -> Option<ShownCall> {
+        None
     }
 }
 

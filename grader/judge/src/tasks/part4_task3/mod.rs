@@ -6,7 +6,9 @@ mod repro;
 mod simple;
 
 use crate::tools::Tier;
+use crate::tools::call_text::point;
 use crate::tools::check::{CaseContext, Check, one_each};
+use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::Content;
 use crate::tools::snapshot::lines::each;
 use crate::tools::snapshot::{Fields, field, forms, number, vector};
@@ -57,6 +59,34 @@ impl Check for kind::Roulette {
             forms(question, answer.clone(), answer)
         });
         Some((Vec::new(), lines))
+    }
+
+    fn input(work: &RouletteWork, call: usize) -> Option<String> {
+        let numbers = work.numbers.len().max(1);
+        let (throughput, bounces) = work.paths.get(call / numbers)?;
+        let u = work.numbers.get(call % numbers)?;
+        Some(format!(
+            "throughput = {}, bounces = {bounces}, u = {u:?}",
+            point(*throughput)
+        ))
+    }
+
+    fn circumstances(_: &RouletteWork, _: usize) -> Vec<&'static str> {
+        Vec::new()
+    }
+
+    fn exact(_: &RouletteWork, _: bool, _: &[u32]) -> Option<Vec<Fields>> {
+        None
+    }
+
+    fn shown(
+        _: &RouletteWork,
+        _: Tier,
+        _: bool,
+        _: usize,
+        _: Option<&Vec<Option<Xyz>>>,
+    ) -> Option<ShownCall> {
+        None
     }
 
     fn repro(_: Tier, work: &RouletteWork, call: usize) -> Option<String> {

@@ -10,7 +10,9 @@ mod simple;
 use crate::tools::Tier;
 use crate::tools::check::{CaseContext, Check, one_each};
 use crate::tools::kinds::stopping;
+use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::Content;
+use crate::tools::snapshot::Fields;
 use crate::tools::snapshot::lines::each;
 use crate::tools::tally::{Aspect, Tally};
 use wire::adaptive::{AdaptiveAnswer, AdaptivePixel, StopAnswer, StopCall};
@@ -43,6 +45,28 @@ impl Check for kind::Stop {
 
     fn lines(questions: &Vec<StopCall>, answers: &Vec<StopAnswer>) -> Option<Content> {
         Some((Vec::new(), each(questions, answers, stopping::line)))
+    }
+
+    fn input(work: &Vec<StopCall>, call: usize) -> Option<String> {
+        work.get(call).map(stopping::input)
+    }
+
+    fn circumstances(_: &Vec<StopCall>, _: usize) -> Vec<&'static str> {
+        Vec::new()
+    }
+
+    fn exact(_: &Vec<StopCall>, _: bool, _: &[u32]) -> Option<Vec<Fields>> {
+        None
+    }
+
+    fn shown(
+        _: &Vec<StopCall>,
+        _: Tier,
+        _: bool,
+        _: usize,
+        _: Option<&Vec<StopAnswer>>,
+    ) -> Option<ShownCall> {
+        None
     }
 
     fn repro(_: Tier, questions: &Vec<StopCall>, call: usize) -> Option<String> {
@@ -91,6 +115,33 @@ impl Check for kind::AdaptivePixels {
 
     fn lines(questions: &Vec<AdaptivePixel>, answers: &Vec<AdaptiveAnswer>) -> Option<Content> {
         Some((Vec::new(), each(questions, answers, lines::pixel)))
+    }
+
+    fn input(work: &Vec<AdaptivePixel>, call: usize) -> Option<String> {
+        let pixel = work.get(call)?;
+        let [x, y] = pixel.pixel;
+        Some(format!(
+            "x = {x}, y = {y}, ns_aa = {}, batch = {}, tolerance = {:?}",
+            pixel.ns_aa, pixel.batch, pixel.tolerance
+        ))
+    }
+
+    fn circumstances(_: &Vec<AdaptivePixel>, _: usize) -> Vec<&'static str> {
+        Vec::new()
+    }
+
+    fn exact(_: &Vec<AdaptivePixel>, _: bool, _: &[u32]) -> Option<Vec<Fields>> {
+        None
+    }
+
+    fn shown(
+        _: &Vec<AdaptivePixel>,
+        _: Tier,
+        _: bool,
+        _: usize,
+        _: Option<&Vec<AdaptiveAnswer>>,
+    ) -> Option<ShownCall> {
+        None
     }
 
     fn repro(_: Tier, questions: &Vec<AdaptivePixel>, call: usize) -> Option<String> {

@@ -8,7 +8,9 @@ mod simple;
 use crate::tools::Tier;
 use crate::tools::check::{CaseContext, Check, one_each};
 use crate::tools::kinds::stopping;
+use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::Content;
+use crate::tools::snapshot::Fields;
 use crate::tools::snapshot::lines::each;
 use crate::tools::tally::{Aspect, Tally};
 use wire::adaptive::{StopAnswer, StopCall};
@@ -51,6 +53,28 @@ impl Check for kind::SureStop {
 
     fn lines(questions: &Vec<StopCall>, answers: &Vec<StopAnswer>) -> Option<Content> {
         Some((Vec::new(), each(questions, answers, stopping::line)))
+    }
+
+    fn input(work: &Vec<StopCall>, call: usize) -> Option<String> {
+        work.get(call).map(stopping::input)
+    }
+
+    fn circumstances(_: &Vec<StopCall>, _: usize) -> Vec<&'static str> {
+        Vec::new()
+    }
+
+    fn exact(_: &Vec<StopCall>, _: bool, _: &[u32]) -> Option<Vec<Fields>> {
+        None
+    }
+
+    fn shown(
+        _: &Vec<StopCall>,
+        _: Tier,
+        _: bool,
+        _: usize,
+        _: Option<&Vec<StopAnswer>>,
+    ) -> Option<ShownCall> {
+        None
     }
 
     fn repro(_: Tier, questions: &Vec<StopCall>, call: usize) -> Option<String> {

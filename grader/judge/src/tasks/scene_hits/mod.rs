@@ -1,10 +1,13 @@
 //! Rays traced through whole scenes with all of the student's stages: cases of `part2.task3`.
 
+mod call;
 pub(crate) mod cases;
 mod judge;
 mod rest;
 
+use crate::tools::call_text::ray_circumstances;
 use crate::tools::check::{CaseContext, Check, hits_fit};
+use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::Content;
 use crate::tools::snapshot::lines::{self, each, ray_at};
 use crate::tools::snapshot::{Fields, forms, number};
@@ -75,6 +78,31 @@ impl Check for kind::SceneHits {
             number("prim_tests", answer.prim_tests as f64),
         ];
         Some((counts, lines))
+    }
+
+    fn input(work: &SceneWork, call: usize) -> Option<String> {
+        call::input(work, call)
+    }
+
+    fn circumstances(work: &SceneWork, call: usize) -> Vec<&'static str> {
+        work.rays
+            .get(call)
+            .map(ray_circumstances)
+            .unwrap_or_default()
+    }
+
+    fn exact(work: &SceneWork, enclosed: bool, calls: &[u32]) -> Option<Vec<Fields>> {
+        call::exact(work, enclosed, calls)
+    }
+
+    fn shown(
+        _: &SceneWork,
+        _: Tier,
+        _: bool,
+        _: usize,
+        _: Option<&HitsAnswer>,
+    ) -> Option<ShownCall> {
+        None
     }
 
     fn colours(answer: &HitsAnswer) -> Option<Vec<Xyz>> {

@@ -2,7 +2,8 @@
 
 use super::{CaseContext, Check};
 use crate::tools::Tier;
-use crate::tools::snapshot::Content;
+use crate::tools::shown::ShownCall;
+use crate::tools::snapshot::{Content, Fields};
 use crate::tools::tally::{Aspect, Tally};
 use crate::tools::truth::expected::Expected;
 use std::fmt::Debug;
@@ -68,6 +69,28 @@ pub(crate) trait AnyCheck: Debug + Sync {
 
     /// As [`Check::simple`].
     fn simple(&self, work: &Work) -> Vec<Work>;
+
+    /// As [`Check::input`].
+    fn input(&self, work: &Work, call: usize) -> Option<String>;
+
+    /// As [`Check::circumstances`].
+    fn circumstances(&self, work: &Work, call: usize) -> Vec<&'static str>;
+
+    /// As [`Check::exact`].
+    fn exact(&self, work: &Work, enclosed: bool, calls: &[u32]) -> Option<Vec<Fields>>;
+
+    /// As [`Check::shown`].
+    fn shown(
+        &self,
+        work: &Work,
+        tier: Tier,
+        enclosed: bool,
+        call: usize,
+        answer: Option<&Answer>,
+    ) -> Option<ShownCall>;
+
+    /// As [`Check::overview`].
+    fn overview(&self, work: &Work) -> String;
 }
 
 /// The check of the kind of work `K`.
@@ -171,5 +194,33 @@ impl<K: Check> AnyCheck for ErasedCheck<K> {
     fn simple(&self, work: &Work) -> Vec<Work> {
         let questions = K::simple(Self::question(work)).into_iter();
         questions.map(K::work).collect()
+    }
+
+    fn input(&self, work: &Work, call: usize) -> Option<String> {
+        K::input(Self::question(work), call)
+    }
+
+    fn circumstances(&self, work: &Work, call: usize) -> Vec<&'static str> {
+        K::circumstances(Self::question(work), call)
+    }
+
+    fn exact(&self, work: &Work, enclosed: bool, calls: &[u32]) -> Option<Vec<Fields>> {
+        K::exact(Self::question(work), enclosed, calls)
+    }
+
+    fn shown(
+        &self,
+        work: &Work,
+        tier: Tier,
+        enclosed: bool,
+        call: usize,
+        answer: Option<&Answer>,
+    ) -> Option<ShownCall> {
+        let answer = answer.and_then(K::answer);
+        K::shown(Self::question(work), tier, enclosed, call, answer)
+    }
+
+    fn overview(&self, work: &Work) -> String {
+        K::overview(Self::question(work))
     }
 }

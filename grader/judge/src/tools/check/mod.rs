@@ -12,10 +12,11 @@ mod fit;
 pub(crate) use case::CaseContext;
 pub(crate) use fit::{hits_fit, in_range, one_each, same_length};
 
-use crate::tools::Tier;
-use crate::tools::snapshot::Content;
+use crate::tools::shown::ShownCall;
+use crate::tools::snapshot::{Content, Fields};
 use crate::tools::tally::{Aspect, Tally};
 use crate::tools::truth::expected::Expected;
+use crate::tools::{Tier, plural};
 use wire::Kind;
 use wire::work::Xyz;
 
@@ -105,5 +106,32 @@ pub(crate) trait Check: Kind {
     /// (see [`crate::tools::simple`]); none for work without simple questions.
     fn simple(_question: &Self::Question) -> Vec<Self::Question> {
         Vec::new()
+    }
+
+    /// The input of call number `call`, as text: for reports on calls that have no answer to show it
+    /// with. `None` for work whose input is long, or where there is no such call.
+    fn input(question: &Self::Question, call: usize) -> Option<String>;
+
+    /// The circumstances of a call, of which mistakes often depend: each ends the sentence "wrong
+    /// only where ...".
+    fn circumstances(question: &Self::Question, call: usize) -> Vec<&'static str>;
+
+    /// The right hit or interval of each of `calls`, as the fields of a record, without fields for a
+    /// miss. `None` for work that computes neither. `enclosed` is [`CaseContext::enclosed`].
+    fn exact(question: &Self::Question, enclosed: bool, calls: &[u32]) -> Option<Vec<Fields>>;
+
+    /// One call with what is right and, if there is an answer, what the code returned. `None` for
+    /// work that is shown in another way, or where there is no such call.
+    fn shown(
+        question: &Self::Question,
+        tier: Tier,
+        enclosed: bool,
+        call: usize,
+        answer: Option<&Self::Answer>,
+    ) -> Option<ShownCall>;
+
+    /// The inputs of all calls, in a sentence without its full stop.
+    fn overview(question: &Self::Question) -> String {
+        plural(Self::calls(question), "call", "calls")
     }
 }

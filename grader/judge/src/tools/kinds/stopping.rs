@@ -16,6 +16,12 @@ pub(crate) fn call(runs: Vec<(u32, f64)>, rule: bool) -> StopCall {
     }
 }
 
+/// The input of a call, as text.
+pub(crate) fn input(call: &StopCall) -> String {
+    let samples: u64 = call.runs.iter().map(|(count, _)| u64::from(*count)).sum();
+    format!("samples: {samples}, tolerance = {:?}", call.tolerance)
+}
+
 /// The samples of a question.
 pub(crate) fn samples(call: &StopCall) -> SampleTally {
     let runs = call.runs.iter();

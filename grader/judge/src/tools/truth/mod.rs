@@ -5,6 +5,7 @@
 //! point must also lie on the surface.
 
 pub mod expected;
+pub(crate) mod records;
 pub mod scene;
 pub(crate) mod tree_tests;
 

@@ -1,13 +1,17 @@
 //! Rays traced through a list of shapes: the cases of `part1.task3` and `part1.task4` with many
 //! shapes.
 
+mod call;
 mod judge;
 mod repro;
 mod simple;
 
 use crate::tools::aspects::hits;
+use crate::tools::call_text::ray_circumstances;
 use crate::tools::check::{CaseContext, Check, hits_fit};
+use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::Content;
+use crate::tools::snapshot::Fields;
 use crate::tools::snapshot::lines::{self, each};
 use crate::tools::tally::{Aspect, Tally};
 use crate::tools::truth::expected::Expected;
@@ -78,6 +82,31 @@ impl Check for kind::BruteForce {
             lines::hit(None, ray, hit.as_ref())
         });
         Some((Vec::new(), lines))
+    }
+
+    fn input(work: &BruteForceWork, call: usize) -> Option<String> {
+        call::input(work, call)
+    }
+
+    fn circumstances(work: &BruteForceWork, call: usize) -> Vec<&'static str> {
+        work.rays
+            .get(call)
+            .map(ray_circumstances)
+            .unwrap_or_default()
+    }
+
+    fn exact(work: &BruteForceWork, enclosed: bool, calls: &[u32]) -> Option<Vec<Fields>> {
+        Some(call::exact(work, enclosed, calls))
+    }
+
+    fn shown(
+        work: &BruteForceWork,
+        tier: Tier,
+        enclosed: bool,
+        call: usize,
+        answer: Option<&HitsAnswer>,
+    ) -> Option<ShownCall> {
+        call::shown(work, tier, enclosed, call, answer)
     }
 
     fn repro(tier: Tier, work: &BruteForceWork, call: usize) -> Option<String> {

@@ -1,5 +1,6 @@
 //! Direct light: the kind of work of `part3.task2` and `part3.task3`.
 
+mod call;
 mod degrees;
 mod judge;
 mod lamps;
@@ -10,7 +11,9 @@ pub(crate) mod worlds;
 
 use crate::tools::Tier;
 use crate::tools::check::{CaseContext, Check, one_each};
+use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::Content;
+use crate::tools::snapshot::Fields;
 use crate::tools::snapshot::lines::each;
 use crate::tools::snapshot::{field, forms, number, vector};
 use crate::tools::tally::{Aspect, Tally};
@@ -78,5 +81,31 @@ impl Check for kind::Direct {
 
     fn simple(work: &DirectWork) -> Vec<DirectWork> {
         simple::questions(work.strategy)
+    }
+
+    fn input(work: &DirectWork, call: usize) -> Option<String> {
+        call::input(work, call)
+    }
+
+    fn circumstances(_: &DirectWork, _: usize) -> Vec<&'static str> {
+        Vec::new()
+    }
+
+    fn exact(_: &DirectWork, _: bool, _: &[u32]) -> Option<Vec<Fields>> {
+        None
+    }
+
+    fn shown(
+        work: &DirectWork,
+        _: Tier,
+        _: bool,
+        call: usize,
+        answer: Option<&Vec<DirectAnswer>>,
+    ) -> Option<ShownCall> {
+        call::shown(work, call, answer)
+    }
+
+    fn overview(work: &DirectWork) -> String {
+        call::overview(work)
     }
 }

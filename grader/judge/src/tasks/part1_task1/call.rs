@@ -1,0 +1,40 @@
+//! One call in words and shown.
+
+use crate::tools::call_text::holding;
+use crate::tools::shown::{ShownCall, ShownPixel};
+use wire::work::PixelWork;
+
+pub(super) fn input(work: &PixelWork, call: usize) -> Option<String> {
+    let ([x, y], seed) = work.calls().nth(call)?;
+    let [w, h] = work.film;
+    Some(format!(
+        "x = {x}, y = {y}, film = {w} x {h}, ns_aa = {}, seed {seed}",
+        work.ns_aa
+    ))
+}
+
+pub(super) fn circumstances(work: &PixelWork, call: usize) -> Vec<&'static str> {
+    let at = work.pixels.get(call);
+    at.map(|at| of_pixel(work, *at)).unwrap_or_default()
+}
+
+fn of_pixel(work: &PixelWork, [x, y]: [u32; 2]) -> Vec<&'static str> {
+    let [w, h] = work.film;
+    holding(&[
+        (work.ns_aa == 1, "ns_aa is 1"),
+        (work.ns_aa > 1, "ns_aa is above 1"),
+        (w != h, "the film is not a square"),
+        (x > 0, "the pixel is not in the first column"),
+        (y > 0, "the pixel is not in the first row"),
+        (x != y, "x and y differ"),
+    ])
+}
+
+pub(super) fn shown(work: &PixelWork, call: usize) -> Option<ShownCall> {
+    let (pixel, seed) = work.calls().nth(call)?;
+    Some(ShownCall::Pixel(ShownPixel {
+        pixel,
+        samples: work.ns_aa,
+        seed,
+    }))
+}

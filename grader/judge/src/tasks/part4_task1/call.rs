@@ -1,0 +1,38 @@
+//! One call in words and shown.
+
+use crate::tools::call_text::{holding, is_coloured};
+use wire::global::SpecularCall;
+use wire::work::Xyz;
+
+pub(super) fn input(calls: &[SpecularCall], call: usize) -> Option<String> {
+    calls.get(call).map(|call| format!("{call:?}"))
+}
+
+pub(super) fn circumstances(calls: &[SpecularCall], call: usize) -> Vec<&'static str> {
+    calls.get(call).map(of_specular).unwrap_or_default()
+}
+
+fn of_specular(call: &SpecularCall) -> Vec<&'static str> {
+    let from_inside = |wo: &Xyz| {
+        holding(&[
+            (wo[2] < 0.0, "wo is on the inside"),
+            (wo[2] > 0.0, "wo is on the outside"),
+            (wo[2].abs() < 1.0, "wo is not along the normal"),
+        ])
+    };
+    match call {
+        SpecularCall::Fresnel { cos_i, eta } => holding(&[
+            (*cos_i < 0.0, "cos_i is negative"),
+            (*cos_i > 0.0, "cos_i is positive"),
+            (*eta > 1.0, "light comes from the denser side"),
+            (*eta < 1.0, "light comes from the thinner side"),
+        ]),
+        SpecularCall::Reflect { wo } | SpecularCall::Refract { wo, .. } => from_inside(wo),
+        SpecularCall::Mirror { reflectance, wo } => [
+            from_inside(wo),
+            holding(&[(is_coloured(*reflectance), "the reflectance is coloured")]),
+        ]
+        .concat(),
+        SpecularCall::Refraction { wo, .. } | SpecularCall::Glass { wo, .. } => from_inside(wo),
+    }
+}

@@ -1,0 +1,38 @@
+//! One call in words and shown.
+
+use crate::tools::call_text::{holding, ray_and};
+use wire::global::{ScriptedPath, Step};
+
+pub(super) fn input(paths: &[ScriptedPath], call: usize) -> Option<String> {
+    let path = paths.get(call)?;
+    let depth = format!("max_depth = {}", path.max_depth);
+    Some(ray_and(&path.ray, &depth))
+}
+
+pub(super) fn circumstances(paths: &[ScriptedPath], call: usize) -> Vec<&'static str> {
+    let path = paths.get(call);
+    path.map(|path| of_path(&path.steps, path.max_depth))
+        .unwrap_or_default()
+}
+
+fn of_path(steps: &[Step], max_depth: u32) -> Vec<&'static str> {
+    let meets = |is: fn(&Step) -> bool| steps.iter().any(is);
+    holding(&[
+        (max_depth <= 1, "max_depth is at most 1"),
+        (max_depth > 1, "max_depth is above 1"),
+        (steps.is_empty(), "the first ray meets nothing"),
+        (steps.len() > 1, "the path meets more than one surface"),
+        (
+            meets(|step| step.sample.is_some_and(|sample| sample.delta)),
+            "the path meets a mirror or glass",
+        ),
+        (
+            meets(|step| step.roulette.is_none()),
+            "roulette ends the path",
+        ),
+        (
+            meets(|step| step.sample.is_none()),
+            "a surface gives no sample",
+        ),
+    ])
+}

@@ -1,0 +1,68 @@
+//! Parts of the text about one call: its input, and its circumstances.
+//!
+//! Circumstances are properties of a question of which mistakes often depend. Each ends the sentence
+//! "wrong only where ...". If all wrong answers have one in common that most right answers do not
+//! have, it tells where to look, even if the mistake is not known.
+
+use crate::tools::aspects::hits::show_ray;
+use kit::Vec3;
+use wire::work::{Ray, Xyz};
+
+/// A point or a vector.
+pub(crate) fn point(xyz: Xyz) -> String {
+    // As `Debug` writes it, so that it can be pasted.
+    let [x, y, z] = Vec3::from(xyz).to_array();
+    format!("({x:?}, {y:?}, {z:?})")
+}
+
+/// A ray and what it is tested against.
+pub(crate) fn ray_and(ray: &Ray, shape: &str) -> String {
+    format!("{}; {shape}", show_ray(ray))
+}
+
+/// The sentences whose conditions hold.
+pub(crate) fn holding(all: &[(bool, &'static str)]) -> Vec<&'static str> {
+    let holding = all.iter().filter(|(holds, _)| *holds);
+    holding.map(|(_, sentence)| *sentence).collect()
+}
+
+/// The circumstances of a ray.
+pub(crate) fn ray_circumstances(ray: &Ray) -> Vec<&'static str> {
+    let [x, y, z] = ray.d;
+    let length = Vec3::from(ray.d).length();
+    let direction = holding(&[
+        (x < 0.0, "the ray's direction has a negative x"),
+        (y < 0.0, "the ray's direction has a negative y"),
+        (z < 0.0, "the ray's direction has a negative z"),
+        (x > 0.0, "the ray's direction has a positive x"),
+        (y > 0.0, "the ray's direction has a positive y"),
+        (z > 0.0, "the ray's direction has a positive z"),
+        (
+            ray.d.contains(&0.0),
+            "a coordinate of the ray's direction is 0",
+        ),
+        (
+            (length - 1.0).abs() > 1e-9,
+            "the ray's direction does not have length 1",
+        ),
+        (
+            ray.o != [0.0; 3],
+            "the ray does not start at the world's origin",
+        ),
+    ]);
+    [direction, range_circumstances(ray)].concat()
+}
+
+/// The circumstances of the range of a ray.
+pub(crate) fn range_circumstances(ray: &Ray) -> Vec<&'static str> {
+    holding(&[
+        (ray.min_t > 0.0, "min_t is above 0"),
+        (ray.min_t < 0.0, "min_t is below 0"),
+        (ray.max_t < f64::INFINITY, "max_t is finite"),
+    ])
+}
+
+/// Whether the channels of a colour differ.
+pub(crate) fn is_coloured([r, g, b]: Xyz) -> bool {
+    r != g || g != b
+}

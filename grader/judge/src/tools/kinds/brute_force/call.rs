@@ -1,0 +1,46 @@
+//! One call in words and shown.
+
+use crate::tools::call_text::ray_and;
+use crate::tools::shown::{ShownCall, ShownRay, YourHit};
+use crate::tools::snapshot::Fields;
+use crate::tools::truth::{self, records};
+use crate::tools::{Tier, convert, plural};
+use kit::Primitive;
+use wire::answer::HitsAnswer;
+use wire::work::BruteForceWork;
+
+pub(super) fn input(work: &BruteForceWork, call: usize) -> Option<String> {
+    let shapes = work.triangles.len() + work.spheres.len();
+    let shapes = plural(shapes, "shape", "shapes");
+    Some(ray_and(work.rays.get(call)?, &shapes))
+}
+
+/// The right hits of some calls, as fields.
+pub(super) fn exact(work: &BruteForceWork, enclosed: bool, calls: &[u32]) -> Vec<Fields> {
+    let scene = convert::scene(&work.triangles, &work.spheres);
+    records::of_scene(&scene, enclosed, &work.rays, calls)
+}
+
+pub(super) fn shown(
+    work: &BruteForceWork,
+    tier: Tier,
+    enclosed: bool,
+    call: usize,
+    answer: Option<&HitsAnswer>,
+) -> Option<ShownCall> {
+    let scene = convert::scene(&work.triangles, &work.spheres);
+    let ray = convert::ray(work.rays.get(call)?);
+    let shapes: Vec<Primitive<'_>> = scene.primitives().collect();
+    let expected = truth::first_of(tier, &shapes, &ray, enclosed);
+    let hit = answer.and_then(|answer| answer.hits.get(call));
+    let yours = hit.map(|hit| YourHit {
+        t: hit.map(|hit| hit.t),
+        record: *hit,
+    });
+    Some(ShownCall::Ray(ShownRay::of_hit(
+        scene.clone(),
+        ray,
+        &expected,
+        yours,
+    )))
+}

@@ -46,7 +46,7 @@ fn the_reference_answers_every_simple_question_rightly() {
             let failed = findings.filter(|finding| !finding.passed());
             wrong.extend(failed.map(|finding| {
                 let first = finding.faults.first().map_or(0, |fault| fault.call);
-                let input = judge::call_input::of(&simple.work, first as usize);
+                let input = simple.input(first as usize);
                 let worst = finding.worst.map(|worst| worst.message);
                 format!(
                     "{} {} {:?}: {} of {} wrong; {input:?}: {worst:?}",

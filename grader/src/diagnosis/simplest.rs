@@ -11,7 +11,7 @@ use crate::workers::stage_workers::StageWorkers;
 use base::GraderError;
 use judge::cases::Spec;
 use judge::tally::{Aspect, Class, Fault, Finding};
-use judge::{Tier, call_input, repro};
+use judge::{Tier, repro};
 use serde::Serialize;
 use wire::Outcome;
 
@@ -144,7 +144,7 @@ pub fn wrong_answers(workers: &StageWorkers, specs: &[&Spec]) -> Result<Vec<Stri
         };
         let (_, wrong) = judge::judge_each(spec, Tier::Core, answer, &[]);
         sentences.extend(wrong.into_iter().map(|wrong| {
-            let input = call_input::of(&spec.work, wrong.call as usize).unwrap_or_default();
+            let input = spec.input(wrong.call as usize).unwrap_or_default();
             format!("{input}: {}: {}", wrong.aspect.label(), wrong.message)
         }));
     }
@@ -197,7 +197,7 @@ fn call(case: &CaseResult, spec: &Spec, call: u32) -> SimplestCall {
     SimplestCall {
         case: case.name.clone(),
         aspect: None,
-        input: call_input::of(&spec.work, call as usize).unwrap_or_default(),
+        input: spec.input(call as usize).unwrap_or_default(),
         result: String::new(),
         test: repro::of_work(
             &spec.work,

@@ -108,7 +108,7 @@ fn now(ui: &mut Ui, opened: &OpenCase) {
         });
     }
     if let Some(failure) = opened.failure() {
-        ui.colored_label(colors::HOVERED, failure);
+        ui.colored_label(colors::HOVERED, failure.to_string());
     }
     let Some(content) = opened.content() else {
         return;

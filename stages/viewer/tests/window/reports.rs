@@ -150,7 +150,7 @@ fn cases_of_every_part_are_shown_in_3d_and_as_pictures() {
         let case = failed(task, name);
         let content = CaseContent::of(&case);
         let wrong = match &content.view {
-            Some(CaseView::Ray(case)) => ("Ray", case.rows.iter().any(|row| !row.is_right)),
+            Some(CaseView::Ray(case)) => ("Ray", case.shown.rows.iter().any(|row| !row.is_right)),
             Some(CaseView::Tree(case)) => ("Tree", !case.wrong.is_empty()),
             Some(CaseView::Visits(case)) => ("Visits", case.parting.is_some()),
             Some(CaseView::Light(case)) => ("Light", case.points.is_empty()),

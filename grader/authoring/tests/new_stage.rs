@@ -215,22 +215,23 @@ impl Copy {
         file_tree::write(&path, with.as_bytes()).expect("written");
     }
 
-    /// The report of the new part.
-    fn grade(&self) -> Value {
+    /// What `grader` prints: on stdout, and on stderr.
+    fn run(&self, args: &[&str]) -> [String; 2] {
         let output = Command::new(base::child_processes::cargo())
             .current_dir(&self.root)
             .args(["run", "--release", "--offline", "--package", "grader", "--"])
-            .args(["part7", "--format", "json"])
+            .args(args)
             .env("CARGO_TARGET_DIR", self.root.join("target"))
             .env("CARGO_PROFILE_RELEASE_OPT_LEVEL", "0")
             .output()
             .expect("cargo runs");
-        serde_json::from_slice(&output.stdout).unwrap_or_else(|e| {
-            panic!(
-                "no report ({e}):\n{}",
-                String::from_utf8_lossy(&output.stderr)
-            )
-        })
+        [output.stdout, output.stderr].map(|text| String::from_utf8_lossy(&text).into_owned())
+    }
+
+    /// The report of the new part.
+    fn grade(&self) -> Value {
+        let [report, errors] = self.run(&["part7", "--format", "json"]);
+        serde_json::from_str(&report).unwrap_or_else(|e| panic!("no report ({e}):\n{errors}"))
     }
 }
 
@@ -270,6 +271,17 @@ fn a_new_stage_is_graded_after_the_changes_that_contributing_lists() {
         message.is_some_and(|m| m.contains("your result: -2; expected: -6")),
         "{wrong:#}"
     );
+    copy.write(
+        "stages/doubling/src/lib.rs",
+        &STAGE.replace("2.0 * x", "if x < 0.0 { panic!(\"no\") } else { 2.0 * x }"),
+    );
+    let crashed = copy.grade().to_string();
+    assert!(
+        crashed.contains("x = -3.0"),
+        "the input of the crash: {crashed}"
+    );
+    let [explained, _] = copy.run(&["explain", "part7.task1/three_numbers"]);
+    assert!(explained.contains("3 numbers"), "{explained}");
     let stub = r#"kit::hole!("part7.task1", x)"#;
     copy.write(
         "stages/doubling/src/lib.rs",

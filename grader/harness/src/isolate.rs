@@ -8,9 +8,9 @@ use std::io::Read;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::sync::{Mutex, OnceLock};
-use wire::answer::HoleCall;
 use wire::file::FrameWriter;
 use wire::question::{Question, Reply, read_reply};
+use wire::record::HoleCall;
 use wire::{Answer, Case, Outcome, Record, RecordFrame, Work};
 
 /// The case that is running.

@@ -18,7 +18,7 @@ use crate::workers::worker_set::WorkerSet;
 use base::{GraderError, Workspace};
 use judge::cases::{self, Spec};
 use judge::repro::{self, FailedCase};
-use wire::answer::HoleCall;
+use wire::record::HoleCall;
 use wire::{Answer, Outcome};
 
 /// A request to grade tasks.

@@ -6,7 +6,7 @@ use judge::Tier;
 use judge::tally::Finding;
 use serde::Serialize;
 use std::collections::{BTreeMap, BTreeSet};
-use wire::answer::HoleCall;
+use wire::record::HoleCall;
 
 /// A function that shares the points of a case equally with others.
 #[derive(Clone, Debug, PartialEq)]

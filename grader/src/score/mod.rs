@@ -15,7 +15,7 @@ use functions::{FunctionResult, FunctionShare};
 use judge::Tier;
 use judge::tally::{Finding, Worst};
 use serde::Serialize;
-use wire::answer::HoleCall;
+use wire::record::HoleCall;
 
 /// The share of its points that a function without the idea of its task gets.
 const WITHOUT_IDEA: f64 = 0.25;

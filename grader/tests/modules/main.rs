@@ -16,6 +16,26 @@ use std::path::{Path, PathBuf};
 /// The largest number of files that may import each other in a circle.
 const LARGEST_CIRCLE: usize = 3;
 
+/// The larger circles that remain: the folder that has all files of the circle, and their number. A
+/// line goes when its circle is opened; none is added.
+const REMAINING: &[(&str, usize)] = &[
+    ("grader/class/src/intake", 5),
+    ("grader/cost/src", 14),
+    ("grader/kernels/src/bbox", 5),
+    ("grader/kernels/src/build", 4),
+    ("grader/kernels/src/sphere", 4),
+    ("grader/kernels/src/triangle", 7),
+    ("grader/src/cli", 5),
+    ("grader/worker/src/picture", 12),
+    ("scenes/src/collada", 4),
+    ("stages/book/code/figures", 13),
+    ("stages/pathtracer/src", 4),
+    ("stages/simd_bvh/src", 5),
+    ("stages/simd_paths/src", 18),
+    ("stages/viewer/src", 11),
+    ("stages/viewer/src", 9),
+];
+
 /// The floors of the judge, from the ground: a file imports from its own floor and those below.
 const JUDGE_FLOORS: [&str; 3] = ["tools", "tasks", "face"];
 
@@ -40,8 +60,9 @@ fn roots() -> (Vec<PathBuf>, PathBuf) {
     (roots.collect(), metadata.workspace_root.into_std_path_buf())
 }
 
-#[test]
-fn no_circle_of_imports_has_more_than_three_files() {
+/// The circles of more than [`LARGEST_CIRCLE`] files: the folder that has all files of a circle, and
+/// the files.
+fn large_circles() -> Vec<(String, Vec<PathBuf>)> {
     let (roots, workspace) = roots();
     assert!(roots.len() > 30, "{roots:?}");
     let mut files = 0;
@@ -49,22 +70,50 @@ fn no_circle_of_imports_has_more_than_three_files() {
     for root in roots {
         let imports = imports_of(&root);
         files += imports.len();
-        for circle in circles::of(&imports) {
-            if circle.len() > LARGEST_CIRCLE {
-                let show = |path: &PathBuf| {
-                    let path = path.strip_prefix(&workspace).unwrap_or(path);
-                    path.display().to_string()
-                };
-                large.insert(circle.iter().map(show).collect::<Vec<_>>().join("\n    "));
-            }
-        }
+        let circles = circles::of(&imports).into_iter();
+        large.extend(circles.filter(|circle| circle.len() > LARGEST_CIRCLE));
     }
     assert!(files > 800, "only {files} files were read");
-    let large: Vec<String> = large.into_iter().collect();
+    let inside = |path: &Path| path.strip_prefix(&workspace).unwrap_or(path).to_path_buf();
+    let named = large.into_iter().map(|circle| {
+        let circle: Vec<PathBuf> = circle.iter().map(|path| inside(path)).collect();
+        (common_folder(&circle), circle)
+    });
+    named.collect()
+}
+
+/// The deepest folder that contains all `files`.
+fn common_folder(files: &[PathBuf]) -> String {
+    let folders = files
+        .first()
+        .into_iter()
+        .flat_map(|file| file.ancestors().skip(1));
+    let mut common = folders.filter(|folder| files.iter().all(|file| file.starts_with(folder)));
+    common
+        .next()
+        .map_or(String::new(), |folder| folder.display().to_string())
+}
+
+#[test]
+fn no_circle_of_imports_has_more_than_three_files() {
+    let mut remaining = REMAINING.to_vec();
+    let mut too_large = Vec::new();
+    for (folder, circle) in large_circles() {
+        let is_known = |(known, files): &(&str, usize)| *known == folder && circle.len() <= *files;
+        if let Some(known) = remaining.iter().position(is_known) {
+            remaining.remove(known);
+        } else {
+            too_large.push(format!("{folder}, {} files: {circle:#?}", circle.len()));
+        }
+    }
     assert!(
-        large.is_empty(),
-        "these files import each other in circles; move what they share into a file below them:\n    {}",
-        large.join("\n\n    ")
+        too_large.is_empty(),
+        "these files import each other in circles; move what they share into a file below them:\n{}",
+        too_large.join("\n")
+    );
+    assert!(
+        remaining.is_empty(),
+        "these circles are open: remove their lines from REMAINING: {remaining:?}"
     );
 }
 

@@ -103,7 +103,7 @@ impl SourceTree {
                     at = end;
                 }
                 ([Token::Name(word), ..], _) if word == "use" => {
-                    let end = tokens::item_end_of_use(tokens, at);
+                    let end = tokens::use_end(tokens, at);
                     let module = &mut self.modules[this];
                     add_use(module, &mut tokens[at + 1..end].iter().peekable(), &[]);
                     at = end + 1;

@@ -11,13 +11,6 @@ pub(crate) enum Token {
     Mark(char),
 }
 
-impl Token {
-    /// Whether this is the name or keyword `name`.
-    pub(crate) fn is(&self, name: &str) -> bool {
-        matches!(self, Token::Name(own) if own == name)
-    }
-}
-
 /// The tokens of `text`, without comments, literals and what is compiled for tests only.
 pub(crate) fn of(text: &str) -> Vec<Token> {
     without_tests(all(text))
@@ -161,7 +154,7 @@ pub(crate) fn item_end(tokens: &[Token], at: usize) -> usize {
 }
 
 /// The place of the `;` that ends the `use` at `at`.
-pub(crate) fn item_end_of_use(tokens: &[Token], at: usize) -> usize {
+pub(crate) fn use_end(tokens: &[Token], at: usize) -> usize {
     let rest = tokens[at..]
         .iter()
         .position(|token| *token == Token::Mark(';'));

@@ -4,14 +4,15 @@
 //! [postcard](https://docs.rs/postcard), so NaN, infinities and -0 arrive as they were sent.
 //!
 //! [`kinds`] lists the kinds of work, each with its question and its answer. [`work`] has the
-//! questions of Parts 1 and 2, [`answer`] their answers and the records of all answers; [`direct`],
-//! [`global`] and [`adaptive`] have both for Parts 3 to 5, and [`light`] the materials and lights
-//! of scripted worlds. [`mod@picture`] has the pictures of tasks, [`question`] what a worker asks
+//! questions of Parts 1 and 2, [`answer`] their answers; [`direct`], [`global`] and [`adaptive`]
+//! have both for Parts 3 to 5, and [`light`] the materials and lights of scripted worlds.
+//! [`record`] has the records of all answers. [`mod@picture`] has the pictures of tasks, [`question`] what a worker asks
 //! while a case runs. [`mod@file`] reads and writes all
 //! of them: the records that a worker has finished can be read even if it is killed.
 
 pub mod adaptive;
 pub mod answer;
+mod case;
 pub mod direct;
 pub mod file;
 pub mod global;
@@ -20,9 +21,10 @@ pub mod light;
 pub mod picture;
 mod printed;
 pub mod question;
+pub mod record;
 pub mod work;
 
-pub use answer::{Excess, Outcome, Record, RecordFrame};
+pub use case::Case;
 pub use kinds::{Answer, Kind, Work, kind};
 pub use printed::{case_of_marker, output_marker};
-pub use work::Case;
+pub use record::{Excess, Outcome, Record, RecordFrame};

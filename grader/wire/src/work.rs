@@ -1,23 +1,9 @@
-//! Cases, and the questions of Parts 1 and 2.
+//! The questions of Parts 1 and 2.
 
-use crate::kinds::Work;
 use serde::{Deserialize, Serialize};
 
 /// Three coordinates, world space.
 pub type Xyz = [f64; 3];
-
-/// One isolated check of one task.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Case {
-    /// Key of the task, such as `part1.task3`.
-    pub task: String,
-    /// Name of the case, unique in its task.
-    pub name: String,
-    /// Time limit in milliseconds. A case that takes longer fails.
-    pub limit_ms: u64,
-    /// The kind of work and its question.
-    pub work: Work,
-}
 
 /// Rays to test against single triangles.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

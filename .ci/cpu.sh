@@ -28,14 +28,11 @@ measure_machine() {
     loops=$((loops + 1)) loops_ms=$((loops_ms + ms))
 }
 
-# within_budget WHAT SECONDS BUDGET: prints what was used of a budget, and fails if it was more. On a machine that is
-# slower than the reference, the budget is longer in proportion; on a faster one it stays.
+# within_budget WHAT SECONDS AIM LIMIT: prints what was used, and fails if it was more than the limit. On a machine that is
+# slower than the reference, the limit is higher in proportion; on a faster one it stays.
 within_budget() {
-    local mean=$((loops_ms / loops)) budget=$3
-    if [ $mean -gt $reference_loop_ms ]; then budget=$((budget * mean / reference_loop_ms)); fi
-    echo "CPU: $1 took $2 s of $budget s (budget $3 s; this machine takes $mean ms for a loop of $reference_loop_ms ms)"
-    [ "$2" -le "$budget" ] || {
-        echo "$1 is over its budget: see CONTRIBUTING.md, \"What tests may cost\"" >&2
-        return 1
-    }
+    local mean=$((loops_ms / loops)) limit=$4
+    if [ $mean -gt $reference_loop_ms ]; then limit=$((limit * mean / reference_loop_ms)); fi
+    echo "$1 took $2 s of CPU (aim: $3 s, limit: $limit s, where the loop of $reference_loop_ms ms takes $mean ms)"
+    [ "$2" -le "$limit" ]
 }

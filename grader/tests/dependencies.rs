@@ -145,6 +145,7 @@ const MAY_DEPEND_ON: &[(&str, &[&str])] = &[
         ],
     ),
     ("golden", &[]),
+    ("schemas", &[]),
 ];
 
 #[test]

@@ -236,7 +236,7 @@ impl Copy {
 }
 
 #[test]
-#[ignore = "builds a copy of the project, which takes a minute: .ci/run runs it"]
+#[ignore = "builds a copy of the project, which takes a minute: .ci/nightly authoring"]
 fn a_new_stage_is_graded_after_the_changes_that_contributing_lists() {
     let workspace = Workspace::above(Path::new(".")).expect("the course");
     let copy = Copy {

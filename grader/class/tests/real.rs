@@ -1,5 +1,5 @@
 //! Grades a small class for real: compiles and runs it. Takes minutes, so it is not among the usual
-//! tests: `cargo test -p class --test real -- --ignored`.
+//! tests: `cargo test -p class -- --ignored`.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;

@@ -1,13 +1,11 @@
 //! Units are graded once, wherever and however often a run is stopped, and the tables are the same
 //! bytes.
 
-mod fake_class;
-
+use crate::fake_class::{Behaviour, FakeClass, HOSTILE};
 use class::plan::Plan;
 use class::pool;
 use class::progress::Progress;
 use class::unit;
-use fake_class::{Behaviour, FakeClass, HOSTILE};
 use std::path::PathBuf;
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
@@ -300,7 +298,7 @@ fn a_killed_run_goes_on_where_it_was() {
             stored()
         );
         let mut run = Command::new(std::env::current_exe().expect("this program"))
-            .args(["--exact", "a_killed_run_goes_on_where_it_was"])
+            .args(["--exact", "units::a_killed_run_goes_on_where_it_was"])
             .env(KILLED, folder.path())
             .stdout(Stdio::null())
             .stderr(Stdio::null())

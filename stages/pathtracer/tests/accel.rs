@@ -1,9 +1,7 @@
 //! Pictures do not depend on the acceleration structure, bit for bit.
 // BEGIN SOLUTION(part6.task1)
 
-mod common;
-
-use common::{own_scenes, scene_files};
+use crate::common::{own_scenes, scene_files};
 use kit::{FilmSize, LitScene};
 use pathtracer::{Accel, AccelKind, Job, LightSettings, Rendered, Textures, render_lit};
 use scenes::placement;

@@ -2,9 +2,7 @@
 //! effects.
 // BEGIN SOLUTION(part6.task2)
 
-mod common;
-
-use common::{own_scenes, scene_files};
+use crate::common::{own_scenes, scene_files};
 use kit::sampler::{Pattern, Sampling};
 use kit::{FilmSize, LitScene};
 use pathtracer::{

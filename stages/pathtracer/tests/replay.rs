@@ -1,9 +1,7 @@
 // BEGIN SOLUTION(part6.task1)
 //! Replays of pixels: the mean of the recorded samples is the rendered pixel, bit for bit.
 
-mod common;
-
-use common::{own_scenes, scene_files};
+use crate::common::{own_scenes, scene_files};
 use kit::film::Cell;
 use kit::sampler::{Pattern, Sampling};
 use kit::{FilmSize, NodeKind, PrimId};

@@ -1,27 +1,14 @@
-//! Every format of every outcome fits its published schema, and says what the report says.
+//! Every format says what the report says. That every file fits its published schema is tested in
+//! `schemas`, except of JUnit.
 
 mod junit_schema;
 mod outcomes;
 
 use formats::{Format, Outcome};
 use outcomes::{
-    broken, failed_grader, full, hostile, nothing_compiles, partly, refused, settings,
-    stage_refused,
+    all, failed_grader, full, hostile, nothing_compiles, partly, refused, settings, stage_refused,
 };
 use serde_json::Value;
-
-/// Every kind of outcome, with its name.
-fn all() -> [(&'static str, Outcome); 7] {
-    [
-        ("full", full()),
-        ("partly", partly()),
-        ("broken", broken()),
-        ("nothing_compiles", nothing_compiles()),
-        ("hostile", hostile()),
-        ("refused", refused()),
-        ("failed_grader", failed_grader()),
-    ]
-}
 
 fn written(format: Format, outcome: &Outcome) -> String {
     let text = format.write(outcome, &settings());
@@ -32,34 +19,8 @@ fn json(format: Format, outcome: &Outcome) -> Value {
     serde_json::from_str(&written(format, outcome)).expect("it is JSON")
 }
 
-fn schema(text: &str) -> jsonschema::Validator {
-    let schema: Value = serde_json::from_str(text).expect("the schema is JSON");
-    jsonschema::validator_for(&schema).expect("it is a schema")
-}
-
-/// The names of the outcomes whose file in `format` violates the schema.
-fn violating(format: Format, schema_text: &str) -> Vec<&'static str> {
-    let schema = schema(schema_text);
-    let all = all();
-    let violating = all.iter().filter(|(name, outcome)| {
-        let file = json(format, outcome);
-        let errors = schema
-            .iter_errors(&file)
-            .map(|e| format!("{}: {e}", e.instance_path()));
-        let errors: Vec<String> = errors.collect();
-        if !errors.is_empty() {
-            println!("{name}: {}", errors.join("\n"));
-        }
-        !errors.is_empty()
-    });
-    violating.map(|(name, _)| *name).collect()
-}
-
 #[test]
-fn gradescope_accepts_every_file_but_that_of_a_failed_grader() {
-    // Gradescope shows such a file as a failure of the autograder, without points.
-    let text = include_str!("../../schemas/gradescope.json");
-    assert_eq!(violating(Format::Gradescope, text), ["failed_grader"]);
+fn gradescope_shows_a_failed_grader_as_no_fault_of_the_code() {
     let file = json(Format::Gradescope, &failed_grader());
     assert!(
         file.get("score").is_none() && file.get("tests").is_none(),
@@ -75,9 +36,7 @@ fn gradescope_accepts_every_file_but_that_of_a_failed_grader() {
 }
 
 #[test]
-fn classroom50_accepts_every_file() {
-    let text = include_str!("../../schemas/classroom50.json");
-    assert_eq!(violating(Format::Classroom50, text), [""; 0]);
+fn the_points_of_classroom50_add_up() {
     for (name, outcome) in all() {
         let file = json(Format::Classroom50, &outcome);
         let points = |value: &Value| {
@@ -102,9 +61,7 @@ fn classroom50_accepts_every_file() {
 }
 
 #[test]
-fn prairielearn_accepts_every_file() {
-    let text = include_str!("../../schemas/prairielearn.json");
-    assert_eq!(violating(Format::PrairieLearn, text), [""; 0]);
+fn prairielearn_gets_a_share_of_the_points() {
     for (name, outcome) in all() {
         let file = written(Format::PrairieLearn, &outcome);
         assert!(file.len() < 1_000_000, "{name}: {} bytes", file.len());
@@ -119,12 +76,6 @@ fn prairielearn_accepts_every_file() {
             .unwrap()
             < 1.0
     );
-}
-
-#[test]
-fn the_reports_own_json_fits_its_schema() {
-    let text = include_str!("../../schemas/report.json");
-    assert_eq!(violating(Format::Json, text), [""; 0]);
 }
 
 #[test]

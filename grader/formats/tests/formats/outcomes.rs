@@ -163,3 +163,16 @@ pub(crate) fn refused() -> Outcome {
         max_score: 10.0,
     }
 }
+
+/// Every kind of outcome, with its name.
+pub(crate) fn all() -> [(&'static str, Outcome); 7] {
+    [
+        ("full", full()),
+        ("partly", partly()),
+        ("broken", broken()),
+        ("nothing_compiles", nothing_compiles()),
+        ("hostile", hostile()),
+        ("refused", refused()),
+        ("failed_grader", failed_grader()),
+    ]
+}

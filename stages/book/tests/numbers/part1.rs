@@ -1,6 +1,6 @@
 //! The worked examples of Part 1.
 
-use crate::{Numbers, check};
+use super::{Numbers, check};
 use kit::{Mat3, Vec2, Vec3};
 
 #[test]

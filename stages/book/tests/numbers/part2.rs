@@ -1,6 +1,6 @@
 //! The worked examples of Part 2.
 
-use crate::{Numbers, check};
+use super::{Numbers, check};
 use kit::{Aabb, Vec3};
 
 fn cube(x: f64) -> Aabb {

@@ -1,6 +1,6 @@
 //! The worked examples of Part 4.
 
-use crate::{Numbers, check};
+use super::{Numbers, check};
 use kit::Vec3;
 
 #[test]

@@ -1,6 +1,6 @@
 //! The worked examples of Part 5.
 
-use crate::{Numbers, check};
+use super::{Numbers, check};
 
 #[test]
 fn task1() {

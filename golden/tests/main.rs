@@ -1,0 +1,8 @@
+//! All tests of the goldens.
+
+mod certainty;
+mod goldens;
+mod main_answers;
+mod mistakes;
+mod simple_questions;
+mod untrusted_records;

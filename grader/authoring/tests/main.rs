@@ -1,0 +1,8 @@
+//! All tests that carve, mutate or repeat the whole course.
+
+mod empty_solutions;
+mod handouts;
+mod mistake_pictures;
+mod mutants;
+mod new_stage;
+mod repro;

@@ -1,0 +1,8 @@
+//! All tests of grading a class.
+
+mod fake_class;
+mod forms;
+mod likeness;
+mod reading;
+mod real;
+mod units;

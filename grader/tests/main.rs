@@ -1,0 +1,8 @@
+//! All tests of the program `grader` and of the workspace as a whole.
+
+mod benchmarks;
+mod closed_pipe;
+mod dependencies;
+mod pictures;
+mod student_loop;
+mod test_files;

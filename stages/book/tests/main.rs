@@ -1,0 +1,6 @@
+//! All tests of the text, its numbers and its pages.
+
+mod course;
+mod numbers;
+mod pages;
+mod text;

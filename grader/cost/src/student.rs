@@ -100,7 +100,7 @@ impl Student {
                 | Ending::TooManyThreads { .. }
                 | Ending::OutOfTime,
             ) => Err(format!("your code {}", crashed.unwrap_or_default())),
-            Some(Ending::Malformed(why)) => Err(why),
+            Some(Ending::Malformed(why) | Ending::ChangedCounts(why)) => Err(why),
             Some(Ending::Skipped) | None => {
                 return Err(GraderError::new("the worker returned no record for a case"));
             }

@@ -185,7 +185,7 @@ fn why_missing(mesh: &str, size: u32, ending: &Ending, course: &Course) -> Strin
         Ending::TimedOut { limit_ms, .. } => {
             format!("{at} takes more than {} s", limit_ms / 1000)
         }
-        Ending::Malformed(why) => format!("on {at} {why}"),
+        Ending::Malformed(why) | Ending::ChangedCounts(why) => format!("on {at} {why}"),
         Ending::Died { .. }
         | Ending::PrintedTooMuch { .. }
         | Ending::TooManyThreads { .. }

@@ -19,6 +19,8 @@ pub(crate) struct Asked<'a> {
     cases: &'a [Case],
     /// What was asked for a hidden ray: its case and its call.
     counts: HashMap<(u32, u32), Counts>,
+    /// How a record shows that something changed the worker's counts, if one does.
+    why_changed: Option<String>,
 }
 
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -33,6 +35,7 @@ impl<'a> Asked<'a> {
         Asked {
             cases,
             counts: HashMap::new(),
+            why_changed: None,
         }
     }
 
@@ -89,8 +92,13 @@ impl<'a> Asked<'a> {
         reply.ok_or_else(|| format!("{question:?} is not in the tree"))
     }
 
+    /// The sentence about counts that are not those of the questions, if there were any.
+    pub(crate) fn why_changed(&self) -> Option<&str> {
+        self.why_changed.as_deref()
+    }
+
     /// Whether the counts of a record are those of its questions. If not, a sentence says which.
-    pub(crate) fn check(&self, record: &Record) -> Result<(), String> {
+    pub(crate) fn check(&mut self, record: &Record) -> Result<(), String> {
         let Outcome::Answered(Answer::Traverse(answers)) = &record.outcome else {
             return Ok(());
         };
@@ -104,10 +112,12 @@ impl<'a> Asked<'a> {
                 prims: answer.prim_tests,
             };
             if counted != *asked {
-                return Err(format!(
-                    "in call {call} it counts {} box tests and {} primitive tests, but it asked for {} and {}. Something changed its counts",
+                let why = format!(
+                    "in call {call} it counts {} box tests and {} primitive tests, but it asked for {} and {}",
                     counted.boxes, counted.prims, asked.boxes, asked.prims
-                ));
+                );
+                self.why_changed = Some(why.clone());
+                return Err(why);
             }
         }
         Ok(())

@@ -37,7 +37,7 @@ impl Crash {
             Ending::OutOfTime => (CrashKind::Endless, None),
             Ending::Died { how, call } if how.is_endless() => (CrashKind::Endless, *call),
             Ending::Died { call, .. } => (CrashKind::Ended, *call),
-            Ending::Malformed(_) => (CrashKind::Ended, None),
+            Ending::Malformed(_) | Ending::ChangedCounts(_) => (CrashKind::Ended, None),
             Ending::Recorded(record) => match &record.outcome {
                 Outcome::Panicked { call, message, .. } if is_closed_output(message) => {
                     (CrashKind::Ended, Some(*call))
@@ -76,6 +76,7 @@ pub fn describe(ending: &Ending) -> Option<String> {
         ),
         Ending::Died { how, .. } => how.to_string(),
         Ending::Malformed(how) => how.clone(),
+        Ending::ChangedCounts(how) => format!("changed the grader's counts of its tests: {how}"),
         Ending::Recorded(record) => match &record.outcome {
             Outcome::Panicked { message, .. } if is_closed_output(message) => format!(
                 "printed more than {} MB in this run, so `println!` panicked: print less",
@@ -180,6 +181,11 @@ mod tests {
                 Ending::PrintedTooMuch { call: 1 },
                 CrashKind::Endless,
                 "printed millions of lines in one call: an endless loop? (call 1 of the case)",
+            ),
+            (
+                Ending::ChangedCounts("in call 3 it counts 1".into()),
+                CrashKind::Ended,
+                "changed the grader's counts of its tests: in call 3 it counts 1",
             ),
             (
                 Ending::OutOfTime,

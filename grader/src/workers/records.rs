@@ -24,7 +24,8 @@ pub struct Records {
 impl Records {
     /// Whether everything that was read is what a worker writes.
     pub fn is_in_order(&self) -> bool {
-        !matches!(self.endings.last(), Some(Ending::Malformed(_)))
+        let last = self.endings.last();
+        !matches!(last, Some(Ending::Malformed(_) | Ending::ChangedCounts(_)))
     }
 }
 

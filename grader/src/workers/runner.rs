@@ -51,6 +51,8 @@ pub enum Ending {
     },
     /// The worker's record is invalid; the text is a sentence that explains why.
     Malformed(String),
+    /// Something changed what the worker counted; the text is a sentence that says how this shows.
+    ChangedCounts(String),
     /// Not run, because smaller timings have timed out.
     Skipped,
 }
@@ -365,7 +367,10 @@ impl Process<'_> {
             // Without an end that the case is to blame for.
             frame.filter(|frame| frame.is_ok() || !deadline.has_passed())
         });
-        let records = records::read(in_time, self.cases, first);
+        let mut records = records::read(in_time, self.cases, first);
+        if let (Some(why), Some(last)) = (asked.why_changed(), records.endings.last_mut()) {
+            *last = Ending::ChangedCounts(why.to_string());
+        }
         let is_complete = first + records.endings.len() == self.cases.len();
         (records, !is_complete && deadline.has_passed())
     }

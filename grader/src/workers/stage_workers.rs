@@ -6,6 +6,7 @@ use crate::workers::printed::Printed;
 use crate::workers::runner::{self, Ending, Worker};
 use base::GraderError;
 use judge::cases::Spec;
+use std::collections::BTreeMap;
 
 /// The workers of a stage.
 #[derive(Clone, Debug)]
@@ -40,11 +41,45 @@ impl StageWorkers {
         };
         let lost = || GraderError::new("the worker returned no result for a case");
         let each = specs.iter();
-        each.map(|spec| match (spec.needs_all_stages(), &mut whole_scene) {
+        let endings = each.map(|spec| match (spec.needs_all_stages(), &mut whole_scene) {
             (false, _) => alone.next().map(Ok).ok_or_else(lost),
             (true, Ok(whole_scene)) => whole_scene.next().map(Ok).ok_or_else(lost),
             (true, Err(broken)) => Ok(Err((*broken).clone())),
+        });
+        let mut endings: Vec<Result<Ending, String>> =
+            endings.collect::<Result<_, GraderError>>()?;
+        let tasks: Vec<&str> = specs.iter().map(|spec| spec.task).collect();
+        fail_tasks_with_changed_counts(&tasks, &mut endings);
+        Ok(endings)
+    }
+}
+
+/// Code that changes its counts in one case may have done so in the others of its task, in whole
+/// scenes for example: all of them end so. `tasks` has the task of each ending.
+fn fail_tasks_with_changed_counts(tasks: &[&str], endings: &mut [Result<Ending, String>]) {
+    let changed = tasks.iter().zip(endings.iter()).rev();
+    let changed: BTreeMap<&str, Ending> = changed
+        .filter_map(|(task, ending)| match ending {
+            Ok(ending @ Ending::ChangedCounts(_)) => Some((*task, ending.clone())),
+            _ => None,
         })
-        .collect()
+        .collect();
+    for (task, ending) in tasks.iter().zip(endings) {
+        if let Some(changed) = changed.get(task) {
+            *ending = Ok(changed.clone());
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn changed_counts_fail_the_whole_task_and_no_other() {
+        let changed = || Ok(Ending::ChangedCounts("it counts 3".into()));
+        let mut endings = [Ok(Ending::OutOfTime), changed(), Ok(Ending::OutOfTime)];
+        fail_tasks_with_changed_counts(&["a", "a", "b"], &mut endings);
+        assert_eq!(endings, [changed(), changed(), Ok(Ending::OutOfTime)]);
     }
 }

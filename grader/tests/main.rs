@@ -3,6 +3,7 @@
 mod benchmarks;
 mod closed_pipe;
 mod dependencies;
+mod modules;
 mod pictures;
 mod student_loop;
 mod test_files;

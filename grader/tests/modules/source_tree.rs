@@ -1,6 +1,6 @@
 //! The modules of a crate, and which file defines what a path names.
 
-use crate::tokens::{self, Token};
+use super::tokens::{self, Token};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 

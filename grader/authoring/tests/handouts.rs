@@ -149,6 +149,7 @@ fn a_handout_contains_the_students_files_and_no_others() {
         "grader/src",
         "grader/worker/src",
         "golden/part1.task3.pack",
+        "golden/signatures/part1.task3.bin",
         "golden/part1.task3/picture_of_a_ring.png",
     ] {
         assert!(has(handout, path), "no {path}");
@@ -160,7 +161,6 @@ fn a_handout_contains_the_students_files_and_no_others() {
         "golden/Cargo.toml",
         "golden/tests",
         "golden/mutants",
-        "golden/signatures",
         "scenes/pictures",
         "scenes/tests",
         "grader/mutants",

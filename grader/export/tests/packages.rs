@@ -160,7 +160,7 @@ fn the_zip_has_its_scripts_at_its_root_and_they_can_be_run() {
         "course/stages/course.toml",
         "course/stages/bvh/src/lib.rs",
         "course/grader/formats/src/main.rs",
-        "course/golden/signatures/part2.task1.txt",
+        "course/golden/signatures/part2.task1.bin",
     ] {
         assert!(names.iter().any(|name| name == needed), "no {needed}");
     }

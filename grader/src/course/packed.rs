@@ -1,10 +1,10 @@
-//! Packed goldens: the snapshots and the signatures of a task in one compressed file.
+//! Packed goldens: the snapshots of a task in one compressed file.
 //!
 //! In the course's checkout they are text, one file each, to be reviewed. A handout has
 //! `golden/TASK.pack` instead: a zlib stream of entries, each a line `BYTES NAME`, then the bytes.
-//! Signatures are ordered by their keys there, which makes the stream shorter.
+//! What nobody reviews as text, such as the signatures of mistakes, is [`binary`] everywhere.
 
-mod by_key;
+pub mod binary;
 
 use base::{GraderError, Workspace};
 use miniz_oxide::deflate::compress_to_vec_zlib;
@@ -17,30 +17,19 @@ const LEVEL: u8 = 9;
 /// The largest size of an unpacked file. The largest of the course has 1.5 MB.
 const MAX_UNPACKED: usize = 64 << 20;
 
-/// The folder of the signatures.
-const SIGNATURES: &str = "signatures";
-
 /// The task to whose pack a file of the folder `golden` belongs, for the path below that folder;
 /// `None` for files that are not packed.
 pub fn task_of(path: &Path) -> Option<String> {
     let mut parts = path.iter().map(|part| part.to_string_lossy());
     let (folder, file) = (parts.next()?, parts.next()?);
-    let task = match (&*folder, file.rsplit_once('.')?) {
-        (SIGNATURES, (task, "txt")) => task,
-        (task, (_, "snap")) => task,
-        _ => return None,
-    };
-    parts.next().is_none().then(|| task.to_string())
+    let (_, extension) = file.rsplit_once('.')?;
+    (extension == "snap" && parts.next().is_none()).then(|| folder.to_string())
 }
 
 /// Packs files: their paths below the folder `golden`, and their contents.
 pub fn pack(files: &[(PathBuf, Vec<u8>)]) -> Vec<u8> {
     let mut bytes = Vec::new();
     for (path, contents) in files {
-        let contents = match str::from_utf8(contents) {
-            Ok(text) if path.starts_with(SIGNATURES) => by_key::grouped(text).into_bytes(),
-            _ => contents.clone(),
-        };
         bytes.extend(format!("{} {}\n", contents.len(), path.display()).bytes());
         bytes.extend(contents);
     }
@@ -98,8 +87,7 @@ fn find(packed: &[u8], path: &Path) -> Result<Option<String>, String> {
         let (contents, next) = after[1..].split_at_checked(length).ok_or_else(damaged)?;
         if Path::new(name) == path {
             let text = str::from_utf8(contents).map_err(|_| format!("{name} is not UTF-8 text"))?;
-            let text = by_key::restored(text);
-            return text.map(Some).ok_or_else(damaged);
+            return Ok(Some(text.to_string()));
         }
         rest = next;
     }
@@ -111,10 +99,10 @@ mod tests {
     use super::*;
 
     #[test]
-    fn snapshots_and_signatures_belong_to_their_task() {
+    fn snapshots_belong_to_their_task() {
         for (path, task) in [
             ("part1.task3/back_face.snap", Some("part1.task3")),
-            ("signatures/part1.task3.txt", Some("part1.task3")),
+            ("signatures/part1.task3.bin", None),
             ("part1.task3/picture.png", None),
             ("part1.task3/not_judged.txt", None),
             ("provenance.toml", None),
@@ -132,7 +120,7 @@ mod tests {
         std::fs::create_dir_all(root.join("golden")).unwrap();
         std::fs::write(root.join("stages/course.toml"), "").unwrap();
         let workspace = Workspace::above(root).unwrap();
-        let [a, b] = ["part1.task3/a.snap", "signatures/part1.task3.txt"].map(PathBuf::from);
+        let [a, b] = ["part1.task3/a.snap", "part1.task3/b.snap"].map(PathBuf::from);
         let files = [
             (a.clone(), b"one\n2 x\n".to_vec()),
             (b.clone(), b"two\n1 x\n".to_vec()),

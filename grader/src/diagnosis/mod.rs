@@ -1,14 +1,14 @@
 //! Diagnosis: which typical mistake a student's wrong answers look like.
 //!
-//! `golden/signatures/<task>.txt` holds the signature of each known mistake; `grader mutants
-//! --bless` makes it from the mutants. A student's signature is compared with all of them.
+//! `golden/signatures/TASK.bin` holds the signature of each known mistake; `grader mutants TASK
+//! --bless` makes it from the mutants, `grader mutants TASK --stored` prints it. A student's
+//! signature is compared with all of them.
 
 pub(crate) mod fresh_cases;
 pub mod simplest;
 
-use crate::course::packed;
 use crate::score::{CaseResult, Status};
-use crate::signature::{Agreement, Alone, Signature, file};
+use crate::signature::{Agreement, Alone, Signature, stored};
 use base::{GraderError, Workspace, write_whole};
 use serde::Serialize;
 use std::collections::BTreeSet;
@@ -111,24 +111,33 @@ const MOST_CANDIDATES: usize = 32;
 
 /// The known mistakes of a task; none if nothing is stored for it.
 pub fn known(workspace: &Workspace, task: &str) -> Result<Vec<Known>, GraderError> {
-    let path = path(task);
-    match packed::read(workspace, &path)? {
-        None => Ok(Vec::new()),
-        Some(text) => file::read(&text).map_err(|e| GraderError::file("understand", &path, e)),
+    let path = path(workspace, task);
+    if !path.is_file() {
+        return Ok(Vec::new());
     }
+    let bytes = std::fs::read(&path).map_err(|e| GraderError::file("read", &path, e))?;
+    stored::read(&bytes).map_err(|why| {
+        let why = format!(
+            "it is damaged: {why}. Restore it, from your handout or with `git checkout`; \
+             authors make it with `cargo grader mutants {task} --bless`"
+        );
+        GraderError::file("understand", &path, why)
+    })
 }
 
 /// Stores the known mistakes of a task.
 pub fn store(workspace: &Workspace, task: &str, known: &[Known]) -> Result<(), GraderError> {
-    let path = workspace.root().join("golden").join(path(task));
+    let path = path(workspace, task);
     let folder = path.parent().unwrap_or(Path::new("."));
     std::fs::create_dir_all(folder).map_err(|e| GraderError::file("make", folder, e))?;
-    write_whole(&path, file::write(task, known).as_bytes())
+    let bytes = stored::write(known).map_err(|why| GraderError::file("write", &path, why))?;
+    write_whole(&path, &bytes)
 }
 
-/// Where the signatures of a task are stored, in the folder `golden`.
-fn path(task: &str) -> PathBuf {
-    Path::new("signatures").join(format!("{task}.txt"))
+/// Where the signatures of a task are stored.
+fn path(workspace: &Workspace, task: &str) -> PathBuf {
+    let file = format!("golden/signatures/{task}.bin");
+    workspace.root().join(file)
 }
 
 /// The known mistakes that are most like `student`, best first: their names, the likeness, and

@@ -5,11 +5,12 @@ use crate::score::{CaseResult, Status};
 use crate::workers::crash::CrashKind;
 use judge::tally::{BLACK_CHANNEL, Class, Fault};
 use std::collections::{BTreeMap, HashSet};
+use std::fmt;
 use std::sync::LazyLock;
 
 /// One code for each call that is compared: 0 if the answer is right, otherwise a digest of the
 /// classes of its faults.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Codes(pub(super) Vec<u16>);
 
 /// Of many answers to the same question, this many are compared, and the first wrong one if it
@@ -151,6 +152,20 @@ impl Codes {
 
     pub(super) fn wrong(&self) -> usize {
         self.0.iter().filter(|code| **code != 0).count()
+    }
+}
+
+impl fmt::Display for Codes {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (i, run) in self.0.chunk_by(|a, b| a == b).enumerate() {
+            let comma = if i == 0 { "" } else { ", " };
+            write!(f, "{comma}{} ", run.len())?;
+            match run[0] {
+                0 => write!(f, "right")?,
+                code => write!(f, "{code:04x}")?,
+            }
+        }
+        Ok(())
     }
 }
 

@@ -1,14 +1,13 @@
 //! Signatures: which answers of a piece of code are wrong, and how, call by call. They can be
 //! stored and compared.
 //!
-//! A `SignatureKey` names a side of a case, the `Codes` describe what is wrong there. `file` writes
-//! and reads the files of known mistakes, `runs` their codes. `together` compares a signature with
+//! A `SignatureKey` names a side of a case, the `Codes` describe what is wrong there. `stored` is
+//! the form in which the known mistakes of a task are stored. `together` compares a signature with
 //! those of two mistakes.
 
 mod codes;
-pub(crate) mod file;
 mod key;
-mod runs;
+pub(crate) mod stored;
 mod together;
 
 use codes::{Codes, TELLING_KINDS, codes_of};
@@ -114,14 +113,15 @@ impl Signature {
         }
     }
 
-    /// A text that two signatures share only if they have the same faults in all cases.
+    /// A line for each side with a fault, such as `core one decision: 7 right, 4 3fa2`: seven right
+    /// calls, then four with the code 3fa2. Two signatures have the same text only if they have the
+    /// same faults in all cases.
     pub fn to_text(&self) -> String {
         let tiers = [("core", &self.core), ("robust", &self.robust)];
         let mut text = String::new();
         for (tier, cases) in tiers {
             for (key, codes) in cases {
-                let codes: Vec<String> = codes.0.iter().map(u16::to_string).collect();
-                text.push_str(&format!("{tier} {key}: {}\n", codes.join(" ")));
+                text.push_str(&format!("{tier} {key}: {codes}\n"));
             }
         }
         text

@@ -40,7 +40,7 @@ pub(crate) fn command() -> Command {
         .arg(
             path_argument("with", "FOLDER")
                 .conflicts_with_all(["seeds", "bless"])
-                .help("Instead, test the diagnosis with the mutants in FOLDER/<task>.toml, in the format of `grader/mutants`. Their mistakes need not be listed there. Nothing is stored"),
+                .help("Instead, test the diagnosis with the mutants in FOLDER/TASK.txt, in the format of `grader/mutants`. Their mistakes need not be listed there. Nothing is stored"),
         )
         .arg(
             Arg::new("families")
@@ -70,6 +70,13 @@ pub(crate) fn command() -> Command {
                 .help("Instead, render the mistakes that the chapters of the book show, as grader/mutants/pictures.toml lists them, to stages/book/src/mistakes"),
         )
         .arg(
+            Arg::new("stored")
+                .long("stored")
+                .action(ArgAction::SetTrue)
+                .conflicts_with_all(["seeds", "bless", "with", "families", "pictures"])
+                .help("Instead, print as text what is stored: the tables, and the signatures that the diagnosis uses"),
+        )
+        .arg(
             Arg::new("bless")
                 .long("bless")
                 .action(ArgAction::SetTrue)
@@ -93,6 +100,10 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
         return Ok(verdict);
     }
     for task in course.select(what)? {
+        if matches.get_flag("stored") {
+            print_stored(&workspace, &task.key)?;
+            continue;
+        }
         if let Some(&seeds) = seeds {
             let graded = seeds::grade(&workspace, &course, task, 0..seeds)?;
             show_seeds(&task.key, seeds, &graded);
@@ -152,6 +163,19 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
         }
     }
     Ok(verdict)
+}
+
+/// Prints the stored table and signatures.
+fn print_stored(workspace: &Workspace, task: &str) -> Result<(), GraderError> {
+    println!("{task}: version | cases in which it loses points | mistakes that it is named as");
+    print!("{}", Table::read(workspace, task)?);
+    println!("\n{task}: the signatures, a line for each side of a case with a fault");
+    for known in diagnosis::known(workspace, task)? {
+        let symptom = if known.is_symptom { " (symptom)" } else { "" };
+        println!("\n{}{symptom}", known.mistakes.join(" + "));
+        print!("{}", known.signature.to_text());
+    }
+    Ok(())
 }
 
 /// Compares with the stored table and signatures, and prints what differs.

@@ -256,8 +256,7 @@ impl Handout {
         self.files.insert(given::LIST.into(), list);
     }
 
-    /// Replaces the snapshots and signatures of each task by its pack: as text they would take most
-    /// of the handout.
+    /// Replaces the snapshots of each task by its pack: as text they would take most of the handout.
     fn pack_goldens(&mut self) {
         let mut packs: BTreeMap<String, Vec<(PathBuf, Vec<u8>)>> = BTreeMap::new();
         self.files.retain(|path, contents| {

@@ -20,7 +20,7 @@ fn closest(rects: &[Aabb], max_leaf_size: usize, mut ray: Ray) -> Option<(u32, f
     hit.map(|hit| (hit.prim.0, hit.t))
 }
 
-/// Naive: no split separates the primitives, so the recursion never ends.
+/// Hard case 62. Naive: no split separates the primitives, so the recursion never ends.
 #[test]
 fn equal_centroids_terminate() {
     let rects: Vec<Aabb> = (0..100)
@@ -36,8 +36,8 @@ fn equal_centroids_terminate() {
     assert_eq!(depth, 7, "halving 100 primitives takes 7 levels");
 }
 
-/// Naive: splits at the midpoint of the boxes. All centroids are on one side of it, so the other
-/// child is empty.
+/// Hard case 63. Naive: splits at the midpoint of the boxes. All centroids are on one side of it,
+/// so the other child is empty.
 #[test]
 fn empty_side_falls_back_to_the_median() {
     let mut rects = vec![square(0.0, 0.0, 0.0); 2];
@@ -55,7 +55,7 @@ fn empty_side_falls_back_to_the_median() {
     check_tree(&construct_bvh(&rects, 1), &rects, 1);
 }
 
-/// Naive: reads the root of a tree without nodes.
+/// Hard case 64. Naive: reads the root of a tree without nodes.
 #[test]
 fn empty_tree_has_no_hits() {
     let tree = construct_bvh(&[], 4);
@@ -67,6 +67,7 @@ fn empty_tree_has_no_hits() {
     assert!(!occludes_bvh(&tree, &ray, &mut world));
 }
 
+/// Hard case 64.
 #[test]
 fn one_and_two_primitives() {
     let rects = [square(0.0, 0.0, 0.0), square(2.0, 0.0, 1.0)];
@@ -90,7 +91,7 @@ fn leaf_size_0_counts_as_1() {
     assert_eq!(construct_bvh(&rects, 0), construct_bvh(&rects, 1));
 }
 
-/// Naive: a division by the small extent gives an index out of range.
+/// Hard case 65. Naive: a division by the small extent gives an index out of range.
 #[test]
 fn very_thin_object() {
     let rects: Vec<Aabb> = (0..1000)
@@ -99,7 +100,8 @@ fn very_thin_object() {
     check_tree(&construct_bvh(&rects, 1), &rects, 1);
 }
 
-/// Naive: each split separates a single primitive, so the tree has more than a thousand levels.
+/// Hard case 66. Naive: each split separates a single primitive, so the tree has more than a
+/// thousand levels.
 #[test]
 fn depth_is_bounded_for_halving_distances() {
     let rects: Vec<Aabb> = (0..2000)
@@ -112,7 +114,7 @@ fn depth_is_bounded_for_halving_distances() {
     assert!(depth <= DEPTH_BOUND, "{depth} levels");
 }
 
-/// Naive: returns the last of the primitives with an equal `t`.
+/// Hard case 67. Naive: returns the last of the primitives with an equal `t`.
 #[test]
 fn lowest_id_of_duplicates_is_hit() {
     let rects = vec![square(0.0, 0.0, 0.0); 50];
@@ -121,8 +123,8 @@ fn lowest_id_of_duplicates_is_hit() {
     }
 }
 
-/// Naive: skips a box that the ray enters at the `t` of the closest hit, or returns the last of the
-/// primitives with an equal `t`.
+/// Hard case 68. Naive: skips a box that the ray enters at the `t` of the closest hit, or returns
+/// the last of the primitives with an equal `t`.
 #[test]
 fn lowest_id_is_hit_among_equal_t_in_several_leaves() {
     // Overlapping squares in one plane. The ray hits all of them at t = 1, in several leaves.
@@ -137,8 +139,8 @@ fn lowest_id_is_hit_among_equal_t_in_several_leaves() {
     }
 }
 
-/// Naive: stops after a hit in the near child, although the box of the far child overlaps and
-/// contains a nearer hit.
+/// Hard case 69. Naive: stops after a hit in the near child, although the box of the far child
+/// overlaps and contains a nearer hit.
 #[test]
 fn overlapping_children_are_both_visited() {
     let floor = Aabb {
@@ -157,7 +159,7 @@ fn overlapping_children_are_both_visited() {
     assert_eq!(ray.max_t, 4.0);
 }
 
-/// Naive: 1e308 + 1e308 is infinite, and infinite centroids cannot be separated.
+/// Hard case 72. Naive: 1e308 + 1e308 is infinite, and infinite centroids cannot be separated.
 #[test]
 fn centroids_near_the_largest_float() {
     let rects: Vec<Aabb> = (0..64)

@@ -80,7 +80,8 @@ proptest! {
     }
 }
 
-/// Axis-aligned and diagonal rays through the corners and edges of a grid of squares.
+/// Hard case 70: any hit exists exactly if a closest one does. Axis-aligned and diagonal rays
+/// through the corners and edges of a grid of squares.
 #[test]
 fn rays_on_a_grid() {
     let rects: Vec<Aabb> = (0..400)
@@ -100,7 +101,7 @@ fn rays_on_a_grid() {
     }
 }
 
-/// The leaf size affects only the speed.
+/// Hard case 71. The leaf size affects only the speed.
 #[test]
 fn any_leaf_size() {
     let rects: Vec<Aabb> = (0..200)

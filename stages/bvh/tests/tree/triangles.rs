@@ -112,8 +112,8 @@ proptest! {
     }
 }
 
-/// Axis-aligned and diagonal rays through the corners and edges of a mesh with integer coordinates:
-/// there are no holes, and the lowest id is hit where triangles meet.
+/// Hard case 73. Axis-aligned and diagonal rays through the corners and edges of a mesh with
+/// integer coordinates: there are no holes, and the lowest id is hit where triangles meet.
 #[test]
 fn grid_aligned_rays_on_an_integer_mesh() {
     let mut mesh = Vec::new();

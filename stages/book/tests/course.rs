@@ -1,6 +1,8 @@
 //! The chapters say what the course says: titles, points, functions, signatures, conventions,
 //! mistakes. What a handout does not contain (the mistakes) is not compared there.
 
+use authoring::mutants::corpus::Corpus;
+use authoring::mutants::table::Table;
 use base::Workspace;
 use book::chapter::{self, Chapter};
 use book::html;
@@ -233,13 +235,13 @@ fn general_chapters_agree_with_the_course() {
 #[test]
 fn what_is_said_of_the_full_checkout_is_true_there() {
     let root = workspace().root().to_path_buf();
-    let mistakes = |task: &Task| {
-        let list = fs::read_to_string(root.join(format!("grader/mutants/{}.toml", task.key)));
-        list.ok().map(|list| list.matches("[[mistake]]").count())
-    };
-    let Some(mistakes) = course().tasks().map(mistakes).sum::<Option<usize>>() else {
+    if workspace().ensure_full("").is_err() {
         return;
-    };
+    }
+    let mistakes =
+        |task: &Task| Corpus::read(&workspace(), task).map(|corpus| corpus.mistakes.len());
+    let mistakes = course().tasks().map(mistakes).sum::<Result<usize, _>>();
+    let mistakes = mistakes.expect("the lists of mistakes");
     assert!(
         mistakes > 1000,
         "grading.md says more than a thousand, found {mistakes}"
@@ -298,50 +300,30 @@ fn mistakes_are_named_as_the_grader_names_them_and_fail_the_cases_shown() {
             let is_case = task.cases.iter().any(|entry| entry.name == case);
             assert!(is_case, "{} has no case {case}", task.key);
         }
-        let root = workspace().root().to_path_buf();
-        let list = root.join(format!("grader/mutants/{}.toml", task.key));
-        let Ok(list) = fs::read_to_string(list) else {
+        if !Corpus::file(&workspace(), &task).is_file() {
             continue;
-        };
-        let list: toml::Table = list.parse().expect("the list of mistakes is TOML");
-        let mistakes = list["mistake"].as_array().expect("a list");
-        let failed = fs::read_to_string(root.join(format!("golden/mutants/{}.txt", task.key)));
-        let failed = failed.expect("the mistakes were graded");
-        let columns = |line: &str| line.split(" | ").map(str::to_string).collect::<Vec<_>>();
-        let lines: Vec<Vec<String>> = failed.lines().map(columns).collect();
-        let cases = lines
-            .iter()
-            .find(|line| line[0] == "cases")
-            .expect("the cases");
-        let cases: Vec<&str> = cases[1].split_whitespace().collect();
+        }
+        let corpus = Corpus::read(&workspace(), &task).expect("the list of mistakes");
+        let table = Table::read(&workspace(), &task.key).expect("the mistakes were graded");
         for row in rows {
             let (name, case) = (marked(&row[1], '*'), marked(&row[2], '`'));
+            let mistakes = corpus.mistakes.iter();
             let ids: Vec<&str> = mistakes
-                .iter()
-                .filter(|mistake| mistake["description"].as_str() == Some(name))
-                .map(|mistake| mistake["id"].as_str().expect("an id"))
+                .filter(|mistake| mistake.description == name)
+                .map(|mistake| mistake.id.as_str())
                 .collect();
             assert!(
                 !ids.is_empty(),
                 "{}: no mistake is called: {name}",
                 task.key
             );
-            let fails = |line: &&Vec<String>| {
-                let of_mistake = ids
-                    .iter()
-                    .any(|id| line[1] == *id || line[1].starts_with(&format!("{id} on ")));
-                let number = |n: &str| n.parse::<usize>().ok();
-                let failed = || line[2].split_whitespace().filter_map(number);
-                of_mistake && failed().any(|n| cases[n] == case)
-            };
-            assert!(
-                lines
-                    .iter()
-                    .filter(|line| line[0] == "mutant")
-                    .any(|line| fails(&line)),
-                "{}: \"{name}\" does not fail {case}",
-                task.key
-            );
+            let makes_it =
+                |version: &str| ids.contains(&version.split(" on ").next().unwrap_or_default());
+            let fails = table
+                .mutants
+                .iter()
+                .any(|(version, failed)| makes_it(version) && failed.iter().any(|of| of == case));
+            assert!(fails, "{}: \"{name}\" does not fail {case}", task.key);
         }
     }
 }
@@ -366,7 +348,7 @@ fn pictures_of_mistakes_are_shown_and_named() {
             .map(|name| {
                 let name = name.as_str().expect("a name");
                 let id = name.split(" on ").next().unwrap_or(name);
-                format!("*{}*", description(&root, &task, id))
+                format!("*{}*", description(&task, id))
             })
             .collect();
         let section = &chapter.section("Mistakes").expect("a section").text;
@@ -388,14 +370,11 @@ fn pictures_of_mistakes_are_shown_and_named() {
 }
 
 /// What the grader says about the mistake `id` of a task.
-fn description(root: &Path, task: &Task, id: &str) -> String {
-    let list = root.join(format!("grader/mutants/{}.toml", task.key));
-    let list = fs::read_to_string(list).expect("the list of mistakes");
-    let list: toml::Table = list.parse().expect("the list of mistakes is TOML");
-    let mut mistakes = list["mistake"].as_array().expect("a list").iter();
-    let found = mistakes.find(|mistake| mistake["id"].as_str() == Some(id));
+fn description(task: &Task, id: &str) -> String {
+    let corpus = Corpus::read(&workspace(), task).expect("the list of mistakes");
+    let found = corpus.mistake(id);
     let found = found.unwrap_or_else(|| panic!("{}: there is no mistake {id}", task.key));
-    found["description"].as_str().expect("a text").to_string()
+    found.description.clone()
 }
 
 /// The hints of the grader end with such links.

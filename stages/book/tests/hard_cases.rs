@@ -12,7 +12,7 @@ const FOLDERS: [&str; 4] = ["stages", "scenes", "grader", "golden"];
 type Tests = BTreeMap<u32, Vec<String>>;
 
 fn root() -> PathBuf {
-    let workspace = grader::workspace::Workspace::above(book::folder());
+    let workspace = base::Workspace::above(book::folder());
     workspace.expect("the book is in the project").root().into()
 }
 

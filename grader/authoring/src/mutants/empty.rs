@@ -1,7 +1,7 @@
 //! Grades *empty* solutions, code without the idea of its task such as a traversal that tests every
 //! primitive, and *half-written* ones.
 //!
-//! `grader/mutants/empty/TASK.toml` and `grader/mutants/half/TASK.toml` list them, in the format of
+//! `grader/mutants/empty/TASK.txt` and `grader/mutants/half/TASK.txt` list them, in the format of
 //! mutants. An empty one must get less than [`FAIR_SHARE`] of the core points and no extra credit,
 //! a half-written one at least that share, so that points follow the point of the task.
 //! `tests/empty_solutions.rs` tests this.

@@ -146,6 +146,7 @@ fn edit(text: &str, slip: &Slip, sources: &Sources) -> Option<Edit> {
             return Some(Edit {
                 find: find.into(),
                 replace: [head, slip.with.as_str(), tail].concat(),
+                ..Edit::default()
             });
         }
         let wider = whole_lines(

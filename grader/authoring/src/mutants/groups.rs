@@ -1,6 +1,6 @@
 //! Groups of mutants that give nearly the same wrong answers: one sentence can name them all.
 
-use super::corpus::Mutant;
+use super::corpus::{Mutant, form_text};
 use super::run::{Graded, Kind};
 use grader::diagnosis::{Diagnosis, Known, diagnose};
 use grader::signature::Signature;
@@ -67,7 +67,7 @@ pub fn of(graded: Vec<Graded>, known: &[Known]) -> Groups {
 }
 
 impl Groups {
-    /// The groups as entries for `grader/mutants/TASK.toml`, whose names and sentences are still to
+    /// The groups as entries for `grader/mutants/TASK.txt`, whose names and sentences are still to
     /// be written.
     pub fn to_text(&self, task: &str) -> String {
         let unnamed = self.unnamed.iter().map(|group| group.members.len());
@@ -99,15 +99,11 @@ impl Groups {
             for member in &group.members {
                 let _ = writeln!(text, "# on {}: {}", member.on, member.mistakes[0]);
             }
-            let first = &group.members[0];
-            let _ = writeln!(text, "[[mutant]]\nmistakes = [\"\"]\non = \"{}\"", first.on);
-            for edit in &first.edits {
-                let _ = writeln!(
-                    text,
-                    "edits = [{{ find = {:?}, replace = {:?} }}]",
-                    edit.find, edit.replace
-                );
-            }
+            let _ = write!(
+                text,
+                "mistake : \n  hint: \n{}",
+                form_text(&group.members[0])
+            );
         }
         text
     }

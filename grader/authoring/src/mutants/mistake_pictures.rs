@@ -206,7 +206,7 @@ fn mutants_of(
         let found = all.iter().find(|mutant| mutant.name() == *name);
         found.cloned().ok_or_else(|| {
             GraderError::new(format!(
-                "grader/mutants/pictures.toml shows the mutant `{name}`, which grader/mutants/{}.toml does not have",
+                "grader/mutants/pictures.toml shows the mutant `{name}`, which grader/mutants/{}.txt does not have",
                 task.key
             ))
         })

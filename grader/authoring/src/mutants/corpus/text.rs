@@ -1,0 +1,515 @@
+//! The text of a list of mistakes: a mistake, its hint, and below it the forms that make it.
+//!
+//! ```text
+//! # A comment.
+//! mistake one_bounce_early: starts the roulette one bounce too early
+//!   hint: Up to MIN_BOUNCES bounces the path continues unchanged.
+//!   reference: bounces <= MIN_BOUNCES ~> bounces < MIN_BOUNCES
+//! ```
+//!
+//! A form is the code that it changes (`reference` or a variant), a colon, the text to find, `~>`
+//! and its replacement. Before the colon may stand, in this order: `with MISTAKE` if the form makes
+//! a second mistake, too; a name in quotes; `held out`; `in FUNCTION` if the text occurs in several:
+//!
+//! ```text
+//!   half_b with normal_inward "near root" held out: let a = d.dot(d); ~> let a = 1.0;
+//!     and in intersect_sphere: center - p ~> p - center
+//! ```
+//!
+//! A line `and` is a further edit of the same form. The replacement may also be below the text to
+//! find, in one or more lines that begin with `~>`. `\n` is the end of a line in the code, `\s` a
+//! space at an end of a text, `\\` a backslash.
+//! A form may also be a whole file, indented by four spaces below `code:`. `symptom` marks a mistake
+//! that is only a symptom, `seen:` has its numbers in the list of observed mistakes.
+
+use super::{Corpus, Edit, Mistake, Mutant, REFERENCE};
+use std::fmt::{self, Write};
+
+/// What separates the text to find from its replacement. Rust has no such operator.
+const BECOMES: &str = "~>";
+
+/// The word in the place of a variant where a form is a whole file.
+const CODE: &str = "code";
+
+/// The indentation of the lines of such a file.
+const CODE_INDENT: &str = "    ";
+
+/// A form that is longer is written as two lines.
+const LONGEST_LINE: usize = 120;
+
+/// A line that a list of mistakes cannot contain.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct FormatError {
+    /// Counted from 1.
+    line: usize,
+    expected: String,
+}
+
+impl fmt::Display for FormatError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let FormatError { line, expected } = self;
+        write!(f, "line {line}: expected {expected}")
+    }
+}
+
+/// Reads a list of mistakes.
+pub(super) fn read(text: &str) -> Result<Corpus, FormatError> {
+    let mut reader = Reader::default();
+    for (i, line) in text.lines().enumerate() {
+        reader.line(line, i + 1)?;
+    }
+    reader.end_form()?;
+    Ok(reader.corpus)
+}
+
+#[derive(Default)]
+struct Reader {
+    corpus: Corpus,
+    /// The form that is being read, and the number of its last line.
+    form: Option<(Mutant, usize)>,
+    /// The function and the text to find, if the replacement is in the next line.
+    find: Option<(String, String)>,
+}
+
+impl Reader {
+    fn line(&mut self, line: &str, number: usize) -> Result<(), FormatError> {
+        if self.continue_code(line, number) {
+            return Ok(());
+        }
+        let content = line.trim();
+        if content.is_empty() || content.starts_with('#') {
+            return Ok(());
+        }
+        let error = |expected| FormatError {
+            line: number,
+            expected,
+        };
+        if let Some(replace) = content.strip_prefix(BECOMES) {
+            return self.replacement(replace, number).map_err(error);
+        }
+        if let Some(edit) = content
+            .strip_prefix("and")
+            .filter(|rest| rest.starts_with([' ', ':']))
+        {
+            return self.edit(edit, number).map_err(error);
+        }
+        self.end_form()?;
+        self.start(content, number).map_err(error)
+    }
+
+    /// Reads a line of the file that the form consists of; `false` if there is no such file.
+    fn continue_code(&mut self, line: &str, number: usize) -> bool {
+        let Some((form, last)) = &mut self.form else {
+            return false;
+        };
+        let Some(code) = &mut form.code else {
+            return false;
+        };
+        let is_in_it = line.starts_with(CODE_INDENT) || line.is_empty();
+        if is_in_it {
+            code.push_str(line.strip_prefix(CODE_INDENT).unwrap_or(line));
+            code.push('\n');
+            *last = number;
+        }
+        is_in_it
+    }
+
+    /// Reads a line that continues no form.
+    fn start(&mut self, content: &str, number: usize) -> Result<(), String> {
+        if let Some(mistake) = content.strip_prefix("mistake ") {
+            let (id, description) = mistake.split_once(": ").unwrap_or((mistake, ""));
+            self.corpus.mistakes.push(Mistake {
+                id: id.trim().into(),
+                description: description.trim().into(),
+                ..Mistake::default()
+            });
+            return Ok(());
+        }
+        let mistake = self.corpus.mistakes.last_mut();
+        let mistake = mistake.ok_or("`mistake NAME: what the code does` before anything else")?;
+        match content.split_once(':') {
+            None if content == "symptom" => mistake.symptom = true,
+            Some(("hint", hint)) => mistake.hint = hint.trim().into(),
+            Some(("seen", all)) => {
+                mistake.references = all.split_whitespace().map(str::to_string).collect();
+            }
+            _ => {
+                let (form, edit) = form(content, &mistake.id)?;
+                let has_edit = form.code.is_none() || edit != ":";
+                self.form = Some((form, number));
+                if has_edit {
+                    self.edit(edit, number)?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Reads an edit of the form that is being read, or only the text that it finds: a colon, or
+    /// ` in FUNCTION:`, and the texts.
+    fn edit(&mut self, edit: &str, number: usize) -> Result<(), String> {
+        let (form, last) = self.form.as_mut().ok_or("`and:` below a form")?;
+        let (within, edit) = edit.split_once(':').ok_or_else(expected_form)?;
+        let within = match within.strip_prefix(" in ") {
+            Some(function) => function.trim(),
+            None if within.is_empty() => "",
+            None => return Err(expected_form()),
+        };
+        if self.find.is_some() {
+            return Err(format!("`{BECOMES} REPLACEMENT` after the text to find"));
+        }
+        *last = number;
+        let (find, replace) = match edit.split_once(BECOMES) {
+            Some((find, replace)) => (find, Some(replace)),
+            None => (edit, None),
+        };
+        let find = unescaped(find.trim())?;
+        if find.is_empty() {
+            return Err(format!("`TEXT TO FIND {BECOMES} REPLACEMENT`"));
+        }
+        match replace {
+            None => self.find = Some((within.into(), find)),
+            Some(replace) => form.edits.push(Edit {
+                within: within.into(),
+                find,
+                replace: unescaped(replace.trim())?,
+            }),
+        }
+        Ok(())
+    }
+
+    /// Reads the replacement of the text in the line before, or its next line.
+    fn replacement(&mut self, text: &str, number: usize) -> Result<(), String> {
+        let expected = || format!("the text to find before `{BECOMES}`");
+        let (form, last) = self.form.as_mut().ok_or_else(expected)?;
+        *last = number;
+        match self.find.take() {
+            Some((within, find)) => form.edits.push(Edit {
+                within,
+                find,
+                replace: unescaped(text.trim())?,
+            }),
+            None => {
+                let edit = form.edits.last_mut().ok_or_else(expected)?;
+                let text = text.strip_prefix(' ').unwrap_or(text);
+                edit.replace.push('\n');
+                edit.replace.push_str(&unescaped(text)?);
+            }
+        }
+        Ok(())
+    }
+
+    /// Stores the form that was read, if it is whole.
+    fn end_form(&mut self) -> Result<(), FormatError> {
+        let Some((mut form, line)) = self.form.take() else {
+            return Ok(());
+        };
+        if let Some(code) = &mut form.code {
+            code.truncate(code.trim_end().len());
+            code.push('\n');
+        }
+        let (is_whole, expected) = match &form.code {
+            Some(code) => (
+                code.len() > 1 && form.edits.is_empty(),
+                format!("only `{CODE}:`, and below it a file, indented by four spaces"),
+            ),
+            None => (
+                self.find.is_none(),
+                format!("`TEXT TO FIND {BECOMES} REPLACEMENT`"),
+            ),
+        };
+        if !is_whole {
+            return Err(FormatError { line, expected });
+        }
+        self.corpus.mutants.push(form);
+        Ok(())
+    }
+}
+
+fn expected_form() -> String {
+    format!(
+        "`hint: WHERE TO LOOK`, `symptom`, `seen: NUMBERS`, or a form: `VARIANT [with MISTAKE] \
+         [\"NAME\"] [held out] [in FUNCTION]: TEXT TO FIND {BECOMES} REPLACEMENT`"
+    )
+}
+
+/// Reads the head of a form of the mistake `id`: the form, and the text that [`Reader::edit`] reads.
+fn form<'a>(content: &'a str, id: &str) -> Result<(Mutant, &'a str), String> {
+    let end = content.find([' ', ':']).ok_or_else(expected_form)?;
+    let (on, mut rest) = content.split_at(end);
+    let mut form = Mutant {
+        mistakes: vec![id.to_string()],
+        on: if on == CODE { REFERENCE } else { on }.to_string(),
+        code: (on == CODE).then(String::new),
+        ..Mutant::default()
+    };
+    if let Some(after) = rest.strip_prefix(" with ") {
+        let end = after.find([' ', ':']).ok_or_else(expected_form)?;
+        form.mistakes.push(after[..end].to_string());
+        rest = &after[end..];
+    }
+    if let Some(after) = rest.strip_prefix(" \"") {
+        let (how, after) = after
+            .split_once('"')
+            .ok_or("`\"` at the end of the form's name")?;
+        form.how = how.to_string();
+        rest = after;
+    }
+    if let Some(after) = rest.strip_prefix(" held out") {
+        form.held_out = true;
+        rest = after;
+    }
+    match rest.starts_with(':') || rest.starts_with(" in ") {
+        true => Ok((form, rest)),
+        false => Err(expected_form()),
+    }
+}
+
+/// The text that `text` is written for.
+fn unescaped(text: &str) -> Result<String, String> {
+    let mut plain = String::new();
+    let mut letters = text.chars();
+    while let Some(letter) = letters.next() {
+        plain.push(match letter {
+            '\\' => match letters.next() {
+                Some('n') => '\n',
+                Some('s') => ' ',
+                Some('\\') => '\\',
+                _ => return Err("`\\n`, `\\s` or `\\\\` after a backslash".into()),
+            },
+            letter => letter,
+        });
+    }
+    Ok(plain)
+}
+
+/// How a text is written.
+fn escaped(text: &str) -> String {
+    let escaped = escaped_after_indent(text);
+    match escaped.strip_prefix(' ') {
+        Some(rest) => format!("\\s{rest}"),
+        None => escaped,
+    }
+}
+
+/// How a text is written where spaces at its start are kept.
+fn escaped_after_indent(text: &str) -> String {
+    let escaped = text.replace('\\', "\\\\").replace('\n', "\\n");
+    match escaped.strip_suffix(' ') {
+        Some(rest) => format!("{rest}\\s"),
+        None => escaped,
+    }
+}
+
+/// The lines in which a replacement is written below the text to find: one for each line of the
+/// code if it is long.
+fn replacement_lines(replace: &str) -> impl Iterator<Item = String> {
+    let whole = escaped(replace);
+    let is_long = whole.len() > LONGEST_LINE;
+    let (first, rest) = replace.split_once('\n').filter(|_| is_long).unzip();
+    let rest = rest.map(|rest: &str| rest.split('\n').map(escaped_after_indent));
+    std::iter::once(first.map_or(whole, escaped)).chain(rest.into_iter().flatten())
+}
+
+/// The lines of a form.
+pub(crate) fn form_text(form: &Mutant) -> String {
+    let on = if form.code.is_some() { CODE } else { &form.on };
+    let mut text = format!("  {on}");
+    for second in form.mistakes.iter().skip(1) {
+        let _ = write!(text, " with {second}");
+    }
+    if !form.how.is_empty() {
+        let _ = write!(text, " \"{}\"", form.how);
+    }
+    if form.held_out {
+        text.push_str(" held out");
+    }
+    if form.code.is_some() {
+        text.push(':');
+    }
+    for (i, edit) in form.edits.iter().enumerate() {
+        if i > 0 {
+            text.push_str("    and");
+        }
+        if !edit.within.is_empty() {
+            let _ = write!(text, " in {}", edit.within);
+        }
+        text.push(':');
+        let start = text.rfind('\n').map_or(0, |end| end + 1);
+        let (find, replace) = (escaped(&edit.find), escaped(&edit.replace));
+        let length = text[start..].len() + find.len() + replace.len() + BECOMES.len() + 3;
+        let _ = match length <= LONGEST_LINE {
+            true => writeln!(
+                text,
+                "{}",
+                format!(" {find} {BECOMES} {replace}").trim_end()
+            ),
+            false => {
+                let below = replacement_lines(&edit.replace);
+                let below =
+                    below.map(|line| format!("\n    {BECOMES} {line}").trim_end().to_string());
+                writeln!(text, " {find}{}", below.collect::<String>())
+            }
+        };
+    }
+    if let Some(code) = &form.code {
+        text.push('\n');
+        for line in code.lines() {
+            let indent = if line.is_empty() { "" } else { CODE_INDENT };
+            let _ = writeln!(text, "{indent}{line}");
+        }
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const LIST: &str = r#"# Russian roulette: typical mistakes.
+
+mistake early: starts the roulette one bounce too early
+  hint: Up to MIN_BOUNCES bounces the path continues unchanged.
+  seen: P1T3-01 P1T3-02
+  reference: bounces <= MIN_BOUNCES ~> bounces < MIN_BOUNCES
+  snell with late "by a count" held out in rule: a ~>
+    and: (b)\n ~> \sc\\
+  snell "long":
+    # No comment: a file has its own.
+"#;
+
+    #[test]
+    fn forms_are_read_below_their_mistake() {
+        let text = LIST.replace(
+            "  snell \"long\":\n    # No comment: a file has its own.\n",
+            "",
+        );
+        let corpus = read(&text).unwrap();
+        let [mistake] = &corpus.mistakes[..] else {
+            panic!("{:?}", corpus.mistakes);
+        };
+        assert_eq!(mistake.id, "early");
+        assert_eq!(
+            mistake.description,
+            "starts the roulette one bounce too early"
+        );
+        assert_eq!(
+            mistake.hint,
+            "Up to MIN_BOUNCES bounces the path continues unchanged."
+        );
+        assert_eq!(mistake.references, ["P1T3-01", "P1T3-02"]);
+        let edit = |within: &str, find: &str, replace: &str| Edit {
+            within: within.into(),
+            find: find.into(),
+            replace: replace.into(),
+        };
+        let [plain, pair] = &corpus.mutants[..] else {
+            panic!("{:?}", corpus.mutants);
+        };
+        assert_eq!(plain.name(), "early");
+        assert_eq!(
+            plain.edits,
+            [edit("", "bounces <= MIN_BOUNCES", "bounces < MIN_BOUNCES")]
+        );
+        assert_eq!(pair.name(), "early+late on snell: by a count");
+        assert!(pair.held_out && !plain.held_out);
+        assert_eq!(
+            pair.edits,
+            [edit("rule", "a", ""), edit("", "(b)\n", " c\\")]
+        );
+    }
+
+    #[test]
+    fn written_forms_are_read_back() {
+        let long = "a".repeat(LONGEST_LINE);
+        let lines = format!(" {long}\n    \n\n  {long} ");
+        let edits = [
+            ("x ", " y"),
+            ("\n", "\\"),
+            ("gone", ""),
+            (&*long, "short\n}"),
+            ("code", &*lines),
+        ];
+        let edits = edits.map(|(find, replace)| Edit {
+            within: if find == "gone" { "f" } else { "" }.into(),
+            find: find.into(),
+            replace: replace.into(),
+        });
+        let edited = Mutant {
+            mistakes: vec!["one".into(), "two".into()],
+            on: "snell".into(),
+            how: "a way, of two".into(),
+            edits: edits.into(),
+            held_out: true,
+            ..Mutant::default()
+        };
+        let whole = Mutant {
+            mistakes: vec!["one".into()],
+            on: REFERENCE.into(),
+            code: Some("//! A file.\n\nfn f() {\n    1\n}\n".into()),
+            ..Mutant::default()
+        };
+        let forms = [edited, whole];
+        let text = forms.each_ref().map(form_text).concat();
+        let corpus = read(&format!("mistake one: does\n{text}\n")).unwrap();
+        assert_eq!(corpus.mutants, forms);
+    }
+
+    #[test]
+    fn a_malformed_line_is_an_error_with_its_place_and_what_was_expected() {
+        let head = "mistake m: does\n";
+        for (text, line, expected) in [
+            ("  hint: No.\n", 1, "`mistake NAME: what the code does`"),
+            ("mistake m: does\n  half_b a ~> b\n", 2, "a form: `VARIANT"),
+            (
+                "mistake m: does\n  half_b: a ~> b\n    and f: a ~> b\n",
+                3,
+                "[in FUNCTION]",
+            ),
+            (
+                "mistake m: does\n  half_b: a -> b\n\nmistake n: x\n",
+                2,
+                "`TEXT TO FIND ~> REPLACEMENT`",
+            ),
+            (
+                "mistake m: does\n  half_b: a -> b\n",
+                2,
+                "`TEXT TO FIND ~> REPLACEMENT`",
+            ),
+            (
+                "mistake m: does\n  half_b: ~> b\n",
+                2,
+                "`TEXT TO FIND ~> REPLACEMENT`",
+            ),
+            (
+                "mistake m: does\n  half_b: a ~> \\b\n",
+                2,
+                "after a backslash",
+            ),
+            (
+                "mistake m: does\n    and: a ~> b\n",
+                2,
+                "`and:` below a form",
+            ),
+            ("mistake m: does\n    ~> b\n", 2, "the text to find before"),
+            (
+                "mistake m: does\n  half_b \"x: a ~> b\n",
+                2,
+                "`\"` at the end",
+            ),
+            (
+                "mistake m: does\n  code:\nmistake n: x\n",
+                2,
+                "below it a file",
+            ),
+        ] {
+            let error = read(text).expect_err(text).to_string();
+            let start = format!("line {line}: expected ");
+            assert!(
+                error.starts_with(&start) && error.contains(expected),
+                "{text}{error}"
+            );
+        }
+        assert!(read(head).unwrap().mutants.is_empty());
+    }
+}

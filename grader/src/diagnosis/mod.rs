@@ -87,6 +87,9 @@ impl Certainty {
 /// From this likeness on, the report says that the answers equal those of the mistake.
 const SURE: f64 = 0.95;
 
+/// So many wrong calls must agree before a name is likely: one call agrees with many mistakes.
+const FEWEST_CALLS: usize = 2;
+
 /// From this likeness on, the report says that the answers look like those of the mistake.
 const LIKELY: f64 = 0.7;
 
@@ -200,7 +203,8 @@ pub fn diagnose(known: &[Known], student: &Signature) -> Option<Diagnosis> {
     } = with_twins(&ranked, best);
     // A case that disagrees throughout makes a name uncertain. It does not veto it: tried on 199
     // mistakes that were not known, a veto took away eight names, all of them right.
-    let certainty = match student.disagrees_throughout(&best.signature) {
+    let is_doubtful = of < FEWEST_CALLS || student.disagrees_throughout(&best.signature);
+    let certainty = match is_doubtful {
         true => Certainty::Perhaps,
         false => Certainty::of(likeness),
     };
@@ -290,7 +294,7 @@ fn with_twins(ranked: &[(&Known, Agreement)], best: &Known) -> Named {
         if !named.mistakes.contains(&twin.mistakes[0]) {
             named.mistakes.extend(twin.mistakes.iter().cloned());
             let says = twin.descriptions.join(", and ");
-            let other = format!("; another guess, with the same answers: code that {says}");
+            let other = format!("; another guess, as likely: code that {says}");
             named.others.push_str(&other);
             named.hint = format!("{} Or: {}", named.hint, twin.hints.join(" "));
         }
@@ -377,7 +381,7 @@ mod tests {
         assert_eq!(
             diagnosis.says,
             "your answers equal those of code that does this: on 8 of 8 calls; \
-             another guess, with the same answers: code that does that"
+             another guess, as likely: code that does that"
         );
     }
 
@@ -411,6 +415,17 @@ mod tests {
         };
         assert!(named("50*a"));
         assert!(!named("1 49*a"));
+    }
+
+    #[test]
+    fn one_wrong_call_makes_no_name_likely() {
+        let certainty = |codes| {
+            let student = signature(&[("case decision", codes)]);
+            let all = [known("this", student.clone())];
+            diagnose(&all, &student).map(|diagnosis| diagnosis.certainty)
+        };
+        assert_eq!(certainty("5 1*a"), Some(Certainty::Perhaps));
+        assert_eq!(certainty("5 2*a"), Some(Certainty::Likely));
     }
 
     #[test]

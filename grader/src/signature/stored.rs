@@ -7,8 +7,8 @@
 use super::Cases;
 use super::codes::Codes;
 use super::key::SignatureKey;
-use crate::diagnosis::Known;
 use crate::course::packed::binary;
+use crate::diagnosis::Known;
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -83,9 +83,13 @@ fn tests_in(path: &str, source: &str, found: &mut Tests) {
             function.unwrap_or_else(|| panic!("{path}: no test at {}", &source[line..at]));
         let name = name(&source[function + 3..]);
         // The attributes of a function are in the lines directly above it.
-        let above = source[..function].lines().rev().map(str::trim);
-        let mut attributes = above.skip(1).take_while(|line| line.starts_with("#["));
-        let is_test = attributes.any(|line| line == "#[test]");
+        let mut attributes = source[..function]
+            .lines()
+            .rev()
+            .map(str::trim)
+            .skip_while(|line| line.is_empty())
+            .take_while(|line| line.starts_with("#["));
+        let is_test = attributes.any(|attribute| attribute == "#[test]");
         assert!(is_test, "{path}: `{name}` is no test");
         let test = format!("`{name}` in `{path}`");
         let all = numbers(&after);

@@ -2,8 +2,8 @@
 
 use super::run::{Graded, Kind};
 use base::{GraderError, Workspace, write_whole};
-use grader::diagnosis::{Known, diagnose};
 use grader::course::packed::binary;
+use grader::diagnosis::{Known, diagnose};
 use grader::score::CaseResult;
 use grader::signature::Signature;
 use serde::{Deserialize, Serialize};
@@ -104,9 +104,11 @@ impl Table {
                 graded.name.clone(),
                 lost.map(|case| case.name.clone()).collect(),
             );
-            let named = diagnose(known, &Signature::of(&graded.result.cases))
+            let mut named = diagnose(known, &Signature::of(&graded.result.cases))
                 .map(|d| d.mistakes)
                 .unwrap_or_default();
+            // Names that cannot be distinguished have no order.
+            named.sort_unstable();
             if mutant.held_out {
                 table.recognised.1 += 1;
                 table.recognised.0 += usize::from(

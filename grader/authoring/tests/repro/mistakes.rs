@@ -252,6 +252,7 @@ impl Reproduction {
         let edits = self.edits.iter().map(|[find, replace]| Edit {
             find: find.to_string(),
             replace: replace.to_string(),
+            ..Edit::default()
         });
         Mutant {
             code: None,

@@ -67,9 +67,10 @@ pub enum Certainty {
 }
 
 impl Certainty {
-    /// The certainty of a diagnosis that explains this share of the wrong answers.
-    fn of(likeness: f64) -> Certainty {
-        match likeness >= SURE {
+    /// The certainty of a diagnosis that explains this share of the wrong answers. Robust cases alone
+    /// make no name likely: correct textbook code fails them, too, in many ways.
+    fn of(likeness: f64, student: &Signature) -> Certainty {
+        match likeness >= SURE && student.has_core_faults() {
             true => Certainty::Likely,
             false => Certainty::Perhaps,
         }
@@ -206,7 +207,7 @@ pub fn diagnose(known: &[Known], student: &Signature) -> Option<Diagnosis> {
     let is_doubtful = of < FEWEST_CALLS || student.disagrees_throughout(&best.signature);
     let certainty = match is_doubtful {
         true => Certainty::Perhaps,
-        false => Certainty::of(likeness),
+        false => Certainty::of(likeness, student),
     };
     let verb = match certainty {
         Certainty::Likely if equal == of => "equal",
@@ -351,7 +352,7 @@ fn two_at_once(
             hint: format!("{} {}", first.hint, second.hint),
             equal: together.equal,
             of: together.either,
-            certainty: Certainty::of(likeness),
+            certainty: Certainty::of(likeness, student),
         }
     })
 }
@@ -426,6 +427,19 @@ mod tests {
         };
         assert_eq!(certainty("5 1*a"), Some(Certainty::Perhaps));
         assert_eq!(certainty("5 2*a"), Some(Certainty::Likely));
+    }
+
+    #[test]
+    fn what_only_robust_cases_show_makes_no_name_likely() {
+        let student = signature(&[("case decision", "9*a")]).as_robust();
+        let all = [known("this", student.clone())];
+        let diagnosis = diagnose(&all, &student).expect("the mistake is known");
+        assert_eq!(diagnosis.certainty, Certainty::Perhaps);
+        assert!(
+            diagnosis.says.contains("look most like"),
+            "{}",
+            diagnosis.says
+        );
     }
 
     #[test]

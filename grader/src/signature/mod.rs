@@ -80,6 +80,11 @@ impl Signature {
         self.core.is_empty() && self.robust.is_empty()
     }
 
+    /// Whether a core case is wrong.
+    pub fn has_core_faults(&self) -> bool {
+        !self.core.is_empty()
+    }
+
     /// The cases that count.
     fn cases(&self) -> &Cases {
         if self.core.is_empty() {
@@ -316,6 +321,16 @@ pub(crate) mod tests {
                 .map(|(side, text)| (key(side), Codes(codes(text))))
                 .collect(),
             robust: Cases::new(),
+        }
+    }
+
+    impl Signature {
+        /// The same faults in robust cases.
+        pub(crate) fn as_robust(self) -> Signature {
+            Signature {
+                core: Cases::new(),
+                robust: self.core,
+            }
         }
     }
 

@@ -108,13 +108,13 @@ fn tests_in(path: &str, source: &str, found: &mut Tests) {
 #[test]
 fn every_hard_case_of_the_code_is_listed_with_its_tests() {
     let root = root();
-    let this_file = Path::new(file!()).file_name().expect("a file");
+    let this_file = Path::new("stages/book/tests/hard_cases.rs");
     let mut found = Tests::new();
     for path in FOLDERS
         .iter()
         .flat_map(|folder| sources(&root.join(folder)))
     {
-        if path.file_name() == Some(this_file) {
+        if path.ends_with(this_file) {
             continue;
         }
         let source = fs::read_to_string(&path).expect("a source file");

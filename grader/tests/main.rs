@@ -5,5 +5,6 @@ mod closed_pipe;
 mod dependencies;
 mod modules;
 mod pictures;
+mod sizes;
 mod student_loop;
 mod test_files;

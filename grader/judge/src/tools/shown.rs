@@ -12,6 +12,10 @@ use wire::light::LitWorld;
 
 /// One call.
 #[derive(Clone, Debug)]
+#[allow(
+    clippy::large_enum_variant,
+    reason = "there are as many as calls of one case, and most are rays"
+)]
 pub enum ShownCall {
     /// A ray, and what it is tested against or made from.
     Ray(ShownRay),

@@ -27,7 +27,7 @@ impl Check for kind::CameraRays {
     fn only_call(work: &CameraWork, call: usize) -> Option<CameraWork> {
         let points = work.sensor.len().max(1);
         Some(CameraWork {
-            cameras: vec![work.cameras.get(call / points)?.clone()],
+            cameras: vec![*work.cameras.get(call / points)?],
             sensor: vec![*work.sensor.get(call % points)?],
         })
     }

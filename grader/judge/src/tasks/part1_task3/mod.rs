@@ -30,7 +30,7 @@ impl Check for kind::Triangles {
     fn only_call(work: &TriangleWork, call: usize) -> Option<TriangleWork> {
         Some(TriangleWork {
             triangles: work.triangles.clone(),
-            probes: vec![work.probes.get(call)?.clone()],
+            probes: vec![*work.probes.get(call)?],
         })
     }
 

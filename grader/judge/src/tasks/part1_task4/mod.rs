@@ -30,7 +30,7 @@ impl Check for kind::Spheres {
     fn only_call(work: &SphereWork, call: usize) -> Option<SphereWork> {
         Some(SphereWork {
             spheres: work.spheres.clone(),
-            probes: vec![work.probes.get(call)?.clone()],
+            probes: vec![*work.probes.get(call)?],
         })
     }
 

@@ -27,7 +27,7 @@ impl Check for kind::Boxes {
     fn only_call(work: &BoxWork, call: usize) -> Option<BoxWork> {
         Some(BoxWork {
             boxes: work.boxes.clone(),
-            probes: vec![work.probes.get(call)?.clone()],
+            probes: vec![*work.probes.get(call)?],
         })
     }
 

@@ -32,7 +32,7 @@ impl Check for kind::Lambert {
     }
 
     fn only_call(probes: &Vec<LambertProbe>, call: usize) -> Option<Vec<LambertProbe>> {
-        Some(vec![probes.get(call)?.clone()])
+        Some(vec![*probes.get(call)?])
     }
 
     fn fits(probes: &Vec<LambertProbe>, answers: &Vec<LambertAnswer>) -> Result<(), String> {

@@ -25,7 +25,7 @@ impl Check for kind::Specular {
     }
 
     fn only_call(calls: &Vec<SpecularCall>, call: usize) -> Option<Vec<SpecularCall>> {
-        Some(vec![calls.get(call)?.clone()])
+        Some(vec![*calls.get(call)?])
     }
 
     fn fits(calls: &Vec<SpecularCall>, answers: &Vec<SpecularAnswer>) -> Result<(), String> {

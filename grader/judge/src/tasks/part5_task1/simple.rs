@@ -53,9 +53,9 @@ pub(crate) fn pixels() -> Vec<Vec<AdaptivePixel>> {
         }
     }
     // Red, green and blue have different luminances.
-    let red = pixels.iter().take(6).cloned().map(|pixel| AdaptivePixel {
+    let red = pixels.iter().take(6).map(|pixel| AdaptivePixel {
         stream: vec![[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]],
-        ..pixel
+        ..pixel.clone()
     });
     let corners = [[1, 0], [0, 1], [1, 1]].map(|pixel| AdaptivePixel {
         film: [2, 2],

@@ -22,7 +22,7 @@ pub(super) fn shown(
     let answer = answers.and_then(|answers| answers.get(call));
     Some(ShownCall::LitPoint(ShownPoint {
         world: work.world.clone(),
-        point: work.points.get(call)?.clone(),
+        point: *work.points.get(call)?,
         rays: answer.map_or_else(Vec::new, |answer| answer.rays.clone()),
     }))
 }

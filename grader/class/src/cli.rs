@@ -1,11 +1,13 @@
 //! The command `grader class`.
 
 mod engines;
+mod marks;
 mod run;
 
 pub use run::run;
 
 use crate::reading::intake::Revision;
+use crate::roster::table::System;
 use base::program::whole_number;
 use clap::{Arg, ArgAction, Command, value_parser};
 use std::path::PathBuf;
@@ -95,6 +97,30 @@ pub fn command() -> Command {
             "unsandboxed",
             "Grade submissions where they cannot be contained: their code has all your rights",
         ))
+        .arg(
+            Arg::new("roster")
+                .long("roster")
+                .value_name("ROSTER")
+                .value_parser(value_parser!(PathBuf))
+                .requires("for")
+                .help("The students, as the course system exports them (CSV): finds out whose each submission is"),
+        )
+        .arg(
+            Arg::new("for")
+                .long("for")
+                .value_name("SYSTEM")
+                .value_parser(System::ALL.map(System::name))
+                .requires("roster")
+                .help("Also write the marks as this course system imports them, to OUT"),
+        )
+        .arg(
+            Arg::new("assignment")
+                .long("assignment")
+                .value_name("NAME")
+                .requires("roster")
+                .help("The assignment's name in the course system, for Canvas with its number: \"Part 1 (1234)\""),
+        )
+        .arg(flag("add-extra", "With --roster: add extra credit to the marks").requires("roster"))
         .arg(Arg::new("unit").long("unit").value_name("KEY").hide(true))
         .arg(flag("of-pool", "").hide(true))
         .arg(folder("course").long("course").hide(true))

@@ -17,7 +17,7 @@ pub fn write(class: &Class) -> Result<String, GraderError> {
 }
 
 /// The line of a submission.
-fn line(row: &Row, tasks: &[&str]) -> Line {
+pub(crate) fn line(row: &Row, tasks: &[&str]) -> Line {
     let score = row.score.as_ref();
     let earned = |task: &&str| {
         let of_task = score.and_then(|score| score.tasks.get(*task));

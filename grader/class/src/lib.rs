@@ -15,6 +15,7 @@
 //! - [`mod@unit`]: the result of one unit, and how it is graded
 //! - [`pool`]: grades units on this machine, several at a time
 //! - [`tables`]: writes what [`collect`] reads: [`gradebook`], [`pages`], with [`likeness`]
+//! - [`roster`]: whose each submission is, and marks as course systems import them
 //! - [`regrade`]: old and new scores, before they are replaced
 
 pub mod cli;
@@ -31,5 +32,6 @@ pub mod pool;
 pub mod progress;
 pub mod reading;
 pub mod regrade;
+pub mod roster;
 pub mod tables;
 pub mod unit;

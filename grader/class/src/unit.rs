@@ -169,7 +169,10 @@ pub fn grade(
         },
         report,
     };
-    write_whole(&out.unit(key), report::json(&unit)?.as_bytes())
+    write_whole(&out.unit(key), report::json(&unit)?.as_bytes())?;
+    // Why it failed before is over.
+    let _ = std::fs::remove_file(out.failure(key));
+    Ok(())
 }
 
 /// Whether the result of a unit is stored, and whole: a machine that crashed or whose disk was full

@@ -129,6 +129,7 @@ fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     let workspace = Workspace::above(Path::new("."))?;
     let course = Course::read(&workspace)?;
     let number: u32 = *matches.get_one("part").expect("clap requires it");
+    course.select(&format!("part{number}"))?;
     let part = course.parts.iter().find(|part| part.number == number);
     let part = part.ok_or_else(|| GraderError::new(format!("the course has no part {number}")))?;
     let choices = Choices {
@@ -143,7 +144,6 @@ fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
         course: text("course"),
         reference: text("ref").unwrap_or_default(),
     };
-    course.select(&choices.what)?;
     let files = match system {
         System::Gradescope if out.is_dir() => {
             return Err(GraderError::new(format!(

@@ -161,8 +161,13 @@ impl Course {
                 .iter()
                 .map(|part| format!("part{}", part.number))
                 .collect();
+            let is_ungraded = self.ungraded.iter().any(|key| is_selected(key, what));
+            let problem = match is_ungraded {
+                true => format!("`{what}` is extra credit without cases: nothing of it is graded"),
+                false => format!("the course has no `{what}`"),
+            };
             return Err(GraderError::new(format!(
-                "the course has no `{what}`. Expected `all`, a part ({}) or a task such as `{}`",
+                "{problem}. Expected `all`, a part ({}) or a task such as `{}`",
                 parts.join(", "),
                 self.tasks().next().map_or("part1.task1", |task| &task.key),
             )));

@@ -1,6 +1,7 @@
 //! Runs `grader class`.
 
 use super::engines::{Shard, UnitCommand, missing};
+use super::marks;
 use crate::collect::{Class, Status};
 use crate::course_hash;
 use crate::out::Out;
@@ -276,7 +277,8 @@ fn write_tables(matches: &ArgMatches, out: &Out, plan: Plan) -> Result<Exit, Gra
         class.plan.settings.seed,
         out.join("{gradebook.csv,class.html,students/}").display()
     );
-    Ok(verdict(class.is_complete()))
+    let is_decided = marks::write(matches, out, &class)?;
+    Ok(verdict(class.is_complete() && is_decided))
 }
 
 /// Shows what the proposed plan changes; with `--yes` it replaces the old one.

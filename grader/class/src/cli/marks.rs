@@ -1,0 +1,87 @@
+//! Writes the marks of a class for a course system: `--roster ROSTER --for SYSTEM`.
+
+use crate::collect::Class;
+use crate::out::Out;
+use crate::roster::Roster;
+use crate::roster::join::{Join, Problem};
+use crate::roster::table::{self, Marks, System};
+use base::{GraderError, write_whole};
+use clap::ArgMatches;
+use std::path::PathBuf;
+use submission::Untrusted;
+
+/// Writes the marks, if the arguments ask for them, and prints what a person has to decide. Returns
+/// whether there is nothing to decide.
+pub(super) fn write(matches: &ArgMatches, out: &Out, class: &Class) -> Result<bool, GraderError> {
+    let system = matches
+        .get_one::<String>("for")
+        .and_then(|name| System::named(name));
+    let (Some(path), Some(system)) = (matches.get_one::<PathBuf>("roster"), system) else {
+        return Ok(true);
+    };
+    let roster = Roster::read(path)?;
+    let names: Vec<&str> = class.rows.iter().map(|row| row.name.raw()).collect();
+    let join = Join::of(&roster, &names);
+    let given = matches.get_one::<String>("assignment").cloned();
+    let marks = Marks {
+        system,
+        assignment: given.unwrap_or_else(|| format!("First Light {}", class.plan.settings.what)),
+        add_extra: matches.get_flag("add-extra"),
+    };
+    let file = out.join(system.file());
+    write_whole(
+        &file,
+        table::write(class, &roster, &join, &marks)?.as_bytes(),
+    )?;
+
+    let name = |i: usize| class.rows[i].name.line();
+    for (submission, problem) in &join.problems {
+        println!(
+            "no mark: {}: {}",
+            name(*submission),
+            about(&roster, problem)
+        );
+    }
+    let late: Vec<String> = join.late.iter().map(|i| name(*i)).collect();
+    if !late.is_empty() {
+        println!("late, as the course system says: {}", late.join(", "));
+    }
+    let missing = join
+        .submissions
+        .iter()
+        .filter(|submission| submission.is_none());
+    println!(
+        "marks: {}: {} students, {} without a mark from this folder",
+        file.display(),
+        roster.students.len(),
+        missing.count()
+    );
+    Ok(join.problems.is_empty())
+}
+
+fn about(roster: &Roster, problem: &Problem) -> String {
+    let student = |i: &usize| {
+        let student = &roster.students[*i];
+        let known = [&student.id, &student.login, &student.number].map(Untrusted::line);
+        let known = known.into_iter().find(|known| !known.is_empty());
+        match known {
+            Some(known) => format!("{} ({known})", student.name.line()),
+            None => student.name.line(),
+        }
+    };
+    match problem {
+        Problem::Nobody => {
+            "no student of the roster has this name or number. Rename it to the student's identifier".into()
+        }
+        Problem::Several(students) => {
+            let students: Vec<String> = students.iter().map(student).collect();
+            format!(
+                "it may belong to {}. Rename it to the student's identifier",
+                students.join(" or ")
+            )
+        }
+        Problem::Again(of) => {
+            format!("{} handed in more than one. Remove those that do not count", student(of))
+        }
+    }
+}

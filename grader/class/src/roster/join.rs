@@ -1,0 +1,241 @@
+//! Whose a submission is, by the name of its folder or archive. Course systems name bulk downloads:
+//!
+//! - Moodle: `Ada Lovelace_123456_assignsubmission_file_`: name, number of the participant
+//! - Canvas: `hoppergrace_LATE_98765_4567890_stages-2.zip`: last and first name in small letters
+//!   without spaces, perhaps `LATE`, number of the student, number of the submission, file
+//! - GitHub Classroom: `part1-alanturing`: assignment, user name
+//!
+//! Without such a pattern the name is one of the student's own: identifier, login, e-mail, name.
+
+use super::{Roster, Student};
+
+/// What the name of a submission says about who handed it in.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+struct Clue {
+    /// The number in the course system.
+    number: Option<String>,
+    /// A name: it decides only if there is no number, or the roster has none.
+    name: String,
+    /// Whether the system says that it was late.
+    is_late: bool,
+}
+
+impl Clue {
+    fn of(entry: &str) -> Clue {
+        let is_number = |text: &str| !text.is_empty() && text.bytes().all(|c| c.is_ascii_digit());
+        if let Some((who, _)) = entry.split_once("_assignsubmission_")
+            && let Some((name, number)) = who.rsplit_once('_')
+            && is_number(number)
+        {
+            return Clue {
+                number: Some(number.to_string()),
+                name: name.to_string(),
+                is_late: false,
+            };
+        }
+        let parts: Vec<&str> = entry.split('_').collect();
+        let late = usize::from(parts.get(1) == Some(&"LATE"));
+        if let [name, rest @ ..] = parts.as_slice()
+            && let [number, submission, _, ..] = &rest[late.min(rest.len())..]
+            && is_number(number)
+            && is_number(submission)
+        {
+            return Clue {
+                number: Some((*number).to_string()),
+                name: (*name).to_string(),
+                is_late: late == 1,
+            };
+        }
+        Clue {
+            number: None,
+            name: entry.to_string(),
+            is_late: false,
+        }
+    }
+}
+
+/// Why nobody gets the score of a submission.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Problem {
+    /// No student of the roster fits its name.
+    Nobody,
+    /// Several students fit its name.
+    Several(Vec<usize>),
+    /// Its student handed in others, too.
+    Again(usize),
+}
+
+/// Who handed in what. Numbers of students are those of the roster, numbers of submissions those of
+/// the list of names.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Join {
+    /// The submission of each student.
+    pub submissions: Vec<Option<usize>>,
+    /// Submissions that a person has to assign.
+    pub problems: Vec<(usize, Problem)>,
+    /// Submissions that the course system calls late.
+    pub late: Vec<usize>,
+}
+
+impl Join {
+    /// Joins the submissions with these names to the students of a roster.
+    pub fn of(roster: &Roster, entries: &[&str]) -> Join {
+        let mut of_student: Vec<Vec<usize>> = vec![Vec::new(); roster.students.len()];
+        let mut join = Join::default();
+        for (i, entry) in entries.iter().enumerate() {
+            let clue = Clue::of(entry);
+            if clue.is_late {
+                join.late.push(i);
+            }
+            match fitting(roster, &clue).as_slice() {
+                [] => join.problems.push((i, Problem::Nobody)),
+                [student] => of_student[*student].push(i),
+                several => join.problems.push((i, Problem::Several(several.to_vec()))),
+            }
+        }
+        for (student, entries) in of_student.into_iter().enumerate() {
+            join.submissions.push(match entries.as_slice() {
+                [entry] => Some(*entry),
+                several => {
+                    let again = several
+                        .iter()
+                        .map(|entry| (*entry, Problem::Again(student)));
+                    join.problems.extend(again);
+                    None
+                }
+            });
+        }
+        join.problems.sort_by_key(|(entry, _)| *entry);
+        join
+    }
+}
+
+/// The students who fit a clue. A number decides alone, then an identifier, then a name.
+fn fitting(roster: &Roster, clue: &Clue) -> Vec<usize> {
+    let those = |fits: &dyn Fn(&Student) -> bool| -> Vec<usize> {
+        let students = roster.students.iter().enumerate();
+        students
+            .filter(|(_, student)| fits(student))
+            .map(|(i, _)| i)
+            .collect()
+    };
+    let has_number = |student: &Student| !student.number.is_empty();
+    if let Some(number) = &clue.number
+        && roster.students.iter().any(has_number)
+    {
+        return those(&|student| student.number == number.as_str());
+    }
+    let own = plain(&clue.name);
+    let is = |text: &str| !text.is_empty() && plain(text) == own;
+    let by_identifier = those(&|student| {
+        let local = student.email.raw().split('@').next().unwrap_or_default();
+        let ids = [&student.id, &student.login, &student.email].map(|text| text.raw());
+        ids.into_iter().chain([local]).any(is)
+    });
+    if !by_identifier.is_empty() {
+        return by_identifier;
+    }
+    let by_name = those(&|student| orders(student.name.raw()).iter().any(|name| is(name)));
+    if !by_name.is_empty() {
+        return by_name;
+    }
+    // GitHub Classroom: the assignment, a hyphen, the login.
+    let name = clue.name.to_lowercase();
+    those(&|student| {
+        let login = student.login.raw().to_lowercase();
+        !login.is_empty()
+            && name
+                .strip_suffix(&login)
+                .is_some_and(|start| start.ends_with('-'))
+    })
+}
+
+/// A name without spaces, marks and capital letters, as Canvas writes it.
+fn plain(text: &str) -> String {
+    text.chars()
+        .filter(|c| c.is_alphanumeric())
+        .flat_map(char::to_lowercase)
+        .collect()
+}
+
+/// A name with the first name first and with the last name first.
+fn orders(name: &str) -> Vec<String> {
+    match name.split_once(',') {
+        Some((last, first)) => vec![format!("{last} {first}"), format!("{first} {last}")],
+        None => match name.trim().rsplit_once(' ') {
+            Some((first, last)) => vec![name.to_string(), format!("{last} {first}")],
+            None => vec![name.to_string()],
+        },
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn roster() -> Roster {
+        let student = |name: &str, number: &str, id: &str, login: &str, email: &str| Student {
+            name: name.into(),
+            number: number.into(),
+            id: id.into(),
+            login: login.into(),
+            email: email.into(),
+            ..Student::default()
+        };
+        Roster {
+            students: vec![
+                student("Ada Lovelace", "123456", "s1", "ada", "ada@school"),
+                student(
+                    "Hopper, Grace",
+                    "98765",
+                    "s2",
+                    "ghopper",
+                    "grace.hopper@school",
+                ),
+                student("Alan Turing", "777", "s3", "alan-turing", ""),
+                student("Kim Lee", "1", "s4", "kim1", ""),
+                student("Kim Lee", "2", "s5", "kim2", ""),
+            ],
+        }
+    }
+
+    #[test]
+    fn bulk_downloads_find_their_students() {
+        for (entry, student) in [
+            ("Ada Lovelace_123456_assignsubmission_file_", 0),
+            ("Ada Lovelace_123456_assignsubmission_file", 0),
+            ("hoppergrace_LATE_98765_4567890_stages-2", 1),
+            ("hoppergrace_98765_4567890_stages", 1),
+            ("Kim Lee_2_assignsubmission_file_", 4),
+            ("part1-alan-turing", 2),
+            ("S3", 2),
+            ("grace.hopper", 1),
+            ("Grace Hopper", 1),
+            ("lovelace-ada", 0),
+        ] {
+            let join = Join::of(&roster(), &[entry]);
+            let mut expected = vec![None; 5];
+            expected[student] = Some(0);
+            assert_eq!(join.submissions, expected, "{entry}: {:?}", join.problems);
+            assert_eq!(join.late.len(), usize::from(entry.contains("LATE")));
+        }
+    }
+
+    #[test]
+    fn nothing_is_guessed() {
+        let entries = ["Kim Lee", "nobody", "ada", "s1", "x_5_6_a", "part1-turing"];
+        let join = Join::of(&roster(), &entries);
+        assert_eq!(
+            join.problems,
+            [
+                (0, Problem::Several(vec![3, 4])),
+                (1, Problem::Nobody),
+                (2, Problem::Again(0)),
+                (3, Problem::Again(0)),
+                (4, Problem::Nobody),
+                (5, Problem::Nobody),
+            ]
+        );
+        assert_eq!(join.submissions, [None; 5]);
+    }
+}

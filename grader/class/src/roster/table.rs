@@ -1,0 +1,308 @@
+//! The marks of a class, in the form that a course system imports as it is.
+//!
+//! - Canvas matches no columns: it wants `Student`, `ID`, `SIS User ID`, `SIS Login ID`, `Section` and
+//!   one column for the assignment, and makes an assignment of every other column
+//!   (<https://community.canvaslms.com/t5/Instructor-Guide/How-do-I-import-grades-in-the-Gradebook/ta-p/807>).
+//!   A line `Points Possible` follows the names of columns.
+//! - Moodle's grading worksheet wants `Identifier` and `Grade`; `Feedback comments` is shown to the
+//!   student (<https://docs.moodle.org/en/Offline_grading_worksheet>). Without numbers of participants
+//!   the import of grades matches `ID number` or `Email address`
+//!   (<https://docs.moodle.org/en/Grade_import>).
+//! - `csv` is the gradebook of the project, with the identifiers and names of the roster.
+//!
+//! A student without a score has an empty cell: it changes nothing in the system.
+
+use super::join::Join;
+use super::{Roster, Student};
+use crate::collect::{Class, Row, points};
+use base::GraderError;
+use formats::gradebook;
+use submission::Untrusted;
+
+/// A system that imports marks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum System {
+    /// Canvas.
+    Canvas,
+    /// Moodle.
+    Moodle,
+    /// The gradebook of the project.
+    Csv,
+}
+
+impl System {
+    /// All systems.
+    pub const ALL: [System; 3] = [System::Canvas, System::Moodle, System::Csv];
+
+    /// Its name on the command line, and that of its file in `OUT`.
+    pub fn name(self) -> &'static str {
+        match self {
+            System::Canvas => "canvas",
+            System::Moodle => "moodle",
+            System::Csv => "csv",
+        }
+    }
+
+    /// The system with this name.
+    pub fn named(name: &str) -> Option<System> {
+        System::ALL.into_iter().find(|system| system.name() == name)
+    }
+
+    /// The name of its file in `OUT`.
+    pub fn file(self) -> String {
+        match self {
+            System::Csv => "roster.csv".into(),
+            system => format!("{}.csv", system.name()),
+        }
+    }
+}
+
+/// What is written besides the scores.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Marks {
+    /// The system.
+    pub system: System,
+    /// The name of the assignment, for Canvas as its gradebook has it: `Part 1 (1234)`.
+    pub assignment: String,
+    /// Whether extra credit is added to the mark.
+    pub add_extra: bool,
+}
+
+/// The table of the marks.
+pub fn write(
+    class: &Class,
+    roster: &Roster,
+    join: &Join,
+    marks: &Marks,
+) -> Result<String, GraderError> {
+    let row = |i: usize| join.submissions[i].map(|submission| &class.rows[submission]);
+    let students = roster.students.iter().enumerate();
+    let students: Vec<(&Student, Option<&Row>)> =
+        students.map(|(i, student)| (student, row(i))).collect();
+    let mark = |row: Option<&Row>| {
+        let score = row.and_then(|row| row.score.as_ref());
+        score.map_or_else(String::new, |score| match marks.add_extra {
+            true => points(score.core + score.extra),
+            false => points(score.core),
+        })
+    };
+    let [max, _] = class.plan.max_score();
+    let records = match marks.system {
+        System::Canvas => canvas(&students, &marks.assignment, max, mark),
+        System::Moodle
+            if students
+                .iter()
+                .all(|(student, _)| !student.number.is_empty()) =>
+        {
+            worksheet(&students, max, mark)
+        }
+        System::Moodle => moodle_grades(&students, &marks.assignment, mark),
+        System::Csv => return gradebook_of(class, &students),
+    };
+    gradebook::table(&records)
+}
+
+fn canvas(
+    students: &[(&Student, Option<&Row>)],
+    assignment: &str,
+    max: f64,
+    mark: impl Fn(Option<&Row>) -> String,
+) -> Vec<Vec<String>> {
+    let header = [
+        "Student",
+        "ID",
+        "SIS User ID",
+        "SIS Login ID",
+        "Section",
+        assignment,
+    ];
+    let possible = ["    Points Possible", "", "", "", "", &points(max)];
+    let mut records = vec![
+        header.map(str::to_string).to_vec(),
+        possible.map(str::to_string).to_vec(),
+    ];
+    records.extend(students.iter().map(|(student, row)| {
+        let own = [
+            &student.name,
+            &student.number,
+            &student.id,
+            &student.login,
+            &student.section,
+        ];
+        let own = own.map(Untrusted::line).into_iter();
+        own.chain([mark(*row)]).collect()
+    }));
+    records
+}
+
+fn worksheet(
+    students: &[(&Student, Option<&Row>)],
+    max: f64,
+    mark: impl Fn(Option<&Row>) -> String,
+) -> Vec<Vec<String>> {
+    let header = [
+        "Identifier",
+        "Full name",
+        "Email address",
+        "Grade",
+        "Maximum Grade",
+        "Feedback comments",
+    ];
+    let mut records = vec![header.map(str::to_string).to_vec()];
+    records.extend(students.iter().map(|(student, row)| {
+        vec![
+            format!("Participant {}", student.number.line()),
+            student.name.line(),
+            student.email.line(),
+            mark(*row),
+            points(max),
+            row.filter(|row| row.score.is_some())
+                .map_or("", |row| row.status.label())
+                .to_string(),
+        ]
+    }));
+    records
+}
+
+fn moodle_grades(
+    students: &[(&Student, Option<&Row>)],
+    assignment: &str,
+    mark: impl Fn(Option<&Row>) -> String,
+) -> Vec<Vec<String>> {
+    let header = ["ID number", "Email address", "Full name", assignment];
+    let mut records = vec![header.map(str::to_string).to_vec()];
+    records.extend(students.iter().map(|(student, row)| {
+        let own = [&student.id, &student.email, &student.name].map(Untrusted::line);
+        own.into_iter().chain([mark(*row)]).collect()
+    }));
+    records
+}
+
+/// The gradebook, with the identifiers and names of the roster. Students who handed in nothing have
+/// no points.
+fn gradebook_of(
+    class: &Class,
+    students: &[(&Student, Option<&Row>)],
+) -> Result<String, GraderError> {
+    let tasks: Vec<&str> = class
+        .plan
+        .tasks
+        .iter()
+        .map(|task| task.key.as_str())
+        .collect();
+    let lines = students.iter().map(|(student, row)| {
+        let line = row.map(|row| crate::gradebook::line(row, &tasks));
+        let mut line = line.unwrap_or_else(|| gradebook::Line {
+            status: "not handed in".into(),
+            ..gradebook::Line::default()
+        });
+        let ids = [&student.id, &student.login, &student.email, &student.number];
+        let id = ids.into_iter().find(|id| !id.is_empty());
+        line.id = id.map(Untrusted::line).unwrap_or_default();
+        line.name = student.name.line();
+        line
+    });
+    gradebook::write(&tasks, class.plan.max_score(), &lines.collect::<Vec<_>>())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::collect::{Score, Status};
+    use serde_json::json;
+
+    /// A class with these submissions and core points.
+    fn class(rows: &[(&str, Option<f64>)]) -> Class {
+        let plan = json!({
+            "version": 2, "submissions": [],
+            "settings": { "what": "part1", "seed": 7, "limits": "", "revision": null, "course": {} },
+            "tasks": [{ "key": "part1.task1", "title": "", "stage": "raygen", "cases": [
+                { "name": "a", "tier": "core", "points": 10.0 }, { "name": "b", "tier": "robust", "points": 2.0 },
+            ] }],
+        });
+        let rows = rows.iter().map(|(name, core)| Row {
+            name: (*name).into(),
+            status: match core {
+                Some(_) => Status::Graded,
+                None => Status::Infrastructure("the disk is full".into()),
+            },
+            score: core.map(|core| Score {
+                core,
+                extra: 1.5,
+                tasks: [("part1.task1".to_string(), [core, 1.5])].into(),
+            }),
+            notes: Vec::new(),
+            graded: None,
+        });
+        Class {
+            plan: serde_json::from_value(plan).expect("a plan"),
+            rows: rows.collect(),
+        }
+    }
+
+    /// The marks of a class, of a roster in the form of `system` and submissions as it names them.
+    fn written(system: System, roster: &str, add_extra: bool) -> String {
+        let class = class(&[
+            ("Ada Lovelace_123_assignsubmission_file_", Some(7.25)),
+            ("hoppergrace_LATE_98765_4567890_stages-2", Some(10.0)),
+            ("turingalan_777_4567891_stages", None),
+        ]);
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join("roster.csv");
+        std::fs::write(&path, roster).expect("a file");
+        let roster = Roster::read(&path).expect("a roster");
+        let names: Vec<&str> = class.rows.iter().map(|row| row.name.raw()).collect();
+        let join = Join::of(&roster, &names);
+        let marks = Marks {
+            system,
+            assignment: "Part 1 (1234)".into(),
+            add_extra,
+        };
+        write(&class, &roster, &join, &marks).expect("a table")
+    }
+
+    #[test]
+    fn canvas_gets_its_own_columns_and_one_for_the_assignment() {
+        let roster = "Student,ID,SIS User ID,SIS Login ID,Section,Quiz (9)\n    Points Possible,,,,,5\n\
+            \"Hopper, Grace\",98765,s2,ghopper,\"CS, A\",4\n\"Turing, Alan\",777,s3,aturing,B,5\n\"Absent, Al\",5,s4,al,B,\n";
+        assert_eq!(
+            written(System::Canvas, roster, false),
+            "Student,ID,SIS User ID,SIS Login ID,Section,Part 1 (1234)\r\n    Points Possible,,,,,10\r\n\
+             \"Hopper, Grace\",98765,s2,ghopper,\"CS, A\",10\r\n\"Turing, Alan\",777,s3,aturing,B,\r\n\"Absent, Al\",5,s4,al,B,\r\n"
+        );
+        assert!(written(System::Canvas, roster, true).contains("\"CS, A\",11.5\r\n"));
+    }
+
+    #[test]
+    fn moodle_gets_its_worksheet_or_a_table_to_map() {
+        let worksheet = "Identifier,Full name,Email address,Status,Grade,Maximum Grade\n\
+            Participant 123,Ada Lovelace,ada@x,Submitted,,10\n";
+        assert_eq!(
+            written(System::Moodle, worksheet, false),
+            "Identifier,Full name,Email address,Grade,Maximum Grade,Feedback comments\r\n\
+             Participant 123,Ada Lovelace,ada@x,7.25,10,graded\r\n"
+        );
+        let participants = "First name,Last name,ID number,Email address\nAda,Lovelace,s1,ada@x\n";
+        assert_eq!(
+            written(System::Moodle, participants, false),
+            "ID number,Email address,Full name,Part 1 (1234)\r\ns1,ada@x,Ada Lovelace,7.25\r\n"
+        );
+    }
+
+    #[test]
+    fn the_gradebook_has_the_names_of_the_roster() {
+        let written = written(
+            System::Csv,
+            "id,name\ns1,Ada Lovelace\ns9,Al Absent\n",
+            false,
+        );
+        let lines: Vec<&str> = written.lines().skip(1).collect();
+        assert_eq!(
+            lines,
+            [
+                "s1,Ada Lovelace,graded,7.25,10,1.5,2,7.25,1.5,",
+                "s9,Al Absent,not handed in,,10,,2,,,"
+            ]
+        );
+    }
+}

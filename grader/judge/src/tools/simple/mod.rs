@@ -31,7 +31,7 @@ fn of_number(x: f64) -> u32 {
 
 /// Sorts `questions` from the simplest to the hardest; equally simple ones stay in their order.
 pub(crate) fn sorted<T>(mut questions: Vec<T>, complexity: impl Fn(&T) -> u32) -> Vec<T> {
-    questions.sort_by_key(complexity);
+    questions.sort_by_cached_key(complexity);
     questions
 }
 

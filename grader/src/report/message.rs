@@ -12,10 +12,31 @@ pub(crate) fn parts(message: &str) -> (&str, Option<&str>) {
     }
 }
 
+/// The input of the simplest call, with whole numbers as one writes them on paper.
+pub(super) fn input(call: &SimplestCall) -> String {
+    on_paper(&call.input)
+}
+
+/// Writes 3 for 3.0, and `ray` in lower case inside a sentence.
+fn on_paper(text: &str) -> String {
+    let mut plain = String::new();
+    let mut rest = text;
+    while let Some(at) = rest.find(".0") {
+        let (before, after) = rest.split_at(at);
+        let is_whole = before.ends_with(|c: char| c.is_ascii_digit())
+            && !after[2..].starts_with(|c: char| c.is_ascii_digit());
+        plain.push_str(before);
+        plain.push_str(if is_whole { "" } else { ".0" });
+        rest = &after[2..];
+    }
+    plain.push_str(rest);
+    plain.replace("Ray: o", "ray o")
+}
+
 /// What was found at the simplest call, without the question, in as few digits as show the
 /// difference.
 pub(super) fn found(call: &SimplestCall) -> String {
-    with_telling_digits(parts(&call.result).0)
+    on_paper(&with_telling_digits(parts(&call.result).0))
 }
 
 /// The result, without the reason at its end if it does not fit in `width` columns.
@@ -62,6 +83,13 @@ mod tests {
             "t: your result: t = 8.82554; expected: t = 8.82553"
         );
         assert_eq!(with_telling_digits("4.123456 boxes"), "4.12 boxes");
+    }
+
+    #[test]
+    fn whole_numbers_are_written_as_on_paper() {
+        let text = "Ray: o = (3.0, -1.0, 0.05), d = (10.0, 0.5, 2.01), t in [0.0, inf]";
+        let plain = "ray o = (3, -1, 0.05), d = (10, 0.5, 2.01), t in [0, inf]";
+        assert_eq!(on_paper(text), plain);
     }
 
     #[test]

@@ -215,7 +215,7 @@ fn details(text: &mut String, report: &TaskReport, Reveal { hint, extra }: Revea
         let _ = writeln!(
             text,
             "  Simplest: {}\n    {}",
-            call.input,
+            message::input(call),
             message::found(call)
         );
     }

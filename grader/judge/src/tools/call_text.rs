@@ -15,6 +15,15 @@ pub(crate) fn point(xyz: Xyz) -> String {
     format!("({x:?}, {y:?}, {z:?})")
 }
 
+/// All `parts`, if they are so few that they can be read.
+pub(crate) fn few(parts: impl Iterator<Item = String>, between: &str) -> Option<String> {
+    let parts: Vec<String> = parts.take(FEW + 1).collect();
+    (parts.len() <= FEW).then(|| parts.join(between))
+}
+
+/// The most parts of an input that are listed.
+const FEW: usize = 5;
+
 /// A ray and what it is tested against.
 pub(crate) fn ray_and(ray: &Ray, shape: &str) -> String {
     format!("{}; {shape}", show_ray(ray))

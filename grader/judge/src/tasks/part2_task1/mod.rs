@@ -11,6 +11,7 @@ mod simple;
 mod structure;
 
 use crate::tools::Tier;
+use crate::tools::call_text::{few, point};
 use crate::tools::check::{CaseContext, Check};
 use crate::tools::plural;
 use crate::tools::recorded;
@@ -76,9 +77,15 @@ impl Check for kind::Build {
     }
 
     fn input(work: &BuildWork, _: usize) -> Option<String> {
+        let boxes = plural(work.bounds.len(), "box", "boxes");
+        let corners = work.bounds.iter().map(|corners| {
+            let [min, max] = corners.map(point);
+            format!("{min} to {max}")
+        });
+        let listed = few(corners, ", ").filter(|listed| !listed.is_empty());
+        let listed = listed.map_or_else(String::new, |listed| format!(": {listed}"));
         Some(format!(
-            "{}, max_leaf_size = {}",
-            plural(work.bounds.len(), "box", "boxes"),
+            "{boxes}{listed}; max_leaf_size = {}",
             work.max_leaf_size
         ))
     }

@@ -1,15 +1,48 @@
 //! One call in words and shown.
 
-use crate::tools::call_text::{holding, range_circumstances, ray_and};
+use crate::tools::call_text::{few, holding, range_circumstances, ray_and};
 use crate::tools::plural;
-use wire::work::ScriptedWorld;
+use wire::work::{Node, NodeKind, ScriptedWorld};
 
 pub(super) fn input(world: &ScriptedWorld, call: usize) -> Option<String> {
+    let scripted = world.rays.get(call)?;
     let nodes = plural(world.tree.nodes.len(), "node", "nodes");
+    let each = world.tree.nodes.iter().zip(&scripted.spans);
+    let each = each.map(|(node, span)| self::node(world, node, *span, &scripted.prims));
+    let listed = few(each, ", ").filter(|listed| !listed.is_empty());
+    let listed = listed.map_or_else(String::new, |listed| format!(": {listed}"));
     Some(ray_and(
-        &world.rays.get(call)?.ray,
-        &format!("a tree of {nodes}"),
+        &scripted.ray,
+        &format!("a tree of {nodes}{listed}"),
     ))
+}
+
+/// A node: its children or where the ray hits its primitives, and where the ray is in its box.
+fn node(
+    world: &ScriptedWorld,
+    node: &Node,
+    span: Option<[f64; 2]>,
+    hits: &[Option<f64>],
+) -> String {
+    let span = match span {
+        Some([from, to]) => format!("t {from:?} to {to:?}"),
+        None => "missed".into(),
+    };
+    match node.kind {
+        NodeKind::Interior { left, right } => format!("nodes {left} and {right} ({span})"),
+        NodeKind::Leaf { first, count } => {
+            let order = world.tree.order.iter().skip(first as usize);
+            let prims = order
+                .take(count as usize)
+                .map(|&id| match hits[id as usize] {
+                    Some(t) => format!("{id} at t = {t:?}"),
+                    None => format!("{id} missed"),
+                });
+            let prims = few(prims, ", ")
+                .unwrap_or_else(|| plural(count as usize, "primitive", "primitives"));
+            format!("leaf of {prims} ({span})")
+        }
+    }
 }
 
 pub(super) fn circumstances(world: &ScriptedWorld, call: usize) -> Vec<&'static str> {

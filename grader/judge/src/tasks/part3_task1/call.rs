@@ -6,7 +6,11 @@ use wire::direct::LambertProbe;
 pub(super) fn input(probes: &[LambertProbe], call: usize) -> Option<String> {
     let probe = probes.get(call)?;
     let [wo, wi] = [probe.wo, probe.wi].map(point);
-    Some(format!("wo = {wo}, wi = {wi}, u = {:?}", probe.u))
+    let reflectance = point(probe.reflectance);
+    Some(format!(
+        "reflectance = {reflectance}, wo = {wo}, wi = {wi}, u = {:?}",
+        probe.u
+    ))
 }
 
 pub(super) fn circumstances(probes: &[LambertProbe], call: usize) -> Vec<&'static str> {

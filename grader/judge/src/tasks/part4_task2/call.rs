@@ -1,12 +1,31 @@
 //! One call in words and shown.
 
-use crate::tools::call_text::{holding, ray_and};
+use crate::tools::call_text::{few, holding, point, ray_and};
 use wire::global::{ScriptedPath, Step};
 
 pub(super) fn input(paths: &[ScriptedPath], call: usize) -> Option<String> {
     let path = paths.get(call)?;
     let depth = format!("max_depth = {}", path.max_depth);
-    Some(ray_and(&path.ray, &depth))
+    let surfaces = few(path.steps.iter().map(surface), "; ");
+    let what = match surfaces {
+        Some(surfaces) if !surfaces.is_empty() => format!("{depth}; hits {surfaces}"),
+        Some(_) => format!("{depth}; hits nothing"),
+        None => depth,
+    };
+    Some(ray_and(&path.ray, &what))
+}
+
+/// A surface of a path.
+fn surface(step: &Step) -> String {
+    let sample = step.sample.map_or_else(
+        || "no sample".into(),
+        |sample| format!("sample f = {}, pdf = {:?}", point(sample.f), sample.pdf),
+    );
+    format!(
+        "{:?}, direct light {}, {sample}",
+        step.material,
+        point(step.direct)
+    )
 }
 
 pub(super) fn circumstances(paths: &[ScriptedPath], call: usize) -> Vec<&'static str> {

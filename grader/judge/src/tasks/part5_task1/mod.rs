@@ -8,6 +8,7 @@ pub(crate) mod repro;
 mod simple;
 
 use crate::tools::Tier;
+use crate::tools::call_text::{few, point};
 use crate::tools::check::{CaseContext, Check, one_each};
 use crate::tools::kinds::stopping;
 use crate::tools::shown::ShownCall;
@@ -121,8 +122,15 @@ impl Check for kind::AdaptivePixels {
         let pixel = work.get(call)?;
         let [x, y] = pixel.pixel;
         Some(format!(
-            "x = {x}, y = {y}, ns_aa = {}, batch = {}, tolerance = {:?}",
-            pixel.ns_aa, pixel.batch, pixel.tolerance
+            "x = {x}, y = {y}, ns_aa = {}, batch = {}, tolerance = {:?}, {:?}{}",
+            pixel.ns_aa,
+            pixel.batch,
+            pixel.tolerance,
+            pixel.rule,
+            few(pixel.stream.iter().map(|colour| point(*colour)), ", ")
+                .map_or_else(String::new, |colours| format!(
+                    ", samples in turn {colours}"
+                ))
         ))
     }
 

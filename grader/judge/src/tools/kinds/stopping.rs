@@ -1,5 +1,6 @@
 //! Stopping rules: what the plain rule of `part5.task1` and the waiting rule of `part5.task2` share.
 
+use crate::tools::call_text::few;
 use crate::tools::repro::numbers::float;
 use crate::tools::snapshot::{Fields, Forms, field, forms, number, vector};
 use crate::tools::tally::{Aspect, Class, Tally};
@@ -19,7 +20,11 @@ pub(crate) fn call(runs: Vec<(u32, f64)>, rule: bool) -> StopCall {
 /// The input of a call, as text.
 pub(crate) fn input(call: &StopCall) -> String {
     let samples: u64 = call.runs.iter().map(|(count, _)| u64::from(*count)).sum();
-    format!("samples: {samples}, tolerance = {:?}", call.tolerance)
+    let runs = call.runs.iter();
+    let runs = runs.map(|(count, luminance)| format!("{count} of {luminance:?}"));
+    let runs = few(runs, ", ").filter(|runs| !runs.is_empty());
+    let runs = runs.map_or_else(String::new, |runs| format!(" ({runs})"));
+    format!("samples: {samples}{runs}, tolerance = {:?}", call.tolerance)
 }
 
 /// The samples of a question.

@@ -1,6 +1,6 @@
 //! One call in words and shown.
 
-use crate::tools::call_text::ray_and;
+use crate::tools::call_text::{few, point, ray_and};
 use crate::tools::shown::{ShownCall, ShownRay, YourHit};
 use crate::tools::snapshot::Fields;
 use crate::tools::truth::{self, records};
@@ -10,8 +10,15 @@ use wire::answer::HitsAnswer;
 use wire::work::BruteForceWork;
 
 pub(super) fn input(work: &BruteForceWork, call: usize) -> Option<String> {
-    let shapes = work.triangles.len() + work.spheres.len();
-    let shapes = plural(shapes, "shape", "shapes");
+    let count = work.triangles.len() + work.spheres.len();
+    let triangles = work.triangles.iter().map(|[p0, p1, p2, ..]| {
+        let [p0, p1, p2] = [p0, p1, p2].map(|p| point(*p));
+        format!("triangle {p0} {p1} {p2}")
+    });
+    let spheres = work.spheres.iter();
+    let spheres = spheres.map(|(center, radius)| format!("sphere {}, {radius:?}", point(*center)));
+    let shapes = few(triangles.chain(spheres), "; ");
+    let shapes = shapes.unwrap_or_else(|| plural(count, "shape", "shapes"));
     Some(ray_and(work.rays.get(call)?, &shapes))
 }
 

@@ -1,6 +1,6 @@
 //! One call in words and shown.
 
-use crate::tools::call_text::point;
+use crate::tools::call_text::{few, point};
 use crate::tools::plural;
 use crate::tools::shown::{ShownCall, ShownPoint};
 use wire::direct::{DirectAnswer, DirectWork, Strategy};
@@ -8,9 +8,20 @@ use wire::direct::{DirectAnswer, DirectWork, Strategy};
 pub(super) fn input(work: &DirectWork, call: usize) -> Option<String> {
     let at = work.points.get(call)?;
     let [p, n, wo] = [at.p, at.n, at.wo].map(point);
+    let world = &work.world;
+    let lights = world.lights.iter().map(|light| format!("{light:?}"));
+    let panels = world.panels.iter().map(|panel| format!("{panel:?}"));
+    let background = world.environment.iter();
+    let background = background.map(|around| match around.texels[..] {
+        [radiance] => format!("a background of {}", point(radiance)),
+        _ => "an environment map".into(),
+    });
+    let lights = few(lights.chain(panels).chain(background), "; ");
+    let lights = lights.filter(|lights| !lights.is_empty());
+    let lights = lights.map_or_else(String::new, |lights| format!("; {lights}"));
     Some(format!(
-        "p = {p}, n = {n}, wo = {wo}, samples = {}",
-        work.samples
+        "p = {p}, n = {n}, wo = {wo}, {:?}, samples = {}{lights}",
+        at.material, work.samples
     ))
 }
 

@@ -229,7 +229,7 @@ fn the_goldens_of_a_handout_are_read_from_its_packs() {
     let unpacked = Workspace::above(folder.path()).expect("it is a workspace");
     let full = workspace();
     let [theirs, ours] = [&unpacked, &full].map(|workspace| {
-        let snapshot = packed::read_snapshot(&workspace, "part1.task3", "back_face");
+        let snapshot = packed::read_snapshot(workspace, "part1.task3", "back_face");
         let known = grader::diagnosis::known(workspace, "part1.task3");
         (
             snapshot.expect("it can be read"),

@@ -47,14 +47,14 @@ fn every_program_prints_with_the_macros_of_this_crate() {
         let text = std::fs::read_to_string(&file).expect("Rust code is text");
         let code = text.split("#[cfg(test)]").next().unwrap_or_default();
         for (number, line) in code.lines().enumerate() {
-            let is_call = |name: &&str| {
-                let at = line.find(*name);
+            let is_call = |name: &str| {
+                let at = line.find(name);
                 // Not the end of a longer name, nor code that is quoted.
                 at.is_some_and(|at| {
                     !line[..at].ends_with(|c: char| c.is_alphanumeric() || c == '`')
                 })
             };
-            if !line.trim_start().starts_with("//") && PANICKING.iter().any(|name| is_call(&name)) {
+            if !line.trim_start().starts_with("//") && PANICKING.iter().any(|name| is_call(name)) {
                 found.push(format!(
                     "{}:{}: {}",
                     path.display(),

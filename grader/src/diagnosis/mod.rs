@@ -431,7 +431,7 @@ mod tests {
 
     #[test]
     fn what_only_robust_cases_show_makes_no_name_likely() {
-        let student = signature(&[("case decision", "9*a")]).as_robust();
+        let student = signature(&[("case decision", "9*a")]).into_robust();
         let all = [known("this", student.clone())];
         let diagnosis = diagnose(&all, &student).expect("the mistake is known");
         assert_eq!(diagnosis.certainty, Certainty::Perhaps);

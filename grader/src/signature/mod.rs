@@ -326,7 +326,7 @@ pub(crate) mod tests {
 
     impl Signature {
         /// The same faults in robust cases.
-        pub(crate) fn as_robust(self) -> Signature {
+        pub(crate) fn into_robust(self) -> Signature {
             Signature {
                 core: Cases::new(),
                 robust: self.core,

@@ -84,6 +84,7 @@ mod tests {
             name: name.into(),
             tier: Tier::Core,
             score: 0.0,
+            earned: 0.0,
             max_score: 1.0,
             status: Status::Failed,
             about: String::new(),

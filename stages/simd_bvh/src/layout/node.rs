@@ -111,12 +111,7 @@ impl Node {
     /// The lower and the upper corner of a child's box.
     #[inline(always)]
     pub(crate) fn corners(&self, lane: usize) -> [[f32; 3]; 2] {
-        let mut corners = [[0.0; 3]; 2];
-        for axis in 0..3 {
-            corners[0][axis] = self.planes(axis, Side::Lower)[lane];
-            corners[1][axis] = self.planes(axis, Side::Upper)[lane];
-        }
-        corners
+        [Side::Lower, Side::Upper].map(|side| [0, 1, 2].map(|axis| self.planes(axis, side)[lane]))
     }
 
     /// The planes of the eight boxes on one side.

@@ -167,13 +167,13 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
 
 /// Prints the stored table and signatures.
 fn print_stored(workspace: &Workspace, task: &str) -> Result<(), GraderError> {
-    println!("{task}: version | cases in which it loses points | mistakes that it is named as");
-    print!("{}", Table::read(workspace, task)?);
-    println!("\n{task}: the signatures, a line for each side of a case with a fault");
+    outln!("{task}: version | cases in which it loses points | mistakes that it is named as");
+    out!("{}", Table::read(workspace, task)?);
+    outln!("\n{task}: the signatures, a line for each side of a case with a fault");
     for known in diagnosis::known(workspace, task)? {
         let symptom = if known.is_symptom { " (symptom)" } else { "" };
-        println!("\n{}{symptom}", known.mistakes.join(" + "));
-        print!("{}", known.signature.to_text());
+        outln!("\n{}{symptom}", known.mistakes.join(" + "));
+        out!("{}", known.signature.to_text());
     }
     Ok(())
 }

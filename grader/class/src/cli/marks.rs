@@ -5,7 +5,7 @@ use crate::out::Out;
 use crate::roster::Roster;
 use crate::roster::join::{Join, Problem};
 use crate::roster::table::{self, Marks, System};
-use base::{GraderError, write_whole};
+use base::{GraderError, outln, write_whole};
 use clap::ArgMatches;
 use std::path::PathBuf;
 use submission::Untrusted;
@@ -36,7 +36,7 @@ pub(super) fn write(matches: &ArgMatches, out: &Out, class: &Class) -> Result<bo
 
     let name = |i: usize| class.rows[i].name.line();
     for (submission, problem) in &join.problems {
-        println!(
+        outln!(
             "no mark: {}: {}",
             name(*submission),
             about(&roster, problem)
@@ -44,13 +44,13 @@ pub(super) fn write(matches: &ArgMatches, out: &Out, class: &Class) -> Result<bo
     }
     let late: Vec<String> = join.late.iter().map(|i| name(*i)).collect();
     if !late.is_empty() {
-        println!("late, as the course system says: {}", late.join(", "));
+        outln!("late, as the course system says: {}", late.join(", "));
     }
     let missing = join
         .submissions
         .iter()
         .filter(|submission| submission.is_none());
-    println!(
+    outln!(
         "marks: {}: {} students, {} without a mark from this folder",
         file.display(),
         roster.students.len(),

@@ -79,17 +79,27 @@ pub(crate) fn start() {
     let _ = STUDENT.set(Mutex::new(ThreadFiles::open()));
 }
 
-/// The processor time of all threads of this process, those that have ended, too; where the system
-/// does not report it, the elapsed time. Only differences have a meaning.
-pub fn process_time() -> Duration {
+/// The processor time of the student's code: in a worker, that of all threads of the process, those
+/// that have ended, too; elsewhere, where other threads run other code, that of this thread. Where
+/// the system does not report it, the elapsed time. Only differences have a meaning.
+pub fn code_time() -> Duration {
+    time(STUDENT.get().is_some())
+}
+
+/// The processor time of all threads of this process, or of this thread.
+fn time(of_all_threads: bool) -> Duration {
     #[cfg(unix)]
     {
         use rustix::time::{ClockId, clock_gettime};
-        let time = clock_gettime(ClockId::ProcessCPUTime);
+        let time = clock_gettime(match of_all_threads {
+            true => ClockId::ProcessCPUTime,
+            false => ClockId::ThreadCPUTime,
+        });
         Duration::new(time.tv_sec.unsigned_abs(), time.tv_nsec as u32)
     }
     #[cfg(not(unix))]
     {
+        let _ = of_all_threads;
         static START: OnceLock<Instant> = OnceLock::new();
         START.get_or_init(Instant::now).elapsed()
     }
@@ -217,15 +227,15 @@ mod tests {
 
     #[test]
     fn work_on_another_thread_counts() {
-        let before = process_time();
+        let before = time(true);
         let work = || {
-            let started = process_time();
-            while process_time() < started + Duration::from_millis(20) {
+            let started = time(true);
+            while time(true) < started + Duration::from_millis(20) {
                 std::hint::black_box(0);
             }
         };
         std::thread::spawn(work).join().unwrap();
-        assert!(process_time() - before >= Duration::from_millis(20));
+        assert!(time(true) - before >= Duration::from_millis(20));
     }
 
     #[test]

@@ -14,6 +14,6 @@ mod usage;
 mod watch;
 
 pub use call_limit::{MOST_CALLS, limit_calls};
-pub use clock::process_time;
+pub use clock::code_time;
 pub use isolate::{ask, attempt, call, run};
 pub use supervise::main;

@@ -1,7 +1,7 @@
 //! What every program of the course is built on, whatever it computes.
 //!
 //! - [`GraderError`]: errors that are not the fault of the code under test
-//! - [`print`]: output that a closed pipe does not turn into a panic
+//! - [`mod@print`]: output that a closed pipe does not turn into a panic
 //! - [`program`]: command lines and exit codes
 //! - [`write_whole`]: files are written whole or not at all
 //! - [`interrupt`]: Ctrl-C ends child processes and removes temporary files

@@ -1,6 +1,6 @@
 //! Judges the results of the student's code: which aspects of them are right, and which are wrong.
 //!
-//! Three floors; each imports only from those below. Above, [`face`]: what other crates call.
+//! Three floors; each imports only from those below. Above, `face`: what other crates call.
 //! [`fits`] validates the form of an answer, [`judge`] its values, in the aspects that a case is
 //! about; [`whole`] judges an answer in all its aspects, before it becomes a golden. [`cases`] has
 //! the cases, [`snapshot`] writes goldens, [`repro`] Rust tests, [`picture`] the colours of answers;

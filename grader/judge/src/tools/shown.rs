@@ -1,7 +1,7 @@
 //! One call, shown: what the function got, what is right, and what the code returned.
 //!
 //! The one model for whoever draws a call: the page of `grader look`, the text of `grader explain`,
-//! the window. A kind of work makes it in [`super::check::Check::shown`].
+//! the window. A kind of work makes it in `Check::shown`.
 
 use crate::tools::aspects::hits::show;
 use crate::tools::truth::expected::{Expected, HitOrMiss};

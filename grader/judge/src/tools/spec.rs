@@ -141,7 +141,7 @@ impl Spec {
         })
     }
 
-    /// The simple questions of the case's kind of work (see [`crate::tools::simple`]), judged as the
+    /// The simple questions of the case's kind of work (see `tools::simple`), judged as the
     /// case is.
     pub fn simple(&self) -> Vec<Spec> {
         let works = self.check.simple(&self.work).into_iter();

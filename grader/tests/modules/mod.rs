@@ -21,10 +21,6 @@ const LARGEST_CIRCLE: usize = 3;
 const REMAINING: &[(&str, usize)] = &[
     ("grader/class/src/reading", 6),
     ("grader/cost/src", 14),
-    ("grader/kernels/src/bbox", 5),
-    ("grader/kernels/src/build", 4),
-    ("grader/kernels/src/sphere", 4),
-    ("grader/kernels/src/triangle", 7),
     ("grader/src/cli", 5),
     ("grader/worker/src/picture", 12),
     ("scenes/src/collada", 4),

@@ -5,8 +5,8 @@
 //!
 //! T. Ize, "Robust BVH Ray Traversal", Journal of Computer Graphics Techniques 2(2), 2013.
 
+use super::test::{BoxTest, Interval};
 use super::williams::slab;
-use super::{BoxTest, Interval};
 use crate::kernel::KernelInfo;
 use crate::shapes::{Aabb, Ray};
 use lanes::Scalar;

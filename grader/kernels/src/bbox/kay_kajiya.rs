@@ -4,7 +4,7 @@
 //! T. Kay, J. Kajiya, "Ray Tracing Complex Scenes", SIGGRAPH 1986. A ray that starts on a plane and
 //! is parallel to it computes 0/0, a NaN, for which every comparison is false.
 
-use super::{BoxTest, Interval};
+use super::test::{BoxTest, Interval};
 use crate::kernel::KernelInfo;
 use crate::shapes::{Aabb, Ray};
 use lanes::Scalar;

@@ -5,7 +5,7 @@
 //! T. Barnes, "Fast, Branchless Ray/Bounding Box Intersections, Part 3: Boundaries", 2022,
 //! <https://tavianator.com/2022/ray_box_boundary.html>.
 
-use super::{BoxTest, Interval};
+use super::test::{BoxTest, Interval};
 use crate::kernel::KernelInfo;
 use crate::shapes::{Aabb, Ray};
 use lanes::Scalar;

@@ -5,7 +5,7 @@
 //! A. Williams, S. Barrus, R. K. Morley, P. Shirley, "An Efficient and Robust Ray-Box Intersection
 //! Algorithm", Journal of Graphics Tools 10(1), 2005.
 
-use super::{BoxTest, Interval};
+use super::test::{BoxTest, Interval};
 use crate::kernel::KernelInfo;
 use crate::shapes::{Aabb, Ray};
 use lanes::Scalar;

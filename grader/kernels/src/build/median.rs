@@ -5,7 +5,7 @@
 //!
 //! T. Kay, J. Kajiya, "Ray Tracing Complex Scenes", SIGGRAPH 1986.
 
-use super::{BuildPrimitive, centroid_bounds};
+use super::primitive::{BuildPrimitive, centroid_bounds};
 
 pub(super) fn split(primitives: &mut [BuildPrimitive]) -> usize {
     let axis = centroid_bounds(primitives).extent().max_position();

@@ -5,7 +5,7 @@
 //! A. Glassner, "Space Subdivision for Fast Ray Tracing", IEEE Computer Graphics and Applications
 //! 4(10), 1984, halves space in this way; the assignment recommends it for trees.
 
-use super::{BuildPrimitive, centroid_bounds, partition};
+use super::primitive::{BuildPrimitive, centroid_bounds, partition};
 
 pub(super) fn split(primitives: &mut [BuildPrimitive]) -> usize {
     let centroids = centroid_bounds(primitives);

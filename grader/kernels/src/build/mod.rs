@@ -4,21 +4,15 @@
 
 mod median;
 mod midpoint;
+mod primitive;
 mod sah;
 
 use crate::tree::Builder;
-use kit::{Aabb, Bvh, BvhNode, NodeKind, PrimId, Vec3};
+use kit::{Aabb, Bvh, BvhNode, NodeKind, PrimId};
+use primitive::BuildPrimitive;
 
 /// Partitions the primitives into left and right, and returns the number of left ones.
 type Split = fn(&mut [BuildPrimitive]) -> usize;
-
-/// A primitive during construction.
-#[derive(Clone, Copy)]
-pub(crate) struct BuildPrimitive {
-    id: PrimId,
-    bounds: Aabb,
-    centroid: Vec3,
-}
 
 /// Returns all builders, the simplest first.
 pub(crate) fn builders() -> Vec<Builder> {
@@ -95,25 +89,5 @@ fn add_subtree(
 fn bounds_of(primitives: &[BuildPrimitive]) -> Aabb {
     let bounds = primitives.iter().map(|primitive| primitive.bounds);
     bounds.fold(Aabb::EMPTY, Aabb::union)
-}
-
-/// Returns the bounds of the primitives' centroids.
-fn centroid_bounds(primitives: &[BuildPrimitive]) -> Aabb {
-    Aabb::of(primitives.iter().map(|primitive| primitive.centroid))
-}
-
-/// Partitions the primitives by `goes_left`; returns the number of left ones.
-fn partition(
-    primitives: &mut [BuildPrimitive],
-    goes_left: impl Fn(&BuildPrimitive) -> bool,
-) -> usize {
-    let mut left = 0;
-    for i in 0..primitives.len() {
-        if goes_left(&primitives[i]) {
-            primitives.swap(i, left);
-            left += 1;
-        }
-    }
-    left
 }
 // END SOLUTION(part2.task1)

@@ -7,7 +7,7 @@
 //! Computer Graphics and Applications 7(5), 1987; in bins: I. Wald, "On Fast Construction of
 //! SAH-based Bounding Volume Hierarchies", IEEE Symposium on Interactive Ray Tracing, 2007.
 
-use super::{BuildPrimitive, centroid_bounds, partition};
+use super::primitive::{BuildPrimitive, centroid_bounds, partition};
 use kit::Aabb;
 
 const BINS: usize = 16;

@@ -6,7 +6,7 @@
 //! E. Haines, J. Günther, T. Akenine-Möller, "Precision Improvements for Ray/Sphere Intersection",
 //! Ray Tracing Gems, chapter 7, 2019.
 
-use super::{SphereTest, first_in_range};
+use super::test::{SphereTest, first_in_range};
 use crate::kernel::KernelInfo;
 use crate::shapes::{Ray, Sphere};
 use lanes::Scalar;

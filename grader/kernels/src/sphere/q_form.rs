@@ -4,7 +4,7 @@
 //!
 //! W. Press et al., Numerical Recipes, §5.6.
 
-use super::{SphereTest, first_in_range};
+use super::test::{SphereTest, first_in_range};
 use crate::kernel::KernelInfo;
 use crate::shapes::{Ray, Sphere};
 use lanes::Scalar;

@@ -5,7 +5,7 @@
 //! E. Haines, "Essential Ray Tracing Algorithms", in A. Glassner (ed.), An Introduction to Ray
 //! Tracing, 1989.
 
-use super::{SphereTest, first_in_range};
+use super::test::{SphereTest, first_in_range};
 use crate::kernel::KernelInfo;
 use crate::shapes::{Ray, Sphere};
 use lanes::Scalar;

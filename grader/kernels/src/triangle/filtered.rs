@@ -5,7 +5,7 @@
 //! J. R. Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric
 //! Predicates", Discrete & Computational Geometry 18, 1997.
 
-use super::{TriangleHit, TriangleTest, sum_if_same_sign};
+use super::test::{TriangleHit, TriangleTest, sum_if_same_sign};
 use crate::exact::Expansion;
 use crate::kernel::KernelInfo;
 use crate::shapes::{Ray, Triangle, Vec3};

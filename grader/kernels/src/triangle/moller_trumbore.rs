@@ -4,7 +4,7 @@
 //! T. Möller, B. Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", Journal of Graphics
 //! Tools 2(1), 1997.
 
-use super::{TriangleHit, TriangleTest};
+use super::test::{TriangleHit, TriangleTest};
 use crate::kernel::KernelInfo;
 use crate::shapes::{Ray, Triangle};
 use lanes::Scalar;

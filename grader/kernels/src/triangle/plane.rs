@@ -5,7 +5,7 @@
 //! Tracing, 1989. The point is rounded before the edge tests: two triangles that share an edge test
 //! it with different points.
 
-use super::{TriangleHit, TriangleTest};
+use super::test::{TriangleHit, TriangleTest};
 use crate::kernel::KernelInfo;
 use crate::shapes::{Ray, Triangle, Vec3};
 use lanes::Scalar;

@@ -6,7 +6,7 @@
 //! J. Amanatides, K. Choi, "Ray Tracing Triangular Meshes", Western Computer Graphics Symposium,
 //! 1997.
 
-use super::{TriangleHit, TriangleTest, sum_if_same_sign};
+use super::test::{TriangleHit, TriangleTest, sum_if_same_sign};
 use crate::kernel::KernelInfo;
 use crate::shapes::{Ray, Triangle, Vec3};
 use lanes::Scalar;

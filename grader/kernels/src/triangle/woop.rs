@@ -7,7 +7,7 @@
 //! Graphics Techniques 2(1), 2013. Here an edge function of 0 counts as a hit for both triangles;
 //! the paper recomputes it in double precision.
 
-use super::{TriangleHit, TriangleTest, sum_if_same_sign};
+use super::test::{TriangleHit, TriangleTest, sum_if_same_sign};
 use crate::kernel::KernelInfo;
 use crate::shapes::{Ray, Triangle, Vec3};
 use lanes::Scalar;

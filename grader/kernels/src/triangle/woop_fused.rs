@@ -5,8 +5,8 @@
 //!
 //! See [`crate::exact::difference_of_products`].
 
+use super::test::{TriangleHit, TriangleTest};
 use super::woop::{areas, sheared};
-use super::{TriangleHit, TriangleTest};
 use crate::exact::difference_of_products;
 use crate::kernel::KernelInfo;
 use crate::shapes::{Ray, Triangle};

@@ -18,6 +18,7 @@
 //! - [`roster`]: whose each submission is, and marks as course systems import them
 //! - [`regrade`]: old and new scores, before they are replaced
 
+pub mod alike;
 pub mod cli;
 pub mod collect;
 pub mod course_hash;

@@ -1,5 +1,6 @@
 //! All tests of grading a class.
 
+mod alike;
 mod fake_class;
 mod forms;
 mod likeness;

@@ -1,7 +1,7 @@
 //! Runs `grader class`.
 
 use super::engines::{Shard, UnitCommand, missing};
-use super::marks;
+use super::{alike, marks};
 use crate::collect::{Class, Status};
 use crate::course_hash;
 use crate::out::Out;
@@ -57,6 +57,17 @@ pub fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     }
     let regrades = matches.get_flag("regrade");
     let containment = containment(matches, &workspace)?;
+    if matches.get_flag("alike") {
+        let reader = reader(&workspace, &containment)?;
+        return alike::run(
+            &workspace,
+            class,
+            out,
+            &reader,
+            revision(matches).as_ref(),
+            reading,
+        );
+    }
     let plan = plan(matches, &workspace, class, out, &containment)?;
     let unsandboxed = matches.get_flag("unsandboxed");
     let command = UnitCommand::new(workspace.root(), class, out, unsandboxed)?;
@@ -125,10 +136,7 @@ fn plan(
     let course = Course::read(workspace)?;
     let reader = reader(workspace, containment)?;
     let part = matches.get_one::<u32>("part");
-    let revision = matches
-        .get_one::<Revision>("before")
-        .cloned()
-        .or_else(|| matches.get_one("commit").cloned().map(Revision::Commit));
+    let revision = revision(matches);
     loop {
         let old = Plan::load(&out.plan())?;
         let known_seed = old.as_ref().map(|old| old.settings.seed);
@@ -174,6 +182,12 @@ fn plan(
         }
         return Ok(plan);
     }
+}
+
+/// The commit of git clones that counts.
+fn revision(matches: &ArgMatches) -> Option<Revision> {
+    let before = matches.get_one::<Revision>("before").cloned();
+    before.or_else(|| matches.get_one("commit").cloned().map(Revision::Commit))
 }
 
 /// Reads submissions with this program.

@@ -1,6 +1,6 @@
 //! The page of the class.
 
-use super::{distribution, mistakes, page as whole_page, submissions};
+use super::{distribution, expected_pairs, mistakes, page as whole_page, submissions};
 use crate::collect::{Class, Row, Status, points};
 use crate::likeness::{self, EXPECTED, Pair};
 use maud::{Markup, html};
@@ -86,18 +86,6 @@ fn listed(heading: &str, rows: &[&Row]) -> Markup {
     }
 }
 
-/// A small number of pairs, with two digits that count.
-fn expected_pairs(pairs: f64) -> String {
-    match pairs {
-        1.0.. => format!("{pairs:.0}"),
-        1e-6.. => {
-            let digits = (-pairs.log10()).floor() as usize + 2;
-            format!("{pairs:.digits$}")
-        }
-        _ => "less than 0.000001".to_string(),
-    }
-}
-
 fn pairs(class: &Class) -> Markup {
     let pairs = likeness::pairs(class);
     let shared = likeness::shared_by_many(class);
@@ -156,16 +144,5 @@ fn line(pair: &Pair) -> Markup {
             td { (pair.stages.join(" ")) }
             td.number { @if !pair.tasks.is_empty() { (expected_pairs(pair.expected)) } }
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn expected_pairs_have_two_digits_that_count() {
-        let numbers = [29.2, 0.0999, 6.66e-5, 0.0].map(expected_pairs);
-        assert_eq!(numbers, ["29", "0.100", "0.000067", "less than 0.000001"]);
     }
 }

@@ -18,7 +18,7 @@ use submission::Untrusted;
 const STYLE: &str = include_str!("style.css");
 
 /// A page with this title and body, and with a script of ours.
-fn page(title: &str, body: &Markup, script: Option<&str>) -> String {
+pub(crate) fn page(title: &str, body: &Markup, script: Option<&str>) -> String {
     // Only this script is run: nothing that a student wrote can be one.
     let allowed = script.map_or_else(String::new, |script| {
         let hash = STANDARD.encode(Sha256::digest(script));
@@ -50,5 +50,28 @@ fn list(sentences: &[Untrusted]) -> Markup {
         @if !sentences.is_empty() {
             ul { @for sentence in sentences { li { (sentence.line()) } } }
         }
+    }
+}
+
+/// A small number of pairs, with two digits that count.
+pub(crate) fn expected_pairs(pairs: f64) -> String {
+    match pairs {
+        1.0.. => format!("{pairs:.0}"),
+        1e-6.. => {
+            let digits = (-pairs.log10()).floor() as usize + 2;
+            format!("{pairs:.digits$}")
+        }
+        _ => "less than 0.000001".to_string(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn expected_pairs_have_two_digits_that_count() {
+        let numbers = [29.2, 0.0999, 6.66e-5, 0.0].map(expected_pairs);
+        assert_eq!(numbers, ["29", "0.100", "0.000067", "less than 0.000001"]);
     }
 }

@@ -1,0 +1,99 @@
+//! Runs `grader class --alike`.
+
+use crate::alike::pairs::{self, Student};
+use crate::alike::source::Source;
+use crate::alike::{self, jplag, page};
+use crate::entries;
+use crate::out::Out;
+use crate::reading::Reader;
+use crate::reading::content::Unreadable;
+use crate::reading::intake::Revision;
+use base::program::Exit;
+use base::{GraderError, Workspace, errln, outln, write_whole};
+use grader::course::Course;
+use std::collections::BTreeMap;
+use std::path::Path;
+
+/// The most bytes of a stage that are compared: a hundred times what a student writes. The tokens of
+/// a text take some hundred times its memory.
+const LARGEST_STAGE: usize = 1 << 20;
+
+/// Compares the submissions in the folder `class`, and writes the page and the folder for JPlag to
+/// `out`. `progress` is told which submission is read, and of how many.
+pub(super) fn run(
+    workspace: &Workspace,
+    class: &Path,
+    out: &Out,
+    reader: &Reader,
+    revision: Option<&Revision>,
+    progress: fn(usize, usize),
+) -> Result<Exit, GraderError> {
+    let course = Course::read(workspace)?;
+    let folder = out.join("jplag");
+    if folder.exists() {
+        std::fs::remove_dir_all(&folder).map_err(|e| GraderError::file("remove", &folder, e))?;
+    }
+    let mut known = BTreeMap::new();
+    for stage in course.stages() {
+        jplag::write(
+            &folder.join("given"),
+            stage,
+            &alike::given(workspace, stage)?,
+        )?;
+        known.insert(stage, alike::known(workspace, stage)?);
+    }
+    let entries = entries::list(class)?;
+    let names: Vec<&str> = entries.iter().map(|entry| entry.name.as_str()).collect();
+    let folders = entries::page_names(&names);
+    let mut students = Vec::new();
+    for (i, entry) in entries.iter().enumerate() {
+        progress(i, entries.len());
+        let read = match entry.problem {
+            Some(problem) => Err(Unreadable::Damaged(problem.to_string())),
+            None => reader.read(&class.join(&entry.file), revision),
+        };
+        let name = submission::Untrusted::from(entry.name.as_str());
+        let read = match read {
+            Ok(read) => read,
+            Err(
+                Unreadable::Machine(why) | Unreadable::TooLarge(why) | Unreadable::Damaged(why),
+            ) => {
+                let why = submission::Untrusted::from(why);
+                errln!("not compared: {}: {}", name.line(), why.line());
+                continue;
+            }
+        };
+        let mut stages = BTreeMap::new();
+        for (stage, files) in &read.submission.stages {
+            jplag::write(&folder.join("submissions").join(&folders[i]), stage, files)?;
+            let Some(known) = known.get(stage.as_str()) else {
+                continue;
+            };
+            let bytes: usize = files.values().map(Vec::len).sum();
+            if bytes > LARGEST_STAGE {
+                errln!(
+                    "not compared: {stage} of {}: it has more than 1 MB",
+                    name.line()
+                );
+                continue;
+            }
+            stages.insert(stage.clone(), Source::new(files, known));
+        }
+        students.push(Student { name, stages });
+    }
+    let (pairs, common) = (pairs::pairs(&students), pairs::common(&students));
+    let path = out.join("alike.html");
+    write_whole(
+        &path,
+        page::page(students.len(), &pairs, &common).as_bytes(),
+    )?;
+    outln!(
+        "{} submissions compared: {} pairs to ask about, {} passages that many have: {}",
+        students.len(),
+        pairs.len(),
+        common.len(),
+        path.display()
+    );
+    outln!("the same with JPlag: {}", jplag::command(&folder));
+    Ok(Exit::Passed)
+}

@@ -20,7 +20,7 @@ const JUST_ABOVE: f64 = 1.02;
 /// The reference's answer; `None` in a handout.
 fn reference(spec: &Spec) -> Option<Answer> {
     match worker::run(0, &spec.case()).outcome {
-        Outcome::Answered(answer) => Some(answer),
+        Outcome::Answered(answer) => Some(spec.moved_back(answer)),
         Outcome::NotAttempted { .. } => None,
         outcome => panic!("{} {}: {outcome:?}", spec.task, spec.name),
     }

@@ -4,5 +4,6 @@ mod certainty;
 mod goldens;
 mod main_answers;
 mod mistakes;
+mod moves;
 mod simple_questions;
 mod untrusted_records;

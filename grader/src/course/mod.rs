@@ -3,6 +3,7 @@
 pub mod chapter;
 pub mod consistency;
 pub mod given;
+pub mod moved_points;
 pub mod packed;
 pub mod sources;
 

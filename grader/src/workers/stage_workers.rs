@@ -7,6 +7,7 @@ use crate::workers::runner::{self, Ending, Worker};
 use base::GraderError;
 use judge::cases::Spec;
 use std::collections::BTreeMap;
+use wire::Outcome;
 
 /// The workers of a stage.
 #[derive(Clone, Debug)]
@@ -18,7 +19,8 @@ pub struct StageWorkers {
 }
 
 impl StageWorkers {
-    /// Runs each case in its worker. Returns its ending, or the names of the stages without which
+    /// Runs each case in its worker, which gets the case's question moved, and moves the answers back
+    /// to the question that is judged. Returns its ending, or the names of the stages without which
     /// it cannot run. Appends the output of the code to `printed`.
     pub fn run(
         &self,
@@ -46,12 +48,25 @@ impl StageWorkers {
             (true, Ok(whole_scene)) => whole_scene.next().map(Ok).ok_or_else(lost),
             (true, Err(broken)) => Ok(Err((*broken).clone())),
         });
-        let mut endings: Vec<Result<Ending, String>> =
-            endings.collect::<Result<_, GraderError>>()?;
+        let endings = endings.collect::<Result<Vec<_>, GraderError>>()?;
+        let each = specs.iter().zip(endings);
+        let mut endings: Vec<Result<Ending, String>> = each
+            .map(|(spec, ending)| ending.map(|ending| moved_back(spec, ending)))
+            .collect();
         let tasks: Vec<&str> = specs.iter().map(|spec| spec.task).collect();
         fail_tasks_with_changed_counts(&tasks, &mut endings);
         Ok(endings)
     }
+}
+
+/// The ending of a case as if its question had not been moved.
+fn moved_back(spec: &Spec, mut ending: Ending) -> Ending {
+    if let Ending::Recorded(record) = &mut ending
+        && let Outcome::Answered(answer) = record.outcome.clone()
+    {
+        record.outcome = Outcome::Answered(spec.moved_back(answer));
+    }
+    ending
 }
 
 /// Code that changes its counts in one case may have done so in the others of its task, in whole

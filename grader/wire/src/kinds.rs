@@ -24,7 +24,7 @@ pub trait Kind: 'static {
     type Question: Clone;
 
     /// The result of the work.
-    type Answer;
+    type Answer: Clone;
 
     /// The work with this question.
     fn work(question: Self::Question) -> Work;
@@ -34,6 +34,9 @@ pub trait Kind: 'static {
 
     /// The typed answer in `answer`; `None` if it is to work of another kind.
     fn answer(answer: &Answer) -> Option<&Self::Answer>;
+
+    /// The answer in the form that is sent.
+    fn answered(answer: Self::Answer) -> Answer;
 }
 
 /// Defines [`Work`] and [`Answer`], with a variant of the same name for each kind, the types in
@@ -110,6 +113,10 @@ macro_rules! kinds {
                             Answer::$kind(answer) => Some(answer),
                             _ => None,
                         }
+                    }
+
+                    fn answered(answer: $answer) -> Answer {
+                        Answer::$kind(answer)
                     }
                 }
             )*

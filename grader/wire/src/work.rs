@@ -151,6 +151,8 @@ pub struct PixelWork {
     pub seeds: Vec<u64>,
     /// The radiance that `trace_ray` returns.
     pub world: PixelWorld,
+    /// A factor of this radiance.
+    pub gain: Xyz,
 }
 
 impl PixelWork {

@@ -38,7 +38,8 @@ fn pixel(work: &PixelWork, [x, y]: [u32; 2], seed: u64) -> PixelAnswer {
             harness::limit_calls("trace_ray", traced_points.len(), asked_for);
             let point = Vec2::new(ray.o.x, ray.o.y);
             let from_camera = *ray == camera_stub(point);
-            let radiance = radiance(work.world, point, traced_radiance.len(), sampler);
+            let world = radiance(work.world, point, traced_radiance.len(), sampler);
+            let radiance = world * Spectrum::from(work.gain);
             traced_points.push(from_camera.then_some(point));
             traced_radiance.push(radiance);
             radiance

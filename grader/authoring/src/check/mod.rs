@@ -14,6 +14,7 @@ use crate::handout::Handout;
 use base::{GraderError, Workspace};
 use build::Tests;
 use grader::course::consistency;
+use grader::course::moved_points::MovedPoints;
 use grader::course::{Course, Part};
 use grader::grade::{self, GradeRequest};
 use grader::report::Report;
@@ -32,6 +33,7 @@ pub fn course(
     progress("comparing course.toml, cases and goldens");
     let found = consistency::problems(workspace, &course, &cases::all(0));
     report(&mut problems, found, &mut progress);
+    progress(&MovedPoints::of(&course).summary());
     let mut handouts = Vec::new();
     for part in &course.parts {
         progress(&format!("handout of part {}: creating it", part.number));

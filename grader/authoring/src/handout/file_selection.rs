@@ -31,6 +31,9 @@ const PLOT_IN_BOOK: &str = "grader/pictures/triangles.svg";
 /// Files in the root folder that a handout contains.
 const ROOT_FILES: [&str; 4] = ["Cargo.lock", ".gitignore", "clippy.toml", "rustfmt.toml"];
 
+/// The list of what no seed changes.
+const NOT_MOVED: &str = "golden/not_moved.txt";
+
 /// What students do not need: the README's pictures and their scenes, and tests of given code.
 const LEFT_OUT: [&str; 5] = [
     "scenes/pictures",
@@ -69,10 +72,11 @@ impl<'a> FileSelection<'a> {
             .unwrap_or_default();
         let is_rust = path.extension().is_some_and(|extension| extension == "rs");
         let is_manifest = path.file_name().is_some_and(|name| name == "Cargo.toml");
-        // Students need the goldens as data. The test of the goldens and the tables of mutants are
-        // about the reference.
+        // Students need the goldens as data. The test of the goldens, the tables of mutants and the
+        // list of what seeds do not change are for those who maintain the course.
         if top == "golden" {
-            return !is_rust && !is_manifest && !path.starts_with("golden/mutants");
+            let is_for_authors = path.starts_with("golden/mutants") || path == Path::new(NOT_MOVED);
+            return !is_rust && !is_manifest && !is_for_authors;
         }
         if LEFT_OUT.iter().any(|folder| path.starts_with(folder)) {
             return false;

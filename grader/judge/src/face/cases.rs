@@ -1,13 +1,14 @@
 //! The cases of all tasks.
 //!
 //! `course.toml` lists the cases that count and their points; the folder of their task, in `tasks`,
-//! defines them. Every case is the same on every machine; random cases depend on a seed alone.
+//! defines them. Every case is the same on every machine; random cases depend on a seed alone, and
+//! so do the moves of all others.
 
 use crate::tasks;
 
 pub use crate::tools::questions::probes;
 pub use crate::tools::recorded;
-pub use crate::tools::spec::{PITFALL, Spec, checked};
+pub use crate::tools::spec::{KNOWN_SEED, PITFALL, Spec, checked};
 
 /// All cases of all tasks.
 pub fn all(seed: u64) -> Vec<Spec> {

@@ -64,8 +64,9 @@ const CASES: &[(&str, MakeCases)] = &[
     ("part5.task2", part5_task2::cases::cases),
 ];
 
-/// All cases of the tasks whose keys `is_wanted`.
+/// All cases of the tasks whose keys `is_wanted`. Their questions are moved as `seed` draws.
 pub(crate) fn cases(seed: u64, is_wanted: impl Fn(&str) -> bool) -> Vec<Spec> {
     let wanted = CASES.iter().filter(|(key, _)| is_wanted(key));
-    wanted.flat_map(|(_, cases)| cases(seed)).collect()
+    let cases = wanted.flat_map(|(_, cases)| cases(seed));
+    cases.map(|case| case.moved_for(seed)).collect()
 }

@@ -4,7 +4,7 @@
 //! [`truth`] computes the exact results with the oracle. [`aspects`] judges hit records, numbers,
 //! statistics of many samples. [`snapshot`] writes and compares goldens, [`repro`] parts of Rust
 //! tests. [`questions`] makes the inputs of cases, [`simple`] those that a person can work on paper. [`check`] has the operations on a kind of work,
-//! [`spec`] a case, [`kinds`] what several tasks share.
+//! [`spec`] a case, [`moves`] the symmetries of its question, [`kinds`] what several tasks share.
 
 pub(crate) mod aspects;
 pub(crate) mod call_text;
@@ -13,6 +13,7 @@ pub(crate) mod colours;
 pub mod convert;
 pub mod errors;
 pub(crate) mod kinds;
+pub(crate) mod moves;
 mod plural;
 pub(crate) mod questions;
 pub mod recorded;

@@ -4,6 +4,8 @@ use crate::tools::Tier;
 use crate::tools::check::any::{AnyCheck, check_of_kind};
 use crate::tools::check::expected_cache::ExpectedCache;
 use crate::tools::check::{CaseContext, Check};
+use crate::tools::moves::Move;
+use crate::tools::questions::probes::ProbeRng;
 use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::Fields;
 use crate::tools::tally::Aspect;
@@ -21,7 +23,7 @@ pub struct Spec {
     /// What is checked, in a sentence for students; after [`PITFALL`], what a naive formula does
     /// there. [`checked`] returns the part without the hint.
     pub about: &'static str,
-    /// The work of the worker.
+    /// The question that is judged and shown. The worker gets it moved.
     pub work: Work,
     /// Width and height, if the answers are the pixels of a picture, row by row from the bottom
     /// left.
@@ -37,7 +39,12 @@ pub struct Spec {
     pub(crate) check: &'static dyn AnyCheck,
     /// The exact results, as far as they have been computed.
     pub(crate) expected_cache: Arc<ExpectedCache>,
+    /// The move of the question that the worker gets.
+    pub(crate) moved_by: Arc<Move>,
 }
+
+/// The seed whose questions students have. None of them is moved.
+pub const KNOWN_SEED: u64 = 0;
 
 /// Separates what a case checks from the mistake that its sentence names.
 pub const PITFALL: &str = " Pitfall: ";
@@ -69,6 +76,20 @@ impl Spec {
             about_aspects: &[],
             main_aspects: &[],
             expected_cache: Arc::default(),
+            moved_by: Arc::new(Move::IDENTITY),
+        }
+    }
+
+    /// The same case with a move that the seed draws.
+    pub(crate) fn moved_for(self, seed: u64) -> Spec {
+        if seed == KNOWN_SEED {
+            return self;
+        }
+        let mut rng = ProbeRng::new(&format!("{}/{}", self.task, self.name), seed);
+        let drawn = self.check.symmetries(&self.work).draw(&mut rng);
+        Spec {
+            moved_by: Arc::new(drawn),
+            ..self
         }
     }
 
@@ -115,13 +136,44 @@ impl Spec {
         self.check.needs_all_stages()
     }
 
-    /// The case in the form that the worker gets.
+    /// The case in the form that the worker gets: with its question moved. The answer is judged
+    /// after [`Spec::moved_back`].
     pub fn case(&self) -> wire::Case {
         wire::Case {
             task: self.task.into(),
             name: self.name.into(),
             limit_ms: self.check.limit_ms(),
-            work: self.work.clone(),
+            work: match self.is_moved() {
+                true => self.check.moved(&self.work, &self.moved_by),
+                false => self.work.clone(),
+            },
+        }
+    }
+
+    /// The worker's answer to [`Spec::case`], which [`fits`](crate::fits), as an answer to the
+    /// question that is judged.
+    pub fn moved_back(&self, answer: Answer) -> Answer {
+        match self.is_moved() {
+            true => self.check.moved_back(answer, &self.moved_by.inverse()),
+            false => answer,
+        }
+    }
+
+    /// Whether the worker gets another question than students have.
+    pub fn is_moved(&self) -> bool {
+        !self.moved_by.is_identity()
+    }
+
+    /// Why no seed moves the case: ends the sentence "no move, because ...".
+    pub fn why_not_moved(&self) -> &'static str {
+        self.check.why_not_moved()
+    }
+
+    /// The same case with the question that students have.
+    pub fn unmoved(&self) -> Spec {
+        Spec {
+            moved_by: Arc::new(Move::IDENTITY),
+            ..self.clone()
         }
     }
 
@@ -132,17 +184,18 @@ impl Spec {
 
     /// The same case with its call number `call` only, as call 0; `None` where calls depend on each
     /// other or on their number (of which random numbers are made), or where there is no such call.
+    /// Its question is not moved.
     pub fn only_call(&self, call: usize) -> Option<Spec> {
         Some(Spec {
             work: self.check.only_call(&self.work, call)?,
             picture: None,
             expected_cache: Arc::default(),
-            ..self.clone()
+            ..self.unmoved()
         })
     }
 
     /// The simple questions of the case's kind of work (see `tools::simple`), judged as the
-    /// case is.
+    /// case is, and not moved.
     pub fn simple(&self) -> Vec<Spec> {
         let works = self.check.simple(&self.work).into_iter();
         let simple = works.map(|work| Spec {
@@ -150,7 +203,7 @@ impl Spec {
             picture: None,
             enclosed: false,
             expected_cache: Arc::default(),
-            ..self.clone()
+            ..self.unmoved()
         });
         simple.collect()
     }

@@ -162,6 +162,7 @@ fn work(
         ns_aa,
         seeds: vec![seed],
         world,
+        gain: [1.0; 3],
     }
 }
 

@@ -270,6 +270,7 @@ mod tests {
             ns_aa,
             seeds: vec![0],
             world: PixelWorld::Ramp,
+            gain: [1.0; 3],
         }
     }
 

@@ -10,6 +10,7 @@ mod simple;
 
 use crate::tools::Tier;
 use crate::tools::check::{CaseContext, Check, in_range, one_each};
+use crate::tools::moves::{LightMoves, Move, Symmetries};
 use crate::tools::plural;
 use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::Content;
@@ -17,7 +18,7 @@ use crate::tools::snapshot::Fields;
 use crate::tools::tally::{Aspect, Tally};
 use wire::answer::PixelAnswer;
 use wire::kind;
-use wire::work::{PixelWork, Xyz};
+use wire::work::{PixelWork, PixelWorld, Xyz};
 
 impl Check for kind::Pixels {
     const MAIN: &'static [Aspect] = &[Aspect::Placement, Aspect::Radiance];
@@ -50,6 +51,37 @@ impl Check for kind::Pixels {
             }
         }
         Ok(())
+    }
+
+    fn symmetries(work: &PixelWork) -> Symmetries {
+        let light = match work.world {
+            PixelWorld::Constant(light) | PixelWorld::Flicker(light) => light,
+            PixelWorld::Ramp | PixelWorld::Numbers | PixelWorld::Rings => [1.0; 3],
+        };
+        Symmetries {
+            light: LightMoves::of_channels(light),
+            ..Symmetries::default()
+        }
+    }
+
+    fn moved(work: &PixelWork, by: &Move) -> PixelWork {
+        PixelWork {
+            gain: by.light(work.gain),
+            ..work.clone()
+        }
+    }
+
+    fn moved_back(answers: &Vec<PixelAnswer>, back: &Move) -> Vec<PixelAnswer> {
+        let each = answers.iter().map(|answer| PixelAnswer {
+            traced_radiance: answer
+                .traced_radiance
+                .iter()
+                .map(|light| back.light(*light))
+                .collect(),
+            radiance: back.light(answer.radiance),
+            ..answer.clone()
+        });
+        each.collect()
     }
 
     fn judge(

@@ -31,5 +31,6 @@ fn work(film: [u32; 2], ns_aa: u32, world: PixelWorld) -> PixelWork {
         ns_aa,
         seeds: vec![0],
         world,
+        gain: [1.0; 3],
     }
 }

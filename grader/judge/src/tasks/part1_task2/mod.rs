@@ -10,12 +10,16 @@ mod simple;
 use crate::tools::Tier;
 use crate::tools::check::{CaseContext, Check, one_each};
 use crate::tools::colours;
+use crate::tools::moves::{AxisMoves, Move, Symmetries, can_be_multiplied};
 use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::Content;
 use crate::tools::snapshot::Fields;
 use crate::tools::tally::{Aspect, Tally};
 use wire::kind;
-use wire::work::{CameraWork, Ray, Xyz};
+use wire::work::{Camera, CameraWork, Ray, Xyz};
+
+/// The rotation of a camera that looks along -z with y up.
+const UNROTATED: [Xyz; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
 impl Check for kind::CameraRays {
     const MAIN: &'static [Aspect] = &[Aspect::Direction];
@@ -34,6 +38,57 @@ impl Check for kind::CameraRays {
 
     fn fits(work: &CameraWork, answers: &Vec<Ray>) -> Result<(), String> {
         one_each(Self::calls(work), answers)
+    }
+
+    /// The axes of the film are swapped together with those of the camera and of the world, so that
+    /// a camera without a rotation stays one. It is not turned: code that forgets the rotation has
+    /// its points for such a camera.
+    fn symmetries(work: &CameraWork) -> Symmetries {
+        let is_rotated = |camera: &Camera| camera.c2w != UNROTATED;
+        let numbers = work.cameras.iter().flat_map(|camera| {
+            let [x, y, z] = camera.pos;
+            [x, y, z, camera.n_clip, camera.f_clip]
+        });
+        Symmetries {
+            axes: match work.cameras.iter().all(is_rotated) {
+                true => AxisMoves::SwapXyAndHalfTurns,
+                false => AxisMoves::SwapXy,
+            },
+            lengths: can_be_multiplied(numbers),
+            ..Symmetries::default()
+        }
+    }
+
+    fn moved(work: &CameraWork, by: &Move) -> CameraWork {
+        let is_swapped = by.axes().swaps_xy();
+        let cameras = work.cameras.iter().map(|camera| {
+            let [mut right, mut up, back] = camera.c2w.map(|axis| by.unit(axis));
+            let (mut h_fov, mut v_fov) = (camera.h_fov, camera.v_fov);
+            if is_swapped {
+                std::mem::swap(&mut right, &mut up);
+                std::mem::swap(&mut h_fov, &mut v_fov);
+            }
+            Camera {
+                pos: by.point(camera.pos),
+                c2w: [right, up, back],
+                h_fov,
+                v_fov,
+                n_clip: by.length(camera.n_clip),
+                f_clip: by.length(camera.f_clip),
+            }
+        });
+        let sensor = work.sensor.iter().map(|&[u, v]| match is_swapped {
+            true => [v, u],
+            false => [u, v],
+        });
+        CameraWork {
+            cameras: cameras.collect(),
+            sensor: sensor.collect(),
+        }
+    }
+
+    fn moved_back(answers: &Vec<Ray>, back: &Move) -> Vec<Ray> {
+        answers.iter().map(|ray| back.ray(ray)).collect()
     }
 
     fn judge(

@@ -7,6 +7,7 @@ mod repro;
 mod simple;
 
 use crate::tools::check::{CaseContext, Check, one_each};
+use crate::tools::moves::{Move, Symmetries};
 use crate::tools::plural;
 use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::Content;
@@ -36,6 +37,31 @@ impl Check for kind::Triangles {
 
     fn fits(work: &TriangleWork, answers: &Vec<TriangleAnswer>) -> Result<(), String> {
         one_each(Self::calls(work), answers)
+    }
+
+    fn symmetries(work: &TriangleWork) -> Symmetries {
+        let points = work
+            .triangles
+            .iter()
+            .flat_map(|[p0, p1, p2, ..]| [p0, p1, p2]);
+        let rays = work.probes.iter().map(|probe| &probe.ray);
+        Symmetries::of_space(points.copied(), rays)
+    }
+
+    fn moved(work: &TriangleWork, by: &Move) -> TriangleWork {
+        TriangleWork {
+            triangles: work.triangles.iter().map(|t| by.triangle(t)).collect(),
+            probes: work.probes.iter().map(|probe| by.probe(probe)).collect(),
+        }
+    }
+
+    fn moved_back(answers: &Vec<TriangleAnswer>, back: &Move) -> Vec<TriangleAnswer> {
+        let each = answers.iter().map(|answer| TriangleAnswer {
+            test: answer.test.map(|[t, b1, b2]| [back.t(t), b1, b2]),
+            hit: answer.hit.map(|hit| back.hit(&hit)),
+            ray_after: back.ray(&answer.ray_after),
+        });
+        each.collect()
     }
 
     fn expected(work: &TriangleWork, tier: Tier, _: bool) -> Vec<Expected> {

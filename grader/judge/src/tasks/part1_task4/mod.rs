@@ -7,6 +7,7 @@ mod repro;
 mod simple;
 
 use crate::tools::check::{CaseContext, Check, one_each};
+use crate::tools::moves::{Move, Symmetries};
 use crate::tools::plural;
 use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::Content;
@@ -36,6 +37,28 @@ impl Check for kind::Spheres {
 
     fn fits(work: &SphereWork, answers: &Vec<SphereAnswer>) -> Result<(), String> {
         one_each(Self::calls(work), answers)
+    }
+
+    fn symmetries(work: &SphereWork) -> Symmetries {
+        let spheres = work.spheres.iter();
+        let points = spheres.flat_map(|(center, radius)| [*center, [*radius; 3]]);
+        Symmetries::of_space(points, work.probes.iter().map(|probe| &probe.ray))
+    }
+
+    fn moved(work: &SphereWork, by: &Move) -> SphereWork {
+        SphereWork {
+            spheres: work.spheres.iter().map(|s| by.sphere(s)).collect(),
+            probes: work.probes.iter().map(|probe| by.probe(probe)).collect(),
+        }
+    }
+
+    fn moved_back(answers: &Vec<SphereAnswer>, back: &Move) -> Vec<SphereAnswer> {
+        let each = answers.iter().map(|answer| SphereAnswer {
+            test: answer.test.map(|t| back.t(t)),
+            hit: answer.hit.map(|hit| back.hit(&hit)),
+            ray_after: back.ray(&answer.ray_after),
+        });
+        each.collect()
     }
 
     fn expected(work: &SphereWork, tier: Tier, _: bool) -> Vec<Expected> {

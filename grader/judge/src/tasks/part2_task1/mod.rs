@@ -13,6 +13,7 @@ mod structure;
 use crate::tools::Tier;
 use crate::tools::call_text::{few, point};
 use crate::tools::check::{CaseContext, Check};
+use crate::tools::moves::{Move, Symmetries, can_be_multiplied};
 use crate::tools::plural;
 use crate::tools::recorded;
 use crate::tools::shown::ShownCall;
@@ -48,6 +49,37 @@ impl Check for kind::Build {
     /// Any answer fits: the structure of the tree is judged.
     fn fits(_: &BuildWork, _: &BuildAnswer) -> Result<(), String> {
         Ok(())
+    }
+
+    const NOT_MOVED: &'static str = "there are no primitives";
+
+    fn symmetries(work: &BuildWork) -> Symmetries {
+        Symmetries {
+            lengths: can_be_multiplied(work.bounds.iter().flatten().flatten().copied()),
+            primitives: work.bounds.len(),
+            ..Symmetries::default()
+        }
+    }
+
+    fn moved(work: &BuildWork, by: &Move) -> BuildWork {
+        let bounds = work.bounds.iter().map(|b| by.corners(*b));
+        BuildWork {
+            bounds: by.reordered(&bounds.collect::<Vec<_>>()),
+            ..*work
+        }
+    }
+
+    /// A number that no primitive has stays as it is.
+    fn moved_back(answer: &BuildAnswer, back: &Move) -> BuildAnswer {
+        let numbers = back.numbers();
+        let number = |prim: &u32| numbers.get(*prim as usize).copied().unwrap_or(*prim);
+        BuildAnswer {
+            tree: Tree {
+                nodes: back.nodes(&answer.tree.nodes),
+                order: answer.tree.order.iter().map(number).collect(),
+            },
+            repeatable: answer.repeatable,
+        }
     }
 
     fn judge(

@@ -7,6 +7,7 @@ mod repro;
 mod simple;
 
 use crate::tools::check::{CaseContext, Check, one_each};
+use crate::tools::moves::{AxisMoves, Move, Symmetries, can_be_multiplied, ray_numbers};
 use crate::tools::plural;
 use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::Content;
@@ -15,7 +16,7 @@ use crate::tools::snapshot::{Fields, Value, field, forms};
 use crate::tools::tally::{Aspect, Tally};
 use crate::tools::{Tier, colours};
 use wire::kind;
-use wire::work::{BoxWork, Xyz};
+use wire::work::{BoxWork, Ray, Xyz};
 
 impl Check for kind::Boxes {
     const MAIN: &'static [Aspect] = &[Aspect::HitOrMiss, Aspect::Interval];
@@ -33,6 +34,42 @@ impl Check for kind::Boxes {
 
     fn fits(work: &BoxWork, answers: &Vec<Option<[f64; 2]>>) -> Result<(), String> {
         one_each(Self::calls(work), answers)
+    }
+
+    /// Where plain slabs compute 0 · ∞, it depends on the order of the axes what becomes of the NaN.
+    fn symmetries(work: &BoxWork) -> Symmetries {
+        let rays = || work.probes.iter().map(|probe| &probe.ray);
+        let numbers = work.boxes.iter().flatten().flatten().copied();
+        let numbers = numbers.chain(rays().flat_map(ray_numbers));
+        let is_plain = work.probes.iter().all(|probe| {
+            let [min, max] = work.boxes[probe.shape as usize];
+            let Ray { o, d, .. } = probe.ray;
+            (0..3).all(|i| {
+                let is_finite = (min[i] + max[i] + o[i] + d[i]).is_finite();
+                is_finite && (d[i] != 0.0 || o[i] != min[i] && o[i] != max[i])
+            })
+        });
+        Symmetries {
+            axes: match is_plain {
+                true => AxisMoves::Permutations,
+                false => AxisMoves::Fixed,
+            },
+            lengths: can_be_multiplied(numbers),
+            ..Symmetries::default()
+        }
+    }
+
+    fn moved(work: &BoxWork, by: &Move) -> BoxWork {
+        BoxWork {
+            boxes: work.boxes.iter().map(|b| by.corners(*b)).collect(),
+            probes: work.probes.iter().map(|probe| by.probe(probe)).collect(),
+        }
+    }
+
+    fn moved_back(answers: &Vec<Option<[f64; 2]>>, back: &Move) -> Vec<Option<[f64; 2]>> {
+        let each = answers.iter();
+        each.map(|inside| inside.map(|ends| ends.map(|t| back.t(t))))
+            .collect()
     }
 
     fn judge(

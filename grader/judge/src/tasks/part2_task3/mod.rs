@@ -10,6 +10,7 @@ mod simple;
 
 use crate::tools::Tier;
 use crate::tools::check::{CaseContext, Check, one_each};
+use crate::tools::moves::{Move, Symmetries, can_be_multiplied, ray_numbers};
 use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::Content;
 use crate::tools::snapshot::lines::{each, ray_at};
@@ -17,7 +18,7 @@ use crate::tools::snapshot::{Fields, forms, number};
 use crate::tools::tally::{Aspect, Tally};
 use wire::answer::TraverseAnswer;
 use wire::kind;
-use wire::work::ScriptedWorld;
+use wire::work::{ScriptedRay, ScriptedWorld, Tree};
 
 impl Check for kind::Traverse {
     const MAIN: &'static [Aspect] = &[Aspect::HitOrMiss, Aspect::T, Aspect::Savings];
@@ -33,6 +34,50 @@ impl Check for kind::Traverse {
 
     fn fits(world: &ScriptedWorld, answers: &Vec<TraverseAnswer>) -> Result<(), String> {
         one_each(Self::calls(world), answers)
+    }
+
+    /// Lengths alone: the axes decide which child some traversals visit first.
+    fn symmetries(world: &ScriptedWorld) -> Symmetries {
+        let boxes = world.tree.nodes.iter().flat_map(|node| node.bounds);
+        let rays = || world.rays.iter();
+        let spans = rays().flat_map(|ray| ray.spans.iter().flatten().flatten());
+        let prims = rays().flat_map(|ray| ray.prims.iter().flatten());
+        let numbers = boxes.flatten().chain(spans.chain(prims).copied());
+        Symmetries {
+            lengths: can_be_multiplied(numbers.chain(rays().flat_map(|ray| ray_numbers(&ray.ray)))),
+            ..Symmetries::default()
+        }
+    }
+
+    fn moved(world: &ScriptedWorld, by: &Move) -> ScriptedWorld {
+        let rays = world.rays.iter().map(|ray| {
+            let spans = ray.spans.iter();
+            let spans = spans.map(|span| span.map(|ends| ends.map(|t| by.t(t))));
+            let prims = ray.prims.iter().map(|t| t.map(|t| by.t(t)));
+            ScriptedRay {
+                ray: by.ray(&ray.ray),
+                spans: spans.collect(),
+                prims: prims.collect(),
+                is_hidden: ray.is_hidden,
+            }
+        });
+        ScriptedWorld {
+            tree: Tree {
+                nodes: by.nodes(&world.tree.nodes),
+                order: world.tree.order.clone(),
+            },
+            any_hit: world.any_hit,
+            rays: rays.collect(),
+        }
+    }
+
+    fn moved_back(answers: &Vec<TraverseAnswer>, back: &Move) -> Vec<TraverseAnswer> {
+        let each = answers.iter().map(|answer| TraverseAnswer {
+            hit: answer.hit.map(|(t, prim)| (back.t(t), prim)),
+            ray_after: back.ray(&answer.ray_after),
+            ..*answer
+        });
+        each.collect()
     }
 
     fn judge(

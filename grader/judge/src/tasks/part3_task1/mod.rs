@@ -10,6 +10,7 @@ mod turns;
 
 use crate::tools::Tier;
 use crate::tools::check::{CaseContext, Check, one_each};
+use crate::tools::moves::{AxisMoves, LightMoves, Move, Symmetries};
 use crate::tools::plural;
 use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::Content;
@@ -18,6 +19,7 @@ use crate::tools::snapshot::lines::each;
 use crate::tools::tally::{Aspect, Tally};
 use wire::direct::{LambertAnswer, LambertProbe};
 use wire::kind;
+use wire::light::BsdfSample;
 
 impl Check for kind::Lambert {
     const MAIN: &'static [Aspect] = &[
@@ -37,6 +39,38 @@ impl Check for kind::Lambert {
 
     fn fits(probes: &Vec<LambertProbe>, answers: &Vec<LambertAnswer>) -> Result<(), String> {
         one_each(Self::calls(probes), answers)
+    }
+
+    fn symmetries(probes: &Vec<LambertProbe>) -> Symmetries {
+        let channels = probes.iter().flat_map(|probe| probe.reflectance);
+        Symmetries {
+            axes: AxisMoves::AroundZ,
+            light: LightMoves::of_channels(channels),
+            ..Symmetries::default()
+        }
+    }
+
+    fn moved(probes: &Vec<LambertProbe>, by: &Move) -> Vec<LambertProbe> {
+        let each = probes.iter().map(|probe| LambertProbe {
+            reflectance: by.light(probe.reflectance),
+            wo: by.unit(probe.wo),
+            wi: by.unit(probe.wi),
+            u: probe.u,
+        });
+        each.collect()
+    }
+
+    /// A sampled direction stays: it depends on the numbers, which are not moved.
+    fn moved_back(answers: &Vec<LambertAnswer>, back: &Move) -> Vec<LambertAnswer> {
+        let each = answers.iter().map(|answer| LambertAnswer {
+            f: back.light(answer.f),
+            pdf: answer.pdf,
+            sample: answer.sample.map(|sample| BsdfSample {
+                f: back.light(sample.f),
+                ..sample
+            }),
+        });
+        each.collect()
     }
 
     fn judge(

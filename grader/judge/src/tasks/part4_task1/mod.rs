@@ -4,11 +4,13 @@ mod call;
 pub(crate) mod cases;
 pub(crate) mod judge;
 mod lines;
+mod moves;
 mod repro;
 mod simple;
 
 use crate::tools::Tier;
 use crate::tools::check::{CaseContext, Check, one_each};
+use crate::tools::moves::{Move, Symmetries};
 use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::Content;
 use crate::tools::snapshot::Fields;
@@ -39,6 +41,22 @@ impl Check for kind::Specular {
             )),
             None => Ok(()),
         }
+    }
+
+    const NOT_MOVED: &'static str = "a Fresnel reflectance is no multiple of anything";
+
+    /// The Fresnel reflectance alone has none: it is no multiple of anything.
+    fn symmetries(calls: &Vec<SpecularCall>) -> Symmetries {
+        moves::symmetries(calls)
+    }
+
+    fn moved(calls: &Vec<SpecularCall>, by: &Move) -> Vec<SpecularCall> {
+        calls.iter().map(|call| moves::call(*call, by)).collect()
+    }
+
+    fn moved_back(answers: &Vec<SpecularAnswer>, back: &Move) -> Vec<SpecularAnswer> {
+        let each = answers.iter();
+        each.map(|answer| moves::answer(*answer, back)).collect()
     }
 
     fn judge(

@@ -5,11 +5,13 @@ pub(crate) mod cases;
 mod draws;
 mod judge;
 mod lines;
+mod moves;
 mod simple;
 mod throughput;
 
 use crate::tools::Tier;
 use crate::tools::check::{CaseContext, Check, in_range, one_each};
+use crate::tools::moves::{LightMoves, Move, Symmetries};
 use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::Content;
 use crate::tools::snapshot::Fields;
@@ -38,6 +40,36 @@ impl Check for kind::Paths {
             }
         }
         Ok(())
+    }
+
+    const NOT_MOVED: &'static str = "no light reaches the paths";
+
+    fn symmetries(paths: &Vec<ScriptedPath>) -> Symmetries {
+        let mut light = Vec::new();
+        for path in paths {
+            moves::multiplied(path, |colour| {
+                light.extend(colour);
+                colour
+            });
+        }
+        Symmetries {
+            light: LightMoves::of_channels(light),
+            ..Symmetries::default()
+        }
+    }
+
+    fn moved(paths: &Vec<ScriptedPath>, by: &Move) -> Vec<ScriptedPath> {
+        let each = paths.iter();
+        each.map(|path| moves::multiplied(path, |light| by.light(light)))
+            .collect()
+    }
+
+    fn moved_back(answers: &Vec<PathAnswer>, back: &Move) -> Vec<PathAnswer> {
+        let each = answers.iter().map(|answer| PathAnswer {
+            radiance: back.light(answer.radiance),
+            ..answer.clone()
+        });
+        each.collect()
     }
 
     fn judge(

@@ -8,6 +8,7 @@ mod simple;
 use crate::tools::Tier;
 use crate::tools::call_text::point;
 use crate::tools::check::{CaseContext, Check, one_each};
+use crate::tools::moves::{Move, Symmetries};
 use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::Content;
 use crate::tools::snapshot::lines::each;
@@ -31,6 +32,35 @@ impl Check for kind::Roulette {
 
     fn fits(work: &RouletteWork, answers: &Vec<Option<Xyz>>) -> Result<(), String> {
         one_each(Self::calls(work), answers)
+    }
+
+    const NOT_MOVED: &'static str = "its paths are grey, and the largest channel decides";
+
+    /// The largest channel decides, whichever it is. Grey paths have no other order of channels.
+    fn symmetries(work: &RouletteWork) -> Symmetries {
+        let is_grey = |[r, g, b]: Xyz| r == g && g == b;
+        Symmetries {
+            channels: work
+                .paths
+                .iter()
+                .any(|(throughput, _)| !is_grey(*throughput)),
+            ..Symmetries::default()
+        }
+    }
+
+    fn moved(work: &RouletteWork, by: &Move) -> RouletteWork {
+        let paths = work.paths.iter();
+        let paths = paths.map(|(throughput, bounces)| (by.permuted(*throughput), *bounces));
+        RouletteWork {
+            paths: paths.collect(),
+            numbers: work.numbers.clone(),
+        }
+    }
+
+    fn moved_back(answers: &Vec<Option<Xyz>>, back: &Move) -> Vec<Option<Xyz>> {
+        let each = answers.iter();
+        each.map(|throughput| throughput.map(|throughput| back.permuted(throughput)))
+            .collect()
     }
 
     fn judge(

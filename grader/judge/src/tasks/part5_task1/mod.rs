@@ -11,6 +11,7 @@ use crate::tools::Tier;
 use crate::tools::call_text::{few, point};
 use crate::tools::check::{CaseContext, Check, one_each};
 use crate::tools::kinds::stopping;
+use crate::tools::moves::{LightMoves, Move, Symmetries};
 use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::Content;
 use crate::tools::snapshot::Fields;
@@ -32,6 +33,25 @@ impl Check for kind::Stop {
 
     fn fits(questions: &Vec<StopCall>, answers: &Vec<StopAnswer>) -> Result<(), String> {
         one_each(Self::calls(questions), answers)
+    }
+
+    const NOT_MOVED: &'static str = stopping::NOT_MOVED;
+
+    fn symmetries(questions: &Vec<StopCall>) -> Symmetries {
+        stopping::symmetries(questions)
+    }
+
+    fn moved(questions: &Vec<StopCall>, by: &Move) -> Vec<StopCall> {
+        questions
+            .iter()
+            .map(|call| stopping::moved(call, by))
+            .collect()
+    }
+
+    fn moved_back(answers: &Vec<StopAnswer>, back: &Move) -> Vec<StopAnswer> {
+        let each = answers.iter();
+        each.map(|answer| stopping::moved_back(answer, back))
+            .collect()
     }
 
     fn judge(
@@ -92,6 +112,41 @@ impl Check for kind::AdaptivePixels {
 
     fn fits(questions: &Vec<AdaptivePixel>, answers: &Vec<AdaptiveAnswer>) -> Result<(), String> {
         one_each(Self::calls(questions), answers)
+    }
+
+    /// One factor for all channels: the rule gets luminances.
+    fn symmetries(pixels: &Vec<AdaptivePixel>) -> Symmetries {
+        let channels = pixels
+            .iter()
+            .flat_map(|pixel| pixel.stream.iter().flatten());
+        Symmetries {
+            light: LightMoves::of(channels.copied()),
+            ..Symmetries::default()
+        }
+    }
+
+    fn moved(pixels: &Vec<AdaptivePixel>, by: &Move) -> Vec<AdaptivePixel> {
+        let each = pixels.iter().map(|pixel| AdaptivePixel {
+            stream: pixel.stream.iter().map(|light| by.light(*light)).collect(),
+            ..pixel.clone()
+        });
+        each.collect()
+    }
+
+    fn moved_back(answers: &Vec<AdaptiveAnswer>, back: &Move) -> Vec<AdaptiveAnswer> {
+        let each = answers.iter().map(|answer| {
+            let calls = answer.rule_calls.iter();
+            let calls = calls.map(|&(count, mean, variance, tolerance)| {
+                let [mean, variance] = [back.luminance(mean), back.squared_luminance(variance)];
+                (count, mean, variance, tolerance)
+            });
+            AdaptiveAnswer {
+                rule_calls: calls.collect(),
+                radiance: back.light(answer.radiance),
+                ..answer.clone()
+            }
+        });
+        each.collect()
     }
 
     fn judge(

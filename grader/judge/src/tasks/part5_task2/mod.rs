@@ -8,6 +8,7 @@ mod simple;
 use crate::tools::Tier;
 use crate::tools::check::{CaseContext, Check, one_each};
 use crate::tools::kinds::stopping;
+use crate::tools::moves::{Move, Symmetries};
 use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::Content;
 use crate::tools::snapshot::Fields;
@@ -29,6 +30,25 @@ impl Check for kind::SureStop {
 
     fn fits(questions: &Vec<StopCall>, answers: &Vec<StopAnswer>) -> Result<(), String> {
         one_each(Self::calls(questions), answers)
+    }
+
+    const NOT_MOVED: &'static str = stopping::NOT_MOVED;
+
+    fn symmetries(questions: &Vec<StopCall>) -> Symmetries {
+        stopping::symmetries(questions)
+    }
+
+    fn moved(questions: &Vec<StopCall>, by: &Move) -> Vec<StopCall> {
+        questions
+            .iter()
+            .map(|call| stopping::moved(call, by))
+            .collect()
+    }
+
+    fn moved_back(answers: &Vec<StopAnswer>, back: &Move) -> Vec<StopAnswer> {
+        let each = answers.iter();
+        each.map(|answer| stopping::moved_back(answer, back))
+            .collect()
     }
 
     fn judge(

@@ -7,6 +7,7 @@ mod rest;
 
 use crate::tools::call_text::ray_circumstances;
 use crate::tools::check::{CaseContext, Check, hits_fit};
+use crate::tools::moves::{Move, Symmetries, can_be_multiplied, ray_numbers};
 use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::Content;
 use crate::tools::snapshot::lines::{self, each, ray_at};
@@ -33,6 +34,25 @@ impl Check for kind::SceneHits {
 
     fn fits(work: &SceneWork, answer: &HitsAnswer) -> Result<(), String> {
         hits_fit(Self::calls(work), answer)
+    }
+
+    /// The scene stays: its exact hits take long to compute.
+    fn symmetries(work: &SceneWork) -> Symmetries {
+        Symmetries {
+            speeds: can_be_multiplied(work.rays.iter().flat_map(ray_numbers)),
+            ..Symmetries::default()
+        }
+    }
+
+    fn moved(work: &SceneWork, by: &Move) -> SceneWork {
+        SceneWork {
+            rays: work.rays.iter().map(|ray| by.ray(ray)).collect(),
+            ..work.clone()
+        }
+    }
+
+    fn moved_back(answer: &HitsAnswer, back: &Move) -> HitsAnswer {
+        back.hits(answer)
     }
 
     fn judge(

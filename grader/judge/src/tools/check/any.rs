@@ -2,6 +2,7 @@
 
 use super::{CaseContext, Check};
 use crate::tools::Tier;
+use crate::tools::moves::{Move, Symmetries};
 use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::{Content, Fields};
 use crate::tools::tally::{Aspect, Tally};
@@ -31,6 +32,18 @@ pub(crate) trait AnyCheck: Debug + Sync {
 
     /// As [`Check::fits`]. An answer to another kind of work does not fit.
     fn fits(&self, work: &Work, answer: &Answer) -> Result<(), String>;
+
+    /// As [`Check::symmetries`].
+    fn symmetries(&self, work: &Work) -> Symmetries;
+
+    /// As [`Check::NOT_MOVED`].
+    fn why_not_moved(&self) -> &'static str;
+
+    /// As [`Check::moved`].
+    fn moved(&self, work: &Work, by: &Move) -> Work;
+
+    /// As [`Check::moved_back`]. An answer to another kind of work stays.
+    fn moved_back(&self, answer: Answer, back: &Move) -> Answer;
 
     /// As [`Check::expected`].
     fn expected(&self, work: &Work, tier: Tier, enclosed: bool) -> Vec<Expected>;
@@ -141,6 +154,25 @@ impl<K: Check> AnyCheck for ErasedCheck<K> {
                 "it is an answer to another kind of work, {}",
                 answer.kind()
             )),
+        }
+    }
+
+    fn symmetries(&self, work: &Work) -> Symmetries {
+        K::symmetries(Self::question(work))
+    }
+
+    fn why_not_moved(&self) -> &'static str {
+        K::NOT_MOVED
+    }
+
+    fn moved(&self, work: &Work, by: &Move) -> Work {
+        K::work(K::moved(Self::question(work), by))
+    }
+
+    fn moved_back(&self, answer: Answer, back: &Move) -> Answer {
+        match K::answer(&answer) {
+            Some(typed) => K::answered(K::moved_back(typed, back)),
+            None => answer,
         }
     }
 

@@ -12,6 +12,7 @@ mod fit;
 pub(crate) use case::CaseContext;
 pub(crate) use fit::{hits_fit, in_range, one_each, same_length};
 
+use crate::tools::moves::{Move, Symmetries};
 use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::{Content, Fields};
 use crate::tools::tally::{Aspect, Tally};
@@ -54,6 +55,26 @@ pub(crate) trait Check: Kind {
     /// ranges of indices. The error ends the sentence "the worker's record does not fit the case:
     /// ...".
     fn fits(question: &Self::Question, answer: &Self::Answer) -> Result<(), String>;
+
+    /// The exact symmetries of the question. None for work whose answers a table could not contain,
+    /// or that no move leaves as exact as it is.
+    fn symmetries(_question: &Self::Question) -> Symmetries {
+        Symmetries::default()
+    }
+
+    /// Why a question without symmetries has none: ends the sentence "no move, because ...".
+    const NOT_MOVED: &'static str = "its numbers have no exact symmetry";
+
+    /// The question after a move that is one of its [`Check::symmetries`].
+    fn moved(question: &Self::Question, _by: &Move) -> Self::Question {
+        question.clone()
+    }
+
+    /// The answer to a moved question as the answer to the question itself: `back` is the move back.
+    /// The answer need not be right.
+    fn moved_back(answer: &Self::Answer, _back: &Move) -> Self::Answer {
+        answer.clone()
+    }
 
     /// The results that score for each call, for work on triangles and spheres; the oracle computes
     /// them once for all answers. `enclosed` is [`CaseContext::enclosed`].

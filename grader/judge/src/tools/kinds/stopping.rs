@@ -1,6 +1,7 @@
 //! Stopping rules: what the plain rule of `part5.task1` and the waiting rule of `part5.task2` share.
 
 use crate::tools::call_text::few;
+use crate::tools::moves::{LightMoves, Move, Symmetries};
 use crate::tools::repro::numbers::float;
 use crate::tools::snapshot::{Fields, Forms, field, forms, number, vector};
 use crate::tools::tally::{Aspect, Class, Tally};
@@ -32,6 +33,37 @@ pub(crate) fn samples(call: &StopCall) -> SampleTally {
     let runs = call.runs.iter();
     runs.flat_map(|&(count, x)| std::iter::repeat_n(x, count as usize))
         .collect()
+}
+
+/// Why no question of a case is moved.
+pub(crate) const NOT_MOVED: &str = "all samples are black";
+
+/// The exact symmetries of questions: all luminances multiplied.
+pub(crate) fn symmetries(calls: &[StopCall]) -> Symmetries {
+    let runs = calls.iter().flat_map(|call| &call.runs);
+    Symmetries {
+        light: LightMoves::of(runs.map(|(_, luminance)| *luminance)),
+        ..Symmetries::default()
+    }
+}
+
+/// A question, moved.
+pub(crate) fn moved(call: &StopCall, by: &Move) -> StopCall {
+    let runs = call.runs.iter();
+    StopCall {
+        runs: runs.map(|&(count, x)| (count, by.luminance(x))).collect(),
+        ..*call
+    }
+}
+
+/// An answer, moved back.
+pub(crate) fn moved_back(answer: &StopAnswer, back: &Move) -> StopAnswer {
+    let calls = answer.rule_calls.iter();
+    let calls = calls.map(|&(count, mean, tolerance)| (count, back.luminance(mean), tolerance));
+    StopAnswer {
+        stop: answer.stop,
+        rule_calls: calls.collect(),
+    }
 }
 
 /// Judges the result of a rule.

@@ -9,6 +9,7 @@ mod simple;
 use crate::tools::aspects::hits;
 use crate::tools::call_text::ray_circumstances;
 use crate::tools::check::{CaseContext, Check, hits_fit};
+use crate::tools::moves::{Move, Symmetries};
 use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::Content;
 use crate::tools::snapshot::Fields;
@@ -37,6 +38,28 @@ impl Check for kind::BruteForce {
 
     fn fits(work: &BruteForceWork, answer: &HitsAnswer) -> Result<(), String> {
         hits_fit(Self::calls(work), answer)
+    }
+
+    fn symmetries(work: &BruteForceWork) -> Symmetries {
+        let triangles = work
+            .triangles
+            .iter()
+            .flat_map(|[p0, p1, p2, ..]| [*p0, *p1, *p2]);
+        let spheres = work.spheres.iter();
+        let spheres = spheres.flat_map(|(center, radius)| [*center, [*radius; 3]]);
+        Symmetries::of_space(triangles.chain(spheres), &work.rays)
+    }
+
+    fn moved(work: &BruteForceWork, by: &Move) -> BruteForceWork {
+        BruteForceWork {
+            triangles: work.triangles.iter().map(|t| by.triangle(t)).collect(),
+            spheres: work.spheres.iter().map(|s| by.sphere(s)).collect(),
+            rays: work.rays.iter().map(|ray| by.ray(ray)).collect(),
+        }
+    }
+
+    fn moved_back(answer: &HitsAnswer, back: &Move) -> HitsAnswer {
+        back.hits(answer)
     }
 
     fn expected(work: &BruteForceWork, tier: Tier, enclosed: bool) -> Vec<Expected> {

@@ -5,19 +5,23 @@ mod degrees;
 mod judge;
 mod lamps;
 mod mistakes;
+mod moves;
 mod shadow_targets;
 mod simple;
 pub(crate) mod worlds;
 
+pub(crate) use moves::of_material;
+
 use crate::tools::Tier;
 use crate::tools::check::{CaseContext, Check, one_each};
+use crate::tools::moves::{LightMoves, Move, Symmetries};
 use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::Content;
 use crate::tools::snapshot::Fields;
 use crate::tools::snapshot::lines::each;
 use crate::tools::snapshot::{field, forms, number, vector};
 use crate::tools::tally::{Aspect, Tally};
-use wire::direct::{DirectAnswer, DirectWork};
+use wire::direct::{DirectAnswer, DirectWork, RecordedRay};
 use wire::kind;
 
 impl Check for kind::Direct {
@@ -34,6 +38,40 @@ impl Check for kind::Direct {
 
     fn fits(work: &DirectWork, answers: &Vec<DirectAnswer>) -> Result<(), String> {
         one_each(Self::calls(work), answers)
+    }
+
+    const NOT_MOVED: &'static str = "nothing emits light";
+
+    /// One factor for all channels: lights may be chosen by their luminance.
+    fn symmetries(work: &DirectWork) -> Symmetries {
+        let mut emitted = Vec::new();
+        moves::multiplied(work, |light| {
+            emitted.extend(light);
+            light
+        });
+        Symmetries {
+            light: LightMoves::of(emitted),
+            ..Symmetries::default()
+        }
+    }
+
+    fn moved(work: &DirectWork, by: &Move) -> DirectWork {
+        moves::multiplied(work, |light| by.light(light))
+    }
+
+    fn moved_back(answers: &Vec<DirectAnswer>, back: &Move) -> Vec<DirectAnswer> {
+        let each = answers.iter().map(|answer| DirectAnswer {
+            radiance: back.light(answer.radiance),
+            rays: answer
+                .rays
+                .iter()
+                .map(|ray| RecordedRay {
+                    seen: back.light(ray.seen),
+                    ..*ray
+                })
+                .collect(),
+        });
+        each.collect()
     }
 
     fn judge(

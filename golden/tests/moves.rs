@@ -1,0 +1,106 @@
+//! An instructor's run moves every question by an exact symmetry. Moved back, the answers have the
+//! same bits.
+
+use base::Workspace;
+use grader::course::Course;
+use grader::course::moved_points::MovedPoints;
+use judge::Tier;
+use judge::cases::{self, Spec};
+use std::ops::Range;
+use std::path::Path;
+use wire::{Answer, Outcome, Work};
+
+/// The reference's answer to the question that the worker gets, moved back; `None` in a handout.
+fn reference(spec: &Spec) -> Option<Answer> {
+    match worker::run(0, &spec.case()).outcome {
+        Outcome::Answered(answer) => Some(spec.moved_back(answer)),
+        Outcome::NotAttempted { .. } => None,
+        outcome => panic!("{} {}: {outcome:?}", spec.task, spec.name),
+    }
+}
+
+/// The answer as text, in which numbers have all their bits, but both zeros are one: `x - x` is +0,
+/// whichever way its axis is turned.
+fn bits(answer: &Answer) -> String {
+    let text = format!("{answer:?}");
+    let mut parts = text.split("-0.0");
+    let mut bits = parts.next().unwrap_or_default().to_string();
+    for part in parts {
+        // Part of a longer number, such as -0.05.
+        let goes_on = part.starts_with(|c: char| c.is_ascii_digit());
+        bits.push_str(if goes_on { "-0.0" } else { "0.0" });
+        bits.push_str(part);
+    }
+    bits
+}
+
+/// Asks the cases with each of `seeds`, moved and not, and compares the answers.
+fn compare(seeds: Range<u64>, is_asked: impl Fn(&Spec) -> bool) {
+    let mut moved = 0;
+    for seed in seeds {
+        for spec in cases::all(seed) {
+            if !spec.is_moved() || !is_asked(&spec) {
+                continue;
+            }
+            let name = format!("{} {} with seed {seed}", spec.task, spec.name);
+            let (Some(here), Some(there)) = (reference(&spec.unmoved()), reference(&spec)) else {
+                continue;
+            };
+            moved += 1;
+            // The primitives of a leaf are in their own order.
+            if !matches!(spec.work, Work::Build(_)) {
+                assert!(bits(&here) == bits(&there), "{name}");
+            }
+            let passed = |answer| {
+                let findings = judge::judge(&spec, Tier::Robust, answer).into_iter();
+                findings
+                    .map(|finding| (finding.aspect, finding.passed()))
+                    .collect::<Vec<_>>()
+            };
+            assert_eq!(passed(&here), passed(&there), "{name}");
+        }
+    }
+    println!("{moved} moved questions");
+}
+
+/// Whole scenes and the largest tree take seconds in a debug build.
+fn is_small(spec: &Spec) -> bool {
+    spec.calls() < 1000 && !spec.needs_all_stages() && spec.name != "large_mesh"
+}
+
+#[test]
+fn moved_answers_are_the_same_bit_for_bit() {
+    compare(1..5, is_small);
+}
+
+#[test]
+#[ignore = "a thousand symmetries of every case: minutes"]
+fn a_thousand_moves_change_no_bit() {
+    compare(1..1001, is_small);
+    compare(1..4, |_| true);
+}
+
+/// A question that the seed does not change is moved to another question.
+#[test]
+fn a_move_changes_the_question() {
+    for spec in cases::all(7) {
+        let text = |work: &Work| format!("{work:?}");
+        let is_other = text(&spec.case().work) != text(&spec.work);
+        assert_eq!(is_other, spec.is_moved(), "{} {}", spec.task, spec.name);
+    }
+    assert!(cases::all(0).iter().all(|spec| !spec.is_moved()));
+}
+
+#[test]
+fn the_cases_that_no_seed_changes_are_listed() {
+    let workspace =
+        Workspace::above(Path::new(env!("CARGO_MANIFEST_DIR"))).expect("golden is in a workspace");
+    let course = Course::read(&workspace).expect("the course is sound");
+    let points = MovedPoints::of(&course).to_string();
+    let listed = workspace.root().join("golden/not_moved.txt");
+    let before = std::fs::read_to_string(&listed).unwrap_or_default();
+    if points != before {
+        std::fs::write(&listed, &points).expect("the list is written");
+        panic!("golden/not_moved.txt was not up to date and is now: review the difference");
+    }
+}

@@ -70,7 +70,14 @@ pub fn in_place(
         (run, pictures)
     });
     let run = run?;
-    let mut tasks = explain(workspace, run.results, &specs, request.seed, &workers)?;
+    let mut tasks = explain(
+        workspace,
+        &course,
+        run.results,
+        &specs,
+        request.seed,
+        &workers,
+    )?;
     for (task, path) in pictures? {
         let report = tasks.iter_mut().find(|report| report.result.key == task);
         report
@@ -103,7 +110,7 @@ pub fn at(
     let run = run(&workers, course, tasks, &specs)?;
     Ok(Graded {
         report: Report::new(
-            explain(workspace, run.results, &specs, seed, &workers)?,
+            explain(workspace, course, run.results, &specs, seed, &workers)?,
             None,
         ),
         printed: run.printed,
@@ -169,6 +176,7 @@ fn run(
 /// this call or of the worst answer. The `specs` were made with `seed`.
 fn explain(
     workspace: &Workspace,
+    course: &Course,
     results: Vec<TaskResult>,
     specs: &[Spec],
     seed: u64,
@@ -184,8 +192,17 @@ fn explain(
             known.signature = fresh.removed_from(&known.signature);
         }
         diagnosis::leave_out_unwritten(&mut known, &result.cases);
-        let signature = fresh.removed_from(&Signature::of(&result.cases));
-        let diagnosis = diagnosis::diagnose(&known, &signature);
+        let diagnose = |cases: &[CaseResult]| {
+            diagnosis::diagnose(&known, &fresh.removed_from(&Signature::of(cases)))
+        };
+        let mut diagnosis = diagnose(&result.cases);
+        let mut unmoved = None;
+        if diagnosis.is_none()
+            && let Some(workers) = workers.workers(&result.stage)
+        {
+            unmoved = without_moves(course, &result, specs, &workers)?;
+            diagnosis = unmoved.as_ref().and_then(|cases| diagnose(cases));
+        }
         let regularities = regularity::of(&result.key, &result.cases, specs);
         let simplest = match workers.workers(&result.stage) {
             Some(workers) => simplest::of_task(&workers, &result, specs)?,
@@ -194,7 +211,12 @@ fn explain(
         let simplest_test = simplest.as_ref().and_then(|call| call.test.as_ref());
         let worst_as_test = match simplest_test {
             Some(test) => Some(repro::as_file(SIMPLEST, &result.key, test)),
-            None => repro::worst(failed_cases(&result.cases), specs, &result.key),
+            None => {
+                let worst =
+                    |cases: &[CaseResult]| repro::worst(failed_cases(cases), specs, &result.key);
+                let unmoved = unmoved.as_ref().and_then(|cases| worst(cases));
+                unmoved.or_else(|| worst(&result.cases))
+            }
         };
         Ok(TaskReport {
             diagnosis,
@@ -205,6 +227,25 @@ fn explain(
         })
     });
     explained.collect()
+}
+
+/// The results of the cases of `result` with the questions that students have: some mistakes depend
+/// on the moves, such as a forgotten axis, and are known by these answers only. `None` if nothing was
+/// moved.
+fn without_moves(
+    course: &Course,
+    result: &TaskResult,
+    specs: &[Spec],
+    workers: &StageWorkers,
+) -> Result<Option<Vec<CaseResult>>, GraderError> {
+    let of_task = specs.iter().filter(|spec| spec.task == result.key);
+    let specs: Vec<Spec> = of_task.clone().map(Spec::unmoved).collect();
+    let task = course.tasks().find(|task| task.key == result.key);
+    let (true, Some(task)) = (of_task.clone().any(Spec::is_moved), task) else {
+        return Ok(None);
+    };
+    let results = grade_tasks(course, &[task], &specs, workers, &mut Vec::new())?;
+    Ok(results.into_iter().next().map(|result| result.cases))
 }
 
 /// Begins the comment of the test of a simplest call.

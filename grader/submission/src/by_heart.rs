@@ -1,49 +1,78 @@
 //! Finds answers that were learned by heart.
 //!
-//! Students can have the cases of seed 0: they grade themselves with it. So an instructor's run
-//! draws another seed. But only some cases of a task depend on the seed. If one of them fails in
-//! many calls, and with seed 0 in none, the code recognizes the questions: honest code cannot fail
-//! so for one seed only.
+//! Students can have the questions of seed 0: they grade themselves with it. So an instructor's run
+//! draws another seed, which moves all other questions by exact symmetries, and draws the numbers of
+//! fresh ones. Code that is right with seed 0 and wrong with the other recognizes the questions:
+//! honest code answers both in the same way, but for a mistake that depends on the move.
 
 use grader::course::Task;
 use grader::score::{CaseResult, Status, TaskResult};
+use judge::Tier;
 
-/// Cases with this prefix depend on the seed.
+/// The seed whose cases students have.
+pub(crate) use judge::cases::KNOWN_SEED;
+
+/// Cases with this prefix have other numbers with each seed.
 const FRESH: &str = "fresh";
 
 /// With fewer calls, a difference between two seeds may be chance.
 const FEWEST_CALLS: usize = 30;
 
-/// One call of so many must be wrong.
+/// One call of so many must be wrong,
 const ONE_WRONG_OF: usize = 5;
 
-/// The seed whose cases students have.
-pub(crate) const KNOWN_SEED: u64 = 0;
+/// or so many: if most calls are misses, code that always misses is seldom wrong.
+const SURELY_NO_CHANCE: usize = 50;
+
+/// Code that knows the questions is right in at least this share of the core points with
+/// [`KNOWN_SEED`], and wrong in at least this share of them with another. A mistake that depends on
+/// the move, such as a distance that counts as infinite, changes less.
+const MOST: f64 = 0.5;
 
 /// Whether it is worth the time to grade `result` with [`KNOWN_SEED`], too.
 pub(crate) fn is_suspicious(result: &TaskResult) -> bool {
-    result.score > 0.0 && result.cases.iter().any(fails_often)
+    let is_bad = result.score < MOST * result.max_score;
+    result.score > 0.0 && (is_bad || result.cases.iter().any(fails_often))
 }
 
 /// Whether the code of a task answers the cases of [`KNOWN_SEED`] only: `drawn` are its results with
 /// another seed, `known` those with this one.
 pub(crate) fn is_by_heart(drawn: &[CaseResult], known: &[CaseResult]) -> bool {
-    let mut pairs = drawn.iter().zip(known);
-    pairs.any(|(drawn, known)| fails_often(drawn) && wrong_calls(known) == 0 && is_answered(known))
+    let is_right = |case: &CaseResult| wrong_calls(case) == 0 && is_answered(case);
+    let mut right = drawn.iter().zip(known).filter(|(_, known)| is_right(known));
+    if right.clone().any(|(drawn, _)| fails_often(drawn)) {
+        return true;
+    }
+    let core = |case: &CaseResult| match case.tier {
+        Tier::Core => case.max_score,
+        Tier::Robust => 0.0,
+    };
+    let all: f64 = known.iter().map(core).sum();
+    let (known, lost) = right
+        .by_ref()
+        .fold((0.0, 0.0), |(known, lost), (drawn, case)| {
+            let is_lost = !is_right(drawn);
+            (
+                known + core(case),
+                lost + if is_lost { core(case) } else { 0.0 },
+            )
+        });
+    known > 0.0 && known >= MOST * all && lost >= MOST * known
 }
 
 /// What is said about such a task.
 pub(crate) fn sentence(task: &Task, seed: u64) -> String {
     format!(
-        "{}: no points: it answers the cases of seed {KNOWN_SEED}, but not those of seed {seed} that differ in their numbers only. It recognizes the questions",
+        "{}: no points: it answers the questions of seed {KNOWN_SEED}, but not those of seed {seed}, which differ in their numbers only. It recognizes the questions",
         task.key
     )
 }
 
 fn fails_often(case: &CaseResult) -> bool {
+    let wrong = wrong_calls(case);
     case.name.starts_with(FRESH)
         && case.calls >= FEWEST_CALLS
-        && wrong_calls(case) * ONE_WRONG_OF >= case.calls
+        && (wrong * ONE_WRONG_OF >= case.calls || wrong >= SURELY_NO_CHANCE)
 }
 
 /// The calls that are wrong in a main answer.
@@ -61,7 +90,6 @@ fn is_answered(case: &CaseResult) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use judge::Tier;
     use judge::tally::{Aspect, Finding};
 
     /// A case of 60 calls, `wrong` of which are wrong.
@@ -102,14 +130,41 @@ mod tests {
         for (name, drawn, known, is_by_heart_) in [
             ("fresh_rays", 60, 0, true),
             ("fresh_rays", 12, 0, true),
-            // Chance, a mistake, and a case that no seed changes.
+            // Chance, and a mistake.
             ("fresh_rays", 11, 0, false),
             ("fresh_rays", 60, 1, false),
-            ("front_face", 60, 0, false),
         ] {
-            let [drawn, known] = [drawn, known].map(|wrong| [case("a", 0), case(name, wrong)]);
+            let [drawn, known] =
+                [drawn, known].map(|wrong| [case("a", 0), case("b", 0), case(name, wrong)]);
             assert_eq!(is_by_heart(&drawn, &known), is_by_heart_, "{name}");
         }
+    }
+
+    #[test]
+    fn code_that_always_misses_is_found_where_most_calls_are_misses() {
+        let rare = |wrong| {
+            [CaseResult {
+                calls: 2000,
+                ..case("fresh_rays", wrong)
+            }]
+        };
+        assert!(is_by_heart(&rare(200), &rare(0)));
+    }
+
+    #[test]
+    fn code_that_fails_most_moved_questions_knows_the_others() {
+        let cases = |wrong: [u32; 4]| wrong.map(|wrong| case("moved", wrong));
+        let right = cases([0; 4]);
+        assert!(is_by_heart(&cases([1, 60, 0, 0]), &right));
+        // A mistake that depends on the move, in one case.
+        assert!(!is_by_heart(&cases([60, 0, 0, 0]), &right));
+        // A mistake that is as wrong without the move.
+        assert!(!is_by_heart(
+            &cases([60, 60, 60, 0]),
+            &cases([60, 60, 60, 0])
+        ));
+        // Code that knows little loses little.
+        assert!(!is_by_heart(&cases([60; 4]), &cases([60, 60, 60, 0])));
     }
 
     #[test]

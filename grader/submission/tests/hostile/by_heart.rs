@@ -1,65 +1,158 @@
-//! Code that knows the cases of one seed: it answers their rays, and misses with all others.
+//! Code that knows the questions of one seed: it answers them as a table of their answers would, and
+//! misses, or returns what is least, with all others.
 
-use crate::corpus::{Case, Class};
+use crate::corpus::{Case, Class, reference};
 use judge::cases;
+use submission::SubmissionReport;
+use submission::file_tree::Files;
 use submission::one::random_seed;
 use wire::Work;
-use wire::work::Ray;
+use wire::work::{Ray, Xyz};
 
-/// The bits of a ray in one number, as the code computes them, too.
-fn bits(ray: &Ray) -> u64 {
-    let [ox, oy, oz] = ray.o;
-    let [dx, dy, dz] = ray.d;
-    let all = [ox, oy, oz, dx, dy, dz, ray.min_t, ray.max_t];
-    all.iter()
+/// The bits of some numbers in one number, as the code computes them, too.
+fn bits(numbers: &[f64]) -> u64 {
+    numbers
+        .iter()
         .fold(0, |sum: u64, x| sum.rotate_left(7) ^ x.to_bits())
 }
 
-/// The rays of the cases of part1.task3 with this seed.
-fn rays(seed: u64) -> Vec<u64> {
+fn of_ray(ray: &Ray) -> Vec<f64> {
+    [&ray.o[..], &ray.d, &[ray.min_t, ray.max_t]].concat()
+}
+
+/// The questions of `task` with the known seed: the bits of the numbers of each.
+fn known(task: &str) -> Vec<u64> {
     let mut known = Vec::new();
-    for spec in cases::all(seed) {
+    for spec in cases::of(task, cases::KNOWN_SEED) {
         match &spec.case().work {
-            Work::Triangles(work) if spec.task == "part1.task3" => {
-                known.extend(work.probes.iter().map(|probe| bits(&probe.ray)));
+            Work::Triangles(work) => {
+                known.extend(work.probes.iter().map(|probe| bits(&of_ray(&probe.ray))));
             }
+            Work::Boxes(work) => known.extend(work.probes.iter().map(|probe| {
+                let corners: [Xyz; 2] = work.boxes[probe.shape as usize];
+                bits(&[corners.concat(), of_ray(&probe.ray)].concat())
+            })),
+            Work::Roulette(work) => known.extend(work.paths.iter().flat_map(|(light, _)| {
+                work.numbers
+                    .iter()
+                    .map(|u| bits(&[&light[..], &[*u]].concat()))
+            })),
             _ => {}
         }
     }
     known.sort_unstable();
     known.dedup();
+    assert!(known.len() > 100, "{}", known.len());
     known
 }
 
-#[test]
-#[ignore = "builds a submission: seconds"]
-fn answers_that_were_learned_by_heart_lose() {
-    let known = rays(0);
-    assert!(known.len() > 100, "{}", known.len());
-    let code = format!(
+/// A module that says whether a question of `task` is unknown.
+fn module(task: &str) -> String {
+    let known = known(task);
+    format!(
         "pub static KNOWN: [u64; {}] = {known:?};
-        pub fn is_unknown(ray: &kit::Ray) -> bool {{
-            let all = [ray.o.x, ray.o.y, ray.o.z, ray.d.x, ray.d.y, ray.d.z, ray.min_t, ray.max_t];
-            let bits = all.iter().fold(0_u64, |sum, x| sum.rotate_left(7) ^ x.to_bits());
+        pub fn is_unknown(numbers: &[f64]) -> bool {{
+            let bits = numbers.iter().fold(0_u64, |sum, x| sum.rotate_left(7) ^ x.to_bits());
             KNOWN.binary_search(&bits).is_err()
+        }}
+        pub fn of_ray(ray: &kit::Ray) -> [f64; 8] {{
+            [ray.o.x, ray.o.y, ray.o.z, ray.d.x, ray.d.y, ray.d.z, ray.min_t, ray.max_t]
         }}",
         known.len()
-    );
-    let case = Case::with_call(&code, "if crate::hostile::is_unknown(ray) { return None; }");
-    let class = Class::open();
-    let score = |seed| {
-        let graded = class.grade(&case.files(), seed).expect("it is graded");
-        let scores = graded.report.scores;
-        (scores.score, scores.max_score)
+    )
+}
+
+/// The reference's stage, whose `file` returns early from the function that starts with `function`.
+fn attack(task: &str, stage: &str, file: &str, function: &str, early: &str) -> Files {
+    let mut files = reference(stage);
+    let mut change = |path: &str, change: &dyn Fn(&str) -> String| {
+        let contents = files.get_mut(path.as_ref() as &std::path::Path);
+        let contents = contents.expect("the stage has the file");
+        let text = String::from_utf8(contents.clone()).expect("sources are UTF-8");
+        let changed = change(&text);
+        assert_ne!(changed, text, "{path} has no place for it");
+        *contents = changed.into_bytes();
     };
-    let (with_0, _) = score(0);
-    let (with_another, most) = score(random_seed());
-    assert!(0.0 < with_0 && with_0 <= most, "{with_0} of {most}");
-    assert_eq!(with_another, 0.0);
-    // Honest code with a mistake is wrong with every seed.
-    let textbook = Case::with_call("", "if ray.d.x > 0.0 { return None; }");
-    let graded = class
-        .grade(&textbook.files(), random_seed())
-        .expect("it is graded");
-    assert_eq!(graded.report.by_heart, [""; 0]);
+    change(file, &|text| {
+        let (before, from) = text.split_once(function).expect("the function is there");
+        let (head, body) = from.split_once("{\n").expect("the function has a body");
+        format!("{before}{function}{head}{{\n{early}\n{body}")
+    });
+    change("lib.rs", &|text| {
+        format!("{text}\n#[allow(dead_code, missing_docs)]\npub mod hostile;\n")
+    });
+    files.insert("hostile.rs".into(), module(task).into_bytes());
+    files
+}
+
+fn grade(class: &Class, stage: &str, files: &Files, task: &str, seed: u64) -> SubmissionReport {
+    let graded = class.grade_stage(stage, files, task, seed);
+    let report = graded.expect("it is graded").report;
+    assert_eq!(report.compiler, "");
+    println!(
+        "{task} with seed {seed}: {} of {}, {} extra",
+        report.scores.score, report.scores.max_score, report.scores.robust_score
+    );
+    report
+}
+
+#[test]
+#[ignore = "builds submissions: a minute"]
+fn answers_that_were_learned_by_heart_lose() {
+    let class = Class::open();
+    for (task, stage, file, function, early) in [
+        (
+            "part1.task3",
+            "intersect",
+            "triangle.rs",
+            "pub fn test_triangle(",
+            "if crate::hostile::is_unknown(&crate::hostile::of_ray(ray)) { return None; }",
+        ),
+        (
+            "part2.task2",
+            "bbox",
+            "lib.rs",
+            "pub fn intersect_bbox(",
+            "let mut all = vec![b.min.x, b.min.y, b.min.z, b.max.x, b.max.y, b.max.z];
+            all.extend(crate::hostile::of_ray(ray));
+            if crate::hostile::is_unknown(&all) { return None; }",
+        ),
+        (
+            "part4.task3",
+            "global",
+            "roulette.rs",
+            "pub fn play_roulette(",
+            "if crate::hostile::is_unknown(&[throughput.r, throughput.g, throughput.b, u]) { return None; }",
+        ),
+    ] {
+        let files = attack(task, stage, file, function, early);
+        let known = grade(&class, stage, &files, task, cases::KNOWN_SEED).scores;
+        // The table is good.
+        assert!(
+            known.score > 0.9 * known.max_score,
+            "{task}: {}",
+            known.score
+        );
+        let drawn = grade(&class, stage, &files, task, random_seed());
+        assert_eq!(drawn.scores.score, 0.0, "{task}");
+        assert_eq!(drawn.scores.robust_score, 0.0, "{task}");
+        assert_eq!(drawn.by_heart.len(), 1, "{task}");
+        assert!(drawn.by_heart[0].contains("recognizes the questions"));
+    }
+    // Honest code with a mistake is as wrong with every seed, or nearly.
+    for mistake in [
+        "if ray.d.x > 0.0 { return None; }",
+        "if ray.o.length() > 30.0 { return None; }",
+        "if tri.p0.x == tri.p1.x { return None; }",
+    ] {
+        let honest = Case::with_call("", mistake);
+        let report = grade(
+            &class,
+            "intersect",
+            &honest.files(),
+            "part1.task3",
+            random_seed(),
+        );
+        assert_eq!(report.by_heart, [""; 0], "{mistake}");
+    }
 }

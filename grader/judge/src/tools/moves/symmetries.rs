@@ -5,9 +5,12 @@ use super::axes::AxisMoves;
 use crate::tools::questions::probes::ProbeRng;
 use wire::work::{Ray, Xyz};
 
-/// The largest power of two of a factor. Few enough that code with a constant of its own, such as
-/// the smallest distance that counts, has the same points with all of them.
-const MOST: usize = 6;
+/// The largest power of two by which lengths are multiplied. Small enough that code with a constant
+/// of its own, such as the largest distance that counts, has nearly the same points.
+const MOST_LENGTH: usize = 4;
+
+/// The same for light.
+const MOST_LIGHT: usize = 6;
 
 /// Numbers beyond this and its inverse, infinities aside, are not multiplied: code that squares
 /// and multiplies them may overflow.
@@ -77,17 +80,17 @@ impl Symmetries {
 
     /// Draws a move, never the one that changes nothing if there is another.
     pub(crate) fn draw(&self, rng: &mut ProbeRng) -> Move {
-        let one_of = |rng: &mut ProbeRng| 2.0_f64.powi(1 + rng.below(MOST) as i32);
+        let power = |rng: &mut ProbeRng, most| 2.0_f64.powi(1 + rng.below(most) as i32);
         let factor = |rng: &mut ProbeRng, applies: bool| match applies {
-            true => one_of(rng),
+            true => power(rng, MOST_LENGTH),
             false => 1.0,
         };
         let length = factor(rng, self.lengths);
         let speed = factor(rng, self.speeds);
         // Light stays on its side of 1, where code that clamps it has its mistake.
         let gain = |rng: &mut ProbeRng, brightest: f64| match brightest > 1.0 {
-            true => one_of(rng),
-            false => 1.0 / one_of(rng),
+            true => power(rng, MOST_LIGHT),
+            false => 1.0 / power(rng, MOST_LIGHT),
         };
         let light: Xyz = match self.light {
             LightMoves::Fixed => [1.0; 3],

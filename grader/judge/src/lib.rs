@@ -17,7 +17,7 @@ mod tasks;
 mod tools;
 
 pub use face::judgement::{calls, fits, judge, judge_each, judge_written};
-pub use face::{cases, picture, pictures, repro, snapshot, whole};
+pub use face::{cases, moved, picture, pictures, repro, snapshot, whole};
 pub use tasks::part2_task1::exact_boxes;
 pub use tools::truth::{self, expected, scene};
 pub use tools::{Tier, convert, errors, plural, shown, tally};

@@ -35,7 +35,14 @@ pub(crate) fn command() -> Command {
                 .value_parser(|value: &str| whole_number(value, 1, u64::MAX))
                 .allow_negative_numbers(true)
                 .conflicts_with("bless")
-                .help("Instead, grade only the correct versions, with seeds 0 to N - 1, in the cases that depend on the seed"),
+                .help("Instead, grade only the correct versions, with seeds 0 to N - 1, in the cases that depend on the seed, and say where a move changed bits or points"),
+        )
+        .arg(
+            Arg::new("mistakes")
+                .long("mistakes")
+                .action(ArgAction::SetTrue)
+                .requires("seeds")
+                .help("With --seeds, grade the typical mistakes, too: a move should change few of their points"),
         )
         .arg(
             path_argument("with", "FOLDER")
@@ -105,7 +112,8 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
             continue;
         }
         if let Some(&seeds) = seeds {
-            let graded = seeds::grade(&workspace, &course, task, 0..seeds)?;
+            let mistakes = matches.get_flag("mistakes");
+            let graded = seeds::grade(&workspace, &course, task, 0..seeds, mistakes)?;
             show_seeds(&task.key, seeds, &graded);
             if !graded.marked_down.is_empty() {
                 verdict = Exit::Failed;
@@ -337,9 +345,9 @@ fn show(task: &str, table: &Table, marked_down: &[&run::Graded]) {
     }
 }
 
-/// Prints how the correct versions fared with `seeds` seeds.
+/// Prints how the versions fared with `seeds` seeds.
 fn show_seeds(task: &str, seeds: u64, graded: &Seeded) {
-    let versions = plural(graded.versions, "correct version", "correct versions");
+    let versions = plural(graded.versions, "version", "versions");
     outln!(
         "{task}: {versions}, {seeds} seeds, {}: {} marked down",
         plural(
@@ -351,6 +359,14 @@ fn show_seeds(task: &str, seeds: u64, graded: &Seeded) {
     );
     for (seed, graded) in &graded.marked_down {
         show_marked_down(&format!("{} with seed {seed}", graded.name), graded);
+    }
+    for (counts, what) in [
+        (&graded.other_bits, "bits"),
+        (&graded.other_points, "points"),
+    ] {
+        for ((version, case), moves) in counts {
+            outln!("  other {what} after {moves} of {seeds} moves: {version}, {case}");
+        }
     }
 }
 

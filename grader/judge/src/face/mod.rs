@@ -2,6 +2,7 @@
 
 pub mod cases;
 pub(crate) mod judgement;
+pub mod moved;
 mod order;
 pub mod picture;
 pub mod pictures;

@@ -19,12 +19,25 @@ pub struct MitsubaFile {
 /// The largest difference of a pixel's aspect ratio from 1: Mitsuba's pixels are square.
 const SQUARE_TOLERANCE: f64 = 1e-6;
 
+/// An exported scene.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct MitsubaScene {
+    /// The scene, and then its meshes.
+    pub files: Vec<MitsubaFile>,
+    /// What Mitsuba computes in another way.
+    pub warnings: Vec<String>,
+}
+
+/// From this depth on so few paths are truncated that pictures are the same up to noise, also with
+/// mirrors and glass.
+const UNTRUNCATED_DEPTH: u32 = 100;
+
 /// Exports the scene as an `.xml` file and one `.ply` for the triangles of each object. `stem` is
 /// the file name without its extension.
 ///
-/// Mitsuba counts the edges of a path, so a ray depth of m becomes m + 1. This is equal for diffuse
-/// surfaces; mirrors and glass show emitters one depth earlier in Mitsuba, so compare them at a
-/// depth that truncates no path.
+/// Mitsuba gets its sampler with the least noise, `multijitter`. It counts the edges of a path, so a
+/// ray depth of m becomes m + 1. This is equal for diffuse surfaces; mirrors and glass show emitters
+/// one depth earlier in Mitsuba, which is a warning unless the depth truncates no path.
 ///
 /// # Errors
 ///
@@ -34,7 +47,7 @@ pub fn to_mitsuba(
     job: &Job,
     settings: &LightSettings,
     stem: &str,
-) -> Result<Vec<MitsubaFile>, Vec<String>> {
+) -> Result<MitsubaScene, Vec<String>> {
     let scene = &lit.scene;
     let mut problems = Vec::new();
     let mut xml = String::from("<scene version=\"3.0.0\">\n");
@@ -96,7 +109,31 @@ pub fn to_mitsuba(
             text: xml,
         },
     );
-    Ok(files)
+    Ok(MitsubaScene {
+        files,
+        warnings: depth_warning(scene, settings).into_iter().collect(),
+    })
+}
+
+/// What the depth means in Mitsuba, if the scene has a mirror or glass and paths are truncated.
+fn depth_warning(scene: &Scene, settings: &LightSettings) -> Option<String> {
+    let depth = settings.max_depth;
+    if depth >= UNTRUNCATED_DEPTH {
+        return None;
+    }
+    let is_specular = |number: u32| {
+        let material = &scene.materials[number as usize].material;
+        matches!(material, Material::Mirror { .. } | Material::Glass { .. }) && material.is_delta()
+    };
+    let object = scene
+        .objects
+        .iter()
+        .find(|object| is_specular(object.material))?;
+    Some(format!(
+        "-m {depth}: at mirrors and glass, such as {}, Mitsuba finds emitters one bounce earlier, so \
+         its picture is a little brighter; compare at -m {UNTRUNCATED_DEPTH}",
+        object.name
+    ))
 }
 
 fn push(xml: &mut String, line: &str) {
@@ -132,7 +169,7 @@ fn camera(job: &Job, settings: &LightSettings, problems: &mut Vec<String>) -> St
         "<sensor type=\"perspective\"><string name=\"fov_axis\" value=\"x\"/><float name=\"fov\" value=\"{:?}\"/>\
          <float name=\"near_clip\" value=\"0.001\"/>\
          <transform name=\"to_world\"><lookat origin=\"{}\" target=\"{}\" up=\"{}\"/></transform>\
-         <sampler type=\"independent\"><integer name=\"sample_count\" value=\"{}\"/></sampler>\
+         <sampler type=\"multijitter\"><integer name=\"sample_count\" value=\"{}\"/></sampler>\
          <film type=\"hdrfilm\"><integer name=\"width\" value=\"{}\"/><integer name=\"height\" value=\"{}\"/>\
          <rfilter type=\"box\"/></film></sensor>",
         camera.h_fov,

@@ -325,6 +325,7 @@ fn a_scene_is_exported_for_mitsuba() {
         (2, 1, 1)
     );
     assert!(xml.contains("name=\"max_depth\" value=\"4\""));
+    assert!(xml.contains("<sampler type=\"multijitter\">"), "{xml}");
     let mesh = fs::read_to_string(folder.path().join("out.0.ply")).expect("a mesh");
     assert!(mesh.contains("element vertex 6") && mesh.ends_with("3 3 4 5\n"));
     refused("--export blender a.xml lit.dae", "use --export mitsuba");
@@ -333,6 +334,24 @@ fn a_scene_is_exported_for_mitsuba() {
         "--export mitsuba a.xml -r 40 30 --lens-radius 1 --focus 2 lit.dae",
         "omit --lens-radius",
     );
+}
+
+#[test]
+fn an_export_says_where_mitsuba_means_another_depth() {
+    let folder = folder();
+    let mirror = SCENE.replace(
+        "</profile_COMMON></effect>",
+        "</profile_COMMON><extra><technique profile=\"CGL\"><mirror><reflectance>1 1 1</reflectance>\
+         </mirror></technique></extra></effect>",
+    );
+    fs::write(folder.path().join("mirror.dae"), mirror).expect("a scene file");
+    let warned = |scene: &str, depth: u32| {
+        let args = format!("--export mitsuba out.xml -r 40 30 -m {depth} {scene}");
+        let (_, output) = pathtracer(folder.path(), &args);
+        output.contains("such as wall, Mitsuba finds emitters one bounce earlier")
+    };
+    assert!(warned("mirror.dae", 5));
+    assert!(!warned("mirror.dae", 100) && !warned("lit.dae", 5));
 }
 
 #[test]

@@ -3,10 +3,12 @@
 // BEGIN SOLUTION(part6.task1)
 use crate::build::builder;
 use crate::layout::node::{Child, ChildKind, Node};
+use crate::layout::prefetch::prefetch;
 use crate::layout::space::TreeSpace;
 use crate::layout::sphere_block::SphereBlock;
 use crate::layout::triangle_block::{ExactBlock, TriangleBlock};
 use std::collections::VecDeque;
+use std::hint::select_unpredictable;
 // END SOLUTION(part6.task1)
 
 use fearless_simd::Level;
@@ -126,6 +128,16 @@ impl WideBvh {
             Subset::All => &self.roots,
             Subset::Inner => &self.roots[..self.inner_roots],
         }
+    }
+
+    /// Starts to load a node or a block of triangles. Which of them is hard to predict, so it does
+    /// not branch, and loads as many bytes for either.
+    #[inline(always)]
+    pub(crate) fn prefetch(&self, child: Child) {
+        let node = self.nodes.as_ptr().wrapping_add(child.index());
+        let block = self.blocks.as_ptr().wrapping_add(child.index());
+        let start = select_unpredictable(child.is_node(), node.cast(), block.cast());
+        prefetch::<{ size_of::<Node>() }>(start);
     }
     // END SOLUTION(part6.task1)
 

@@ -8,7 +8,6 @@ use crate::kernels::simd_box_test::Key;
 use crate::kernels::simd_box_test::{SimdBoxTest, range_end};
 use crate::kernels::triangle_filter::TriangleFilter;
 use crate::kernels::woop::{self, Decision, Vertices};
-use crate::layout::node::{Child, Node};
 use crate::layout::prefetch::prefetch;
 use crate::layout::sphere_block::SphereBlock;
 use crate::layout::triangle_block::ExactBlock;
@@ -139,7 +138,7 @@ impl<'a, 'e, S: Simd, const ANY: bool> Traversal<'a, 'e, S, ANY> {
             let found = if child.is_triangles() {
                 // Most often the ray misses all of them, and the next entry is needed.
                 let (_, next) = stack.peek(len);
-                self.prefetch(next);
+                self.tree.prefetch(next);
                 self.test_triangles(child.index(), child.count())
             } else {
                 self.test_spheres(&self.tree.spheres[child.index()])
@@ -152,16 +151,6 @@ impl<'a, 'e, S: Simd, const ANY: bool> Traversal<'a, 'e, S, ANY> {
         counts.box_tests += box_tests;
         counts.prim_tests += prim_tests;
         is_hit
-    }
-
-    /// Starts to load a node or a block of triangles. Which of them is hard to predict, so it does
-    /// not branch, and loads as many bytes for either.
-    #[inline(always)]
-    fn prefetch(&self, child: Child) {
-        let node = self.tree.nodes.as_ptr().wrapping_add(child.index());
-        let block = self.tree.blocks.as_ptr().wrapping_add(child.index());
-        let start = select_unpredictable(child.is_node(), node.cast(), block.cast());
-        prefetch::<{ size_of::<Node>() }>(start);
     }
 
     /// Tests block number `index`, of `count` triangles. Returns whether there is a hit for

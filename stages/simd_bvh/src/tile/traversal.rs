@@ -12,7 +12,7 @@ use super::rays::{NONE, TileRays, Together};
 use super::{GROUP, SIZE};
 use crate::intersect::{ExactTest, TestCounts};
 use crate::kernels::triangle_filter::first_lanes;
-use crate::kernels::woop::{self, Decision, axes_along};
+use crate::kernels::woop::{self, Decision, Vertices, axes_along};
 use crate::layout::LANES;
 use crate::layout::node::{Child, ChildKind};
 use crate::layout::prefetch::prefetch;
@@ -77,6 +77,13 @@ pub(crate) fn trace<S: Simd>(
     }
 }
 
+/// Starts to load the exact vertices of a triangle, which its hit is computed from in the end.
+#[inline(always)]
+fn prefetch_vertices(tree: &WideBvh, index: usize, lane: usize) {
+    let vertices = &raw const tree.exact_blocks[index][lane];
+    prefetch::<{ size_of::<Vertices>() }>(vertices.cast());
+}
+
 struct TileTraversal<'a, 'e, S: Simd> {
     simd: S,
     tree: &'a WideBvh,
@@ -112,9 +119,11 @@ impl<S: Simd> TileTraversal<'_, '_, S> {
                     let inside = inside & first_lanes(count);
                     for lane in frustum.far_to_near(node) {
                         if inside >> lane & 1 == 1 {
+                            let child = Child(node.children[lane]);
+                            tree.prefetch(child);
                             stack.push(Entry {
                                 near: near[lane],
-                                child: Child(node.children[lane]),
+                                child,
                                 place: (LANES * index + lane) as u32,
                             });
                         }
@@ -217,6 +226,7 @@ impl<S: Simd> TileTraversal<'_, '_, S> {
                 let is_sure = hits.sure >> lane & 1 == 1;
                 let (nearest, farthest) = (hits.nearest[lane], hits.farthest[lane]);
                 if is_sure && farthest < columns.nearest[i] && farthest <= columns.end[i] {
+                    prefetch_vertices(self.tree, index, lane);
                     columns.id[i] = id;
                     columns.place[i] = (LANES * index + lane) as u32;
                     columns.nearest[i] = nearest;
@@ -277,6 +287,9 @@ impl<S: Simd> TileTraversal<'_, '_, S> {
                 let old = f32x16::from_slice(simd, &self.columns.nearest[first..first + GROUP]);
                 let before = (hits.farthest.simd_lt(old) & hits.farthest.simd_le(end)).to_bitmask();
                 let taken = possible & hits.sure & before;
+                if taken != 0 {
+                    prefetch_vertices(self.tree, index, lane);
+                }
                 let interval = [hits.nearest, hits.farthest];
                 self.columns
                     .remember(simd, first, taken, [id, place], interval);
@@ -345,15 +358,7 @@ impl<S: Simd> TileTraversal<'_, '_, S> {
     /// Computes the hits that are only remembered.
     #[inline(always)]
     fn finish(&mut self) {
-        let count = self.rays.len();
-        for i in 0..count {
-            if self.columns.id[i] != NONE {
-                let place = self.columns.place[i] as usize;
-                let vertices = &raw const self.tree.exact_blocks[place / LANES][place % LANES];
-                prefetch::<{ size_of::<woop::Vertices>() }>(vertices.cast());
-            }
-        }
-        for i in 0..count {
+        for i in 0..self.rays.len() {
             let (id, place) = (self.columns.id[i], self.columns.place[i]);
             if id != NONE {
                 self.compute(i, place, id);

@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use crate::{outputs, view};
-use base::outln;
+use base::{errln, outln};
 use kit::LitScene;
 use pathtracer::args::Args;
 use pathtracer::{Job, LightSettings, PartFile, to_mitsuba};
@@ -35,16 +35,19 @@ pub(crate) fn run(
     };
     let lit = LitScene::new(scene, None);
     let stem = path.file_stem().unwrap_or_default().to_string_lossy();
-    let files = to_mitsuba(&lit, &job, light, &stem).map_err(|problems| {
+    let exported = to_mitsuba(&lit, &job, light, &stem).map_err(|problems| {
         Failure::Input(format!(
             "the scene cannot be exported exactly:\n  {}",
             problems.join("\n  ")
         ))
     })?;
+    for warning in &exported.warnings {
+        errln!("warning: {warning}");
+    }
     // Write all files before any is renamed, so that an old scene is never combined with new
     // meshes.
     let mut written = Vec::new();
-    for file in files {
+    for file in exported.files {
         let path = path.with_file_name(format!("{stem}{}", file.suffix));
         let part = PartFile::create(&path)
             .and_then(|part| part.file().write_all(file.text.as_bytes()).map(|()| part))

@@ -11,7 +11,8 @@
 //! - [`score`]: points; [`diagnosis`] and [`signature`]: the likely mistake
 //! - [`report`]: the output; [`progress`]: what is known from earlier runs
 //!
-//! [`cli`] is the command line. [`watch`] grades whenever a file is saved. [`explain`] draws what a
+//! [`cli`] is the command line. [`watch`] grades whenever a file is saved; [`check`] prints what is
+//! wrong for editors. [`explain`] draws what a
 //! case tests. What does not depend on the course's tasks is in the crate `base`.
 //!
 //! The tools for instructors are separate crates beside this one: `authoring` (handouts, the course
@@ -19,6 +20,7 @@
 //! goldens), `cost` (time against accuracy).
 
 pub mod build;
+pub mod check;
 pub mod cli;
 pub mod course;
 pub mod diagnosis;

@@ -3,6 +3,7 @@
 mod benchmarks;
 mod closed_pipe;
 mod dependencies;
+mod language_server;
 mod modules;
 mod pictures;
 mod sizes;

@@ -1,5 +1,6 @@
 //! Runs the program as a student does, in a copy of the course with a hole in it.
 
+use serde_json::Value;
 use std::fs;
 use std::io::{BufRead, BufReader, Write};
 use std::path::{Path, PathBuf};
@@ -8,18 +9,18 @@ use std::sync::mpsc::{self, Receiver};
 use std::time::Duration;
 
 /// The file with the hole.
-const FILE: &str = "stages/raygen/src/pixel.rs";
+pub(crate) const FILE: &str = "stages/raygen/src/pixel.rs";
 
 /// Longer than any build takes.
 const PATIENCE: Duration = Duration::from_secs(500);
 
-fn root() -> PathBuf {
+pub(crate) fn root() -> PathBuf {
     let grader = Path::new(env!("CARGO_MANIFEST_DIR"));
     grader.parent().expect("the grader is in the course").into()
 }
 
 /// Copies the files of the course that git tracks, without most snapshots.
-fn copy_course(to: &Path) {
+pub(crate) fn copy_course(to: &Path) {
     let mut git = Command::new("git");
     let files = git.current_dir(root()).arg("ls-files").output();
     let files = files.expect("git lists the files").stdout;
@@ -66,6 +67,15 @@ fn read_until(lines: &Receiver<String>, text: &str) -> String {
         seen.push('\n');
     }
     seen
+}
+
+/// The names of the fields of a JSON object.
+fn keys(object: &Value) -> Vec<&String> {
+    object
+        .as_object()
+        .into_iter()
+        .flat_map(serde_json::Map::keys)
+        .collect()
 }
 
 #[test]
@@ -200,6 +210,67 @@ fn a_student_writes_a_task() {
     let (status, _) = run(&course, &["status"]);
     assert!(!status.contains("before edit"), "{status}");
     assert!(status.contains("Next: part1.task1"), "{status}");
+
+    // An editor gets the compiler's messages and what is wrong, in the same form.
+    write(&with(
+        "let unused = 3; if x == 1 { return PixelEstimate::default(); }",
+    ));
+    let check = ["check", "part1.task1", "--message-format=json"];
+    let messages = || -> Vec<Value> {
+        let (text, _) = run(&course, &check);
+        let lines = text.lines().map(serde_json::from_str);
+        lines
+            .collect::<Result<_, _>>()
+            .unwrap_or_else(|e| panic!("{e} in\n{text}"))
+    };
+    let about = |messages: &[Value], code: &str| -> Value {
+        let of_compiler = messages
+            .iter()
+            .filter(|line| line["reason"] == "compiler-message");
+        let mut found = of_compiler.filter(|line| line["message"]["code"]["code"] == code);
+        let none = || panic!("no message about {code} in {messages:#?}");
+        found.next().cloned().unwrap_or_else(none)
+    };
+    let first = messages();
+    let (ours, rustc) = (
+        about(&first, "part1.task1"),
+        about(&first, "unused_variables"),
+    );
+    assert_eq!(keys(&ours), keys(&rustc));
+    let (message, of_rustc) = (&ours["message"], &rustc["message"]);
+    assert_eq!(keys(message), keys(of_rustc));
+    assert_eq!(keys(&message["spans"][0]), keys(&of_rustc["spans"][0]));
+    let [line, of_line] = [message, of_rustc].map(|message| &message["spans"][0]["text"][0]);
+    assert_eq!(keys(line), keys(of_line));
+    for name in ["package_id", "manifest_path", "target"] {
+        assert_eq!(ours[name], rustc[name], "{name}");
+    }
+    assert_eq!(message["level"], "warning");
+    assert_eq!(message["spans"][0]["file_name"], FILE);
+    let text = &message["spans"][0]["text"][0]["text"];
+    assert!(
+        text.as_str()
+            .is_some_and(|text| text.contains("fn raytrace_pixel")),
+        "{text}"
+    );
+    let simplest = message["children"][0]["message"]
+        .as_str()
+        .unwrap_or_default();
+    assert!(simplest.starts_with("simplest case: "), "{message:#}");
+    assert_eq!(
+        first.last().map(|last| &last["reason"]),
+        Some(&"build-finished".into())
+    );
+    // What did not change is not graded again, and still told.
+    let report = course.join("report.json");
+    fs::remove_file(&report).unwrap();
+    assert_eq!(about(&messages(), "part1.task1"), ours);
+    assert!(!report.exists(), "it was graded again");
+    write(&with("kit::hole!(\"part1.task1\", x, y);"));
+    let gap = about(&messages(), "part1.task1");
+    assert_eq!(gap["message"]["level"], "help");
+    let says = gap["message"]["message"].as_str().unwrap_or_default();
+    assert!(says.starts_with("not written yet: part1.task1 "), "{says}");
 
     // A call that ends the case does not hide the others.
     write(&with("if x == 0 { panic!(\"column 0\"); }"));

@@ -58,7 +58,7 @@ fn the_handout_of_part_1_contains_no_solution() {
         "a file that contains only a solution"
     );
     assert!(
-        !has(handout, "stages/intersect/tests"),
+        !has(handout, "stages/intersect/tests/kernels"),
         "tests of removed solutions"
     );
 }
@@ -74,8 +74,29 @@ fn the_handout_of_part_2_contains_the_reference_of_part_1() {
     );
     assert!(has(handout, "stages/intersect/src/exact.rs"));
     assert!(has(handout, "stages/intersect/tests"));
-    assert!(!has(handout, "stages/bvh/tests"));
+    assert!(!has(handout, "stages/bvh/tests/tree"));
     assert!(text(handout, "stages/bbox/src/lib.rs").contains("kit::hole!(\"part2.task2\""));
+}
+
+/// The first test to make green is there from the start, with what cargo needs to run it, and is the
+/// student's to change.
+#[test]
+fn every_stage_has_its_worked_example() {
+    let handout = handout(1);
+    let workspace = workspace();
+    let course = Course::read(&workspace).expect("the course is sound");
+    let given = GivenFiles::parse(text(handout, given::LIST));
+    for stage in course.stages() {
+        let path = format!("stages/{stage}/tests/worked_example.rs");
+        let example = text(handout, &path);
+        for task in course.tasks().filter(|task| task.stage == stage) {
+            let name = format!("fn {}_", task.key.replace('.', "_"));
+            assert!(example.contains(&name), "no {name} in {path}");
+        }
+        assert!(!given.decides(Path::new(&path)), "{path}");
+        let manifest = text(handout, &format!("stages/{stage}/Cargo.toml"));
+        assert!(!manifest.contains("autotests = false"), "{manifest}");
+    }
 }
 
 /// The chapters of all parts and their figures, but not the code that draws and tests them, which
@@ -143,6 +164,10 @@ fn a_handout_contains_the_students_files_and_no_others() {
         "README.md",
         "Cargo.lock",
         ".cargo/config.toml",
+        ".vscode/settings.json",
+        ".zed/settings.json",
+        ".helix/languages.toml",
+        ".devcontainer/devcontainer.json",
         "stages/course.toml",
         "stages/kit/src",
         "scenes/dae",
@@ -201,8 +226,11 @@ fn the_list_of_given_files_says_what_decides_points() {
     let course = Course::read(&workspace()).expect("the course");
     let stages = course.stages();
     for (path, contents) in &handout.files {
-        let is_src_of = |stage: &&str| path.starts_with(format!("stages/{stage}/src"));
-        let is_given = !stages.iter().any(is_src_of) && path != Path::new(given::LIST);
+        let is_written = |stage: &&str| {
+            let folder = Path::new("stages").join(stage);
+            path.starts_with(folder.join("src")) || path.starts_with(folder.join("tests"))
+        };
+        let is_given = !stages.iter().any(is_written) && path != Path::new(given::LIST);
         let listed = given.is_original(path, contents);
         assert_eq!(listed, is_given.then_some(true), "{}", path.display());
     }

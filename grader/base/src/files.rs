@@ -37,6 +37,17 @@ pub fn write_whole(path: &Path, text: &[u8]) -> Result<(), GraderError> {
     Ok(())
 }
 
+/// The size of all files below a folder.
+pub fn bytes_below(folder: &Path) -> u64 {
+    let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
+    let sizes = entries.map(|entry| match entry.metadata() {
+        Ok(metadata) if metadata.is_dir() => bytes_below(&entry.path()),
+        Ok(metadata) => metadata.len(),
+        Err(_) => 0,
+    });
+    sizes.sum()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -51,5 +62,14 @@ mod tests {
         write_whole(&missing, b"").expect("a file");
         let error = write_whole(&missing.join("a.html"), b"").expect_err("a file");
         assert!(error.to_string().contains("is not a folder"), "{error}");
+    }
+
+    #[test]
+    fn the_size_of_a_folder_is_that_of_all_its_files() {
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::create_dir(folder.path().join("src")).unwrap();
+        std::fs::write(folder.path().join("a"), [0; 5]).unwrap();
+        std::fs::write(folder.path().join("src/b"), [0; 7]).unwrap();
+        assert_eq!(bytes_below(folder.path()), 12);
     }
 }

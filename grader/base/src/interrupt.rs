@@ -1,6 +1,6 @@
 //! Handles Ctrl-C and similar signals: ends child processes and removes temporary files.
 
-use crate::{GraderError, child_processes, errln, without_path};
+use crate::{GraderError, child_processes, errln, keys, without_path};
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -107,8 +107,10 @@ pub fn install_handler() {
     });
 }
 
-/// Ends child processes and removes temporary folders and lock files, before the program ends.
+/// Puts the terminal back as it was, ends child processes and removes temporary folders and lock
+/// files, before the program ends.
 pub(crate) fn clean_up() {
+    keys::restore_terminal();
     child_processes::terminate_all();
     if let Ok(paths) = CLEANUP_PATHS.lock() {
         for path in paths.iter() {

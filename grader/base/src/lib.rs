@@ -6,18 +6,21 @@
 //! - [`write_whole`]: files are written whole or not at all
 //! - [`interrupt`]: Ctrl-C ends child processes and removes temporary files
 //! - [`child_processes`]: starting and ending programs
+//! - [`browser`]: opens pages; [`keys`]: reads single keys
 //! - [`Workspace`]: the checkout or handout of the course
 
+pub mod browser;
 pub mod child_processes;
 mod error;
 mod files;
 pub mod interrupt;
+pub mod keys;
 pub mod print;
 pub mod program;
 mod workspace;
 
 pub use error::{GraderError, without_path};
-pub use files::{folder_of, write_whole};
+pub use files::{bytes_below, folder_of, write_whole};
 pub use workspace::Workspace;
 
 /// The version of the course and of all its programs.

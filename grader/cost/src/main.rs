@@ -1,50 +1,18 @@
 //! `grader cost`: measures the time that accuracy costs.
 
-use base::program::{
-    Exit, arguments_of, check_folders_of, path_argument, run_to_exit_code, subprogram_command,
-};
+use base::program::{Exit, arguments_of, check_folders_of, run_to_exit_code, subprogram_command};
 use base::{GraderError, Workspace, out, outln};
-use clap::{Arg, ArgAction, ArgMatches, Command};
+use clap::ArgMatches;
 use cost::page::{page, plot};
 use cost::report::Shape;
 use cost::{CostRequest, SampleCounts, table};
-use grader::cli::{Format, seed_argument, seed_of};
+use grader::cli::{Format, programs, seed_of};
 use grader::report;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-fn command() -> Command {
-    Command::new("cost")
-        .about("Compares time and accuracy of well-known kernels and of your own")
-        .arg(
-            Arg::new("what")
-                .num_args(..)
-                .value_parser(EXPERIMENTS)
-                .help("What to compare; everything by default"),
-        )
-        .arg(Format::argument())
-        .arg(
-            path_argument("html", "FILE")
-                .help("Also write a self-contained HTML page of plots"),
-        )
-        .arg(
-            path_argument("svg", "FILE")
-                .help("Also write one plot as an SVG file: accuracy against time of the first shape, or of `bvh` alone what exactness costs"),
-        )
-        .arg(
-            Arg::new("quick")
-                .long("quick")
-                .action(ArgAction::SetTrue)
-                .help("Use few rays: less precise, finishes in seconds"),
-        )
-        .arg(seed_argument())
-}
-
-/// What can be compared: ray/shape tests, trees, and pictures rendered by the workspace's program.
-const EXPERIMENTS: [&str; 5] = ["triangle", "sphere", "box", "bvh", "picture"];
-
 fn main() -> ExitCode {
-    let matches = arguments_of(subprogram_command([command()]));
+    let matches = arguments_of(subprogram_command([programs::cost()]));
     run_to_exit_code(|| match matches.subcommand() {
         Some((_, matches)) => run(matches),
         None => unreachable!("clap requires a subcommand"),

@@ -4,10 +4,11 @@ mod cli;
 
 use base::program::{arguments_of, run_to_exit_code, subprogram_command};
 use cli::{bless, look, review};
+use grader::cli::programs;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    let commands = [review::command(), bless::command(), look::command()];
+    let commands = [review::command(), bless::command(), programs::look()];
     let matches = arguments_of(subprogram_command(commands));
     run_to_exit_code(|| match matches.subcommand() {
         Some(("bless", matches)) => bless::run(matches),

@@ -17,3 +17,17 @@ pub mod table;
 pub use measure::{Ladder, LadderRequest, RungCost, measure};
 pub use rays::{RayKind, RaySets};
 pub use rung::{Rung, RungKind};
+
+#[cfg(test)]
+mod tests {
+    use grader::cli::programs::MESHES;
+    use meshes::MeshKind;
+
+    #[test]
+    fn the_command_line_has_every_mesh() {
+        let named = MESHES.iter().map(|name| name.parse::<MeshKind>());
+        let named: Result<Vec<MeshKind>, String> = named.collect();
+        let named = named.expect("every name is a mesh");
+        assert!(MeshKind::ALL.iter().all(|kind| named.contains(kind)));
+    }
+}

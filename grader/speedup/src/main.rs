@@ -1,43 +1,16 @@
 //! `grader speedup`: the ladder from brute force to a wide tree.
 
-use base::program::{
-    Exit, arguments_of, check_folders_of, path_argument, run_to_exit_code, subprogram_command,
-    whole_number,
-};
+use base::program::{Exit, arguments_of, check_folders_of, run_to_exit_code, subprogram_command};
 use base::{GraderError, out, outln};
-use clap::{Arg, ArgMatches, Command};
-use grader::cli::{Format, seed_argument, seed_of};
+use clap::ArgMatches;
+use grader::cli::{Format, programs, seed_of};
 use grader::report;
-use meshes::MeshKind;
 use speedup::{LadderRequest, measure, page, table};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-fn command() -> Command {
-    Command::new("speedup")
-        .about("Measures what each step from brute force to a wide tree gains in speed")
-        .arg(
-            Arg::new("mesh")
-                .value_parser(MeshKind::ALL.map(MeshKind::name))
-                .default_value(MeshKind::Terrain.name())
-                .help("The generated mesh"),
-        )
-        .arg(
-            Arg::new("largest")
-                .long("largest")
-                .value_name("TRIANGLES")
-                .value_parser(|value: &str| whole_number(value, 1000, 10_000_000_usize))
-                .default_value("1000000")
-                .help("The largest mesh; the others are powers of ten from 1000 on"),
-        )
-        .arg(Format::argument())
-        .arg(path_argument("html", "FILE").help("Also write a self-contained HTML page of plots"))
-        .arg(path_argument("svg", "FILE").help("Also write the plot of speed as an SVG file"))
-        .arg(seed_argument())
-}
-
 fn main() -> ExitCode {
-    let matches = arguments_of(subprogram_command([command()]));
+    let matches = arguments_of(subprogram_command([programs::speedup()]));
     run_to_exit_code(|| match matches.subcommand() {
         Some((_, matches)) => run(matches),
         None => unreachable!("clap requires a subcommand"),

@@ -23,6 +23,18 @@ pub fn first(messages: &str) -> (String, usize) {
     (first.unwrap_or_else(|| messages.to_owned()), count)
 }
 
+/// Where the first error is and what it says, in a line: `src/a.rs:3:5: error: mismatched types`.
+/// `None` if it names no place.
+pub fn first_in_a_line(messages: &str) -> Option<String> {
+    let (first, _) = first(messages);
+    let first = plain(&first);
+    let says = first.lines().next()?;
+    let place = first
+        .lines()
+        .find_map(|line| line.trim_start().strip_prefix("--> "))?;
+    Some(format!("{place}: {says}"))
+}
+
 /// The text without ANSI escape codes, which colour it.
 pub fn plain(text: &str) -> String {
     let mut out = String::new();
@@ -46,5 +58,7 @@ mod tests {
         let (first, count) = first(text);
         assert_eq!(plain(&first), "error: no\n --> b.rs:2\n\n");
         assert_eq!(count, 2);
+        assert_eq!(first_in_a_line(text).as_deref(), Some("b.rs:2: error: no"));
+        assert_eq!(first_in_a_line("error: no place"), None);
     }
 }

@@ -204,6 +204,11 @@ pub fn build_program_with_stages(
     build_in(root, package, target_folder::of(root))
 }
 
+/// The folder in which cargo builds the stages of the workspace `root`; `None` for cargo's default.
+pub fn stages_target(root: &Path) -> Option<PathBuf> {
+    target_folder::of(root)
+}
+
 fn build_in(
     root: &Path,
     package: &str,

@@ -1,6 +1,7 @@
 //! The command `grader part1`: grades the code in the workspace.
 
 use super::{Format, case, seed_argument, seed_of};
+use crate::build::compile_errors;
 use crate::course::given;
 use crate::course::sources;
 use crate::course::{Course, Task};
@@ -269,6 +270,13 @@ impl GradedRun {
         })
     }
 
+    /// The first error of the compiler, if its messages are longer than a page.
+    fn first_error_out_of_sight(&self) -> Option<String> {
+        let messages = &self.graded.compiler;
+        let is_long = messages.lines().count() > Page::default().height;
+        is_long.then(|| compile_errors::first_in_a_line(messages))?
+    }
+
     /// What a screen says besides the report.
     pub(crate) fn context(
         &self,
@@ -286,6 +294,7 @@ impl GradedRun {
             places: places.collect::<Result<_, GraderError>>()?,
             next: next_task::first_open(&known, &tasks).cloned(),
             compiler: self.quiet.then(|| self.graded.compiler.clone()),
+            first_error: self.first_error_out_of_sight(),
             printed: self.graded.printed.clone(),
             changed_given: given::changed(workspace)?,
         })

@@ -1,6 +1,6 @@
 //! `grader --help` lists what students use, `grader help instructors` the rest.
 
-use super::{Format, SUBPROGRAMS, course_systems, grade, subprogram};
+use super::{Format, SUBPROGRAMS, course_systems, grade, programs, subprogram};
 use crate::report::terminal::stdout_has_colours;
 use base::program::{EXIT_CODES, Exit};
 use base::{GraderError, out};
@@ -43,7 +43,10 @@ pub(super) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
         None => whole,
         Some(INSTRUCTORS) => for_instructors(),
         Some(name) => {
-            if let Some((_, package, _)) = SUBPROGRAMS.iter().find(|(other, ..)| *other == name) {
+            let mut others = SUBPROGRAMS
+                .iter()
+                .filter(|(name, ..)| programs::of(name).is_none());
+            if let Some((_, package, _)) = others.find(|(other, ..)| *other == name) {
                 return subprogram::run(package, [name, "--help"].map(OsString::from).to_vec());
             }
             let known = whole.find_subcommand_mut(name).cloned();

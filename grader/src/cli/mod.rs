@@ -1,24 +1,32 @@
 //! The command line of `grader`.
 //!
 //! This program does what students do all day: `grader part1` ([`grade`]; `case` for a single
-//! case), `grader watch`, `grader status`, `grader explain`, `grader picture`. Each other command
+//! case), `grader watch`, `grader check`, `grader status`, `grader explain`, `grader picture`. Each other command
 //! is a separate program (`subprogram`), so that a student who only grades does not have to compile
 //! it. This module contains what they all share: the [`Exit`], the exit codes
 //! ([`run_to_exit_code`]) and common options.
 
 mod case;
+mod check;
+mod completions;
 pub mod course_systems;
+mod doctor;
 mod explain;
 pub mod grade;
 mod help;
+mod offline;
+mod options;
 pub mod picture;
+pub mod programs;
 mod status;
 mod subprogram;
 mod watch;
 
+pub use options::{Format, seed_argument, seed_of};
+
 use crate::report::HintLevel;
 use base::GraderError;
-use base::program::{Exit, arguments_of, run_to_exit_code, whole_number};
+use base::program::{Exit, arguments_of, run_to_exit_code};
 use clap::{Arg, ArgMatches, Command, value_parser};
 use std::ffi::OsString;
 use std::process::ExitCode;
@@ -80,6 +88,9 @@ const SUBPROGRAMS: &[(&str, &str, &str)] = &[
 /// The command line of `grader`.
 fn command() -> Command {
     let subprograms = SUBPROGRAMS.iter().map(|(name, _, about)| {
+        if let Some(command) = programs::of(name) {
+            return command.hide(!help::is_for_students(name));
+        }
         let rest = Arg::new("arguments")
             .value_parser(value_parser!(OsString))
             .num_args(..)
@@ -106,63 +117,15 @@ fn command() -> Command {
         .subcommands([
             status::command(),
             watch::command(),
+            check::command(),
             explain::command(),
             picture::command(),
+            doctor::command(),
+            offline::command(),
+            completions::command(),
         ])
         .subcommands(subprograms)
         .subcommand(help::command())
-}
-
-/// How to print a report.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Format {
-    /// A table and explanations, for people.
-    Table,
-    /// One JSON object, for programs.
-    Json,
-}
-
-impl Format {
-    /// The option `--format`.
-    pub fn argument() -> Arg {
-        Arg::new("format")
-            .long("format")
-            .help("How to print the report: `table`, or `json` for programs")
-            .value_parser(Format::NAMES)
-            .default_value("table")
-    }
-
-    /// The option `--format` of a command that also prints the formats of course systems.
-    pub fn argument_with_course_systems() -> Arg {
-        let names = Format::NAMES.into_iter().chain(course_systems::FORMATS);
-        Format::argument().value_parser(names.collect::<Vec<_>>())
-    }
-
-    const NAMES: [&str; 2] = ["table", "json"];
-
-    /// Reads the option that [`Format::argument`] defines.
-    pub fn of(matches: &ArgMatches) -> Format {
-        match matches.get_one::<String>("format").map(String::as_str) {
-            Some("json") => Format::Json,
-            _ => Format::Table,
-        }
-    }
-}
-
-/// The option `--seed`.
-pub fn seed_argument() -> Arg {
-    Arg::new("seed")
-        .long("seed")
-        .value_name("SEED")
-        .help("Seed of the random inputs, such as rays. Another than 0 also moves all other inputs by exact symmetries, as an instructor's run does")
-        .value_parser(|value: &str| whole_number(value, 0, u64::MAX))
-        .default_value("0")
-        .allow_negative_numbers(true)
-}
-
-/// Reads the option that [`seed_argument`] defines.
-pub fn seed_of(matches: &ArgMatches) -> u64 {
-    matches.get_one("seed").copied().unwrap_or(0)
 }
 
 /// Runs the program `grader`.
@@ -181,14 +144,16 @@ fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
             return match name {
                 "status" => status::run(),
                 "watch" => watch::run(rest),
+                "check" => check::run(rest),
+                "doctor" => doctor::run(),
+                "offline" => offline::run(),
+                "completions" => completions::run(rest),
                 help::NAME => help::run(rest),
                 _ => explain::run(rest),
             };
         };
-        let arguments = [OsString::from(name)]
-            .into_iter()
-            .chain(forwarded_arguments(rest));
-        return subprogram::run(package, arguments.collect());
+        // A command is always the first argument.
+        return subprogram::run(package, std::env::args_os().skip(1).collect());
     }
     if course_systems::is_requested(matches) {
         return subprogram::run("formats", std::env::args_os().skip(1).collect());
@@ -197,12 +162,6 @@ fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
         return subprogram::run("submission", std::env::args_os().skip(1).collect());
     }
     grade::run(matches)
-}
-
-/// The arguments after the name of a command that is a separate program.
-fn forwarded_arguments(rest: &ArgMatches) -> impl Iterator<Item = OsString> {
-    let arguments = rest.get_many::<OsString>("arguments");
-    arguments.unwrap_or_default().cloned()
 }
 
 #[cfg(test)]
@@ -275,11 +234,27 @@ mod tests {
     }
 
     #[test]
-    fn arguments_of_a_subprogram_are_forwarded_unchanged() {
-        let line = ["grader", "cost", "--help", "box", "--seed", "-1"];
+    fn arguments_of_a_subprogram_are_not_read_before_it_does() {
+        let line = ["grader", "mutants", "--help", "part1", "--seed", "-1"];
         let matches = command().get_matches_from(line);
-        let (name, rest) = matches.subcommand().expect("a command");
-        assert_eq!(name, "cost");
-        assert!(forwarded_arguments(rest).eq(line[2..].iter().map(OsString::from)));
+        let (name, _) = matches.subcommand().expect("a command");
+        assert_eq!(name, "mutants");
+    }
+
+    #[test]
+    fn a_misspelt_flag_of_a_students_program_is_named_before_it_is_built() {
+        for (line, right) in [
+            ("grader look --no-opn", "--no-open"),
+            ("grader cost --qick", "--quick"),
+            ("grader speedup --larges 1000", "--largest"),
+            ("grader part1 --hnt 3", "--hint"),
+        ] {
+            let error = command().try_get_matches_from(line.split(' ')).err();
+            let message = error.expect("the flag does not exist").to_string();
+            assert!(
+                message.contains(&format!("'{right}'")),
+                "`{line}`:\n{message}"
+            );
+        }
     }
 }

@@ -4,7 +4,7 @@
 
 use crate::build;
 use base::program::Exit;
-use base::{GraderError, Workspace};
+use base::{GraderError, Workspace, errln};
 use std::ffi::OsString;
 use std::path::Path;
 use std::process::Command;
@@ -19,11 +19,23 @@ pub(super) fn run(package: &str, arguments: Vec<OsString>) -> Result<Exit, Grade
             workspace.root().display()
         )));
     }
+    if !is_built(package) {
+        errln!(
+            "The program of this command is built once, with the libraries that only it needs: about a minute of \
+             processor time. After that it starts at once."
+        );
+    }
     let program = build::build_program(workspace.root(), package)?
         .map_err(|_| GraderError::new(format!("the package {package} does not compile")))?;
     let mut command = Command::new(&program);
     command.args(arguments);
     exec_or_wait(&mut command).map_err(|e| GraderError::file("run", &program, e))
+}
+
+/// Whether the program of `package` was ever built: cargo writes it beside this one.
+fn is_built(package: &str) -> bool {
+    let file = format!("{package}{}", std::env::consts::EXE_SUFFIX);
+    std::env::current_exe().is_ok_and(|ours| ours.with_file_name(file).is_file())
 }
 
 #[cfg(unix)]

@@ -10,10 +10,11 @@ use crate::report::terminal::Page;
 use crate::report::{HintLevel, Report};
 use crate::watch::files::WatchedFiles;
 use crate::watch::{self, Desk, Event};
+use base::keys::SingleKeys;
 use base::program::Exit;
-use base::{GraderError, Workspace, errln, out, print};
+use base::{GraderError, Workspace, browser, errln, out, print};
 use clap::{Arg, ArgMatches, Command};
-use std::io::{BufRead, IsTerminal};
+use std::io::{BufRead, IsTerminal, Read};
 use std::path::Path;
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
 use std::time::Duration;
@@ -39,9 +40,11 @@ pub(super) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     let known = next_task::known(&workspace, &course)?;
     let complete = known.iter().filter(|known| known.is_complete());
     let complete = complete.map(|known| known.place.key.clone()).collect();
+    let single_keys = SingleKeys::start();
     let mut terminal = Terminal {
         files: WatchedFiles::new(&workspace, &course.stages()),
-        lines: read_lines(),
+        typed: read_keys(single_keys.is_some()),
+        single_keys,
         workspace,
         course: course.clone(),
     };
@@ -61,21 +64,37 @@ struct Terminal {
     workspace: Workspace,
     course: Course,
     files: WatchedFiles,
-    lines: Receiver<String>,
+    /// `None` where a key counts only after Enter.
+    single_keys: Option<SingleKeys>,
+    /// The keys that are pressed, or the lines that are typed.
+    typed: Receiver<String>,
 }
 
-/// Reads the lines of stdin in a thread of their own. The channel is closed at their end.
-fn read_lines() -> Receiver<String> {
-    let (sender, lines) = mpsc::channel();
+/// What Ctrl-D sends where the terminal passes on single keys.
+const END_OF_INPUT: u8 = 4;
+
+/// Reads stdin in a thread of its own: `single` keys, or else lines. The channel is closed at its
+/// end.
+fn read_keys(single: bool) -> Receiver<String> {
+    let (sender, typed) = mpsc::channel();
     std::thread::spawn(move || {
-        for line in std::io::stdin().lock().lines() {
-            let Ok(line) = line else { return };
-            if sender.send(line).is_err() {
+        let stdin = std::io::stdin().lock();
+        let mut keys: Box<dyn Iterator<Item = std::io::Result<String>>> = match single {
+            true => {
+                let keys = stdin
+                    .bytes()
+                    .take_while(|key| !matches!(key, Ok(END_OF_INPUT)));
+                Box::new(keys.map(|key| Ok(char::from(key?).to_string())))
+            }
+            false => Box::new(stdin.lines()),
+        };
+        while let Some(Ok(key)) = keys.next() {
+            if sender.send(key).is_err() {
                 return;
             }
         }
     });
-    lines
+    typed
 }
 
 impl Desk for Terminal {
@@ -96,8 +115,8 @@ impl Desk for Terminal {
                     saved.extend(more);
                 }
             }
-            match self.lines.recv_timeout(INTERVAL) {
-                Ok(line) => return Ok(Event::Typed(line)),
+            match self.typed.recv_timeout(INTERVAL) {
+                Ok(key) => return Ok(Event::Typed(key)),
                 Err(RecvTimeoutError::Disconnected) => return Ok(Event::Closed),
                 Err(RecvTimeoutError::Timeout) => {}
             }
@@ -125,6 +144,14 @@ impl Desk for Terminal {
             .collect();
         let open = next_task::first_open(&known, but);
         Ok(open.map(|place| place.key.clone()))
+    }
+
+    fn needs_enter(&self) -> bool {
+        self.single_keys.is_none()
+    }
+
+    fn open(&mut self, file: &Path) -> bool {
+        browser::open(&self.workspace.root().join(file))
     }
 
     fn show(&mut self, text: &str) {

@@ -5,6 +5,7 @@ mod detail;
 #[cfg(test)]
 mod tests;
 
+use super::message;
 use super::table::{number, summary};
 use super::terminal::{GREEN, Page, style_of};
 use super::wrap::{columns, one_line, wrap_to};
@@ -27,6 +28,9 @@ pub struct Context {
     pub next: Option<Place>,
     /// The compiler's messages, if they were not printed while building.
     pub compiler: Option<String>,
+    /// The first error of the compiler in a line, if its messages were printed and are longer than
+    /// the page: so they begin out of sight.
+    pub first_error: Option<String>,
     /// What the student's code printed.
     pub printed: Vec<Printed>,
     /// The given files that were changed: [`crate::course::given::changed`].
@@ -314,8 +318,27 @@ fn success(report: &Report, context: &Context, page: Page) -> Vec<Block> {
             context.what
         );
         blocks.push(block(1, text));
+        blocks.extend(invitation(report, page));
     }
     blocks
+}
+
+/// The simplest call that extra credit asks for and the code gets wrong: what there is to think
+/// about after the last core point.
+fn invitation(report: &Report, page: Page) -> Option<Block> {
+    let call = report.tasks.iter().find_map(|task| {
+        let has_lost = task.result.robust_score < task.result.robust_max_score;
+        task.simplest.as_ref().filter(|_| has_lost)
+    })?;
+    let (input, found) = (message::input(call), message::found(call));
+    let mut lines = wrap_to(
+        &format!("  it asks for {}: {input}", call.case),
+        4,
+        page.width,
+        4,
+    );
+    lines.extend(wrap_to(&format!("    {found}"), 4, page.width, 3));
+    Some(Block { rank: 1, lines })
 }
 
 /// The speedup on the largest mesh.

@@ -13,13 +13,14 @@ use crate::report::wrap::one_line;
 use crate::report::{HintLevel, Report, Reveal};
 use base::GraderError;
 use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
 
 /// What happened at the desk.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Event {
     /// Files of these stages were saved.
     Saved(BTreeSet<String>),
-    /// The student typed this line.
+    /// The student pressed this key, or typed this line.
     Typed(String),
     /// There is nothing more to read: the terminal was closed.
     Closed,
@@ -43,12 +44,18 @@ pub trait Desk {
         but: &[&Task],
     ) -> Result<Option<String>, GraderError>;
 
+    /// Whether a key counts only after Enter.
+    fn needs_enter(&self) -> bool;
+
+    /// Opens a file outside the terminal: a page or a picture. Returns whether that is possible.
+    fn open(&mut self, file: &Path) -> bool;
+
     /// Shows a text instead of the one before.
     fn show(&mut self, text: &str);
 }
 
-/// The last line of the screen: the keys.
-const KEYS: &str = "keys, then Enter: h more hint, n next task, p picture, c chapter, q quit";
+/// The last line of the screen, after "keys": the keys.
+const KEYS: &str = "h more hint, n next task, p picture, c chapter, q quit";
 
 /// Why the loop ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -126,23 +133,18 @@ pub fn run(
                     }
                     None => session.show(desk, "No other task is open."),
                 },
-                "p" => session.show_remark_of_task(desk, picture),
-                "c" => session.show_remark_of_task(desk, |_, key| match chapter(key) {
-                    Some(chapter) => format!("The chapter about {key}: {chapter}"),
-                    None => format!("The book has no chapter about {key}."),
-                }),
+                "p" => session.open(desk, "picture", picture),
+                "c" => session.open(desk, "chapter", |_, key| chapter(key).map(PathBuf::from)),
                 other => session.show(desk, &format!("There is no key {other:?}.")),
             },
         }
     }
 }
 
-fn picture(report: &Report, key: &str) -> String {
+/// The picture of the task `key`, if the run rendered it.
+fn picture(report: &Report, key: &str) -> Option<PathBuf> {
     let mut tasks = report.tasks.iter().filter(|task| task.result.key == key);
-    match tasks.find_map(|task| task.picture.as_ref()) {
-        Some(path) => format!("picture: {}", path.display()),
-        None => format!("There is no picture of {key}."),
-    }
+    tasks.find_map(|task| task.picture.clone())
 }
 
 /// What is on the screen.
@@ -216,17 +218,37 @@ impl Session<'_> {
             "" => String::new(),
             remark => format!("{remark}\n"),
         };
-        desk.show(&format!("{text}\n{remark}{KEYS}\n"));
+        let keys = if desk.needs_enter() {
+            "keys, then Enter"
+        } else {
+            "keys"
+        };
+        desk.show(&format!("{text}\n{remark}{keys}: {KEYS}\n"));
     }
 
-    /// Shows a remark about the task that is shown in detail.
-    fn show_remark_of_task(&self, desk: &mut impl Desk, remark: impl Fn(&Report, &str) -> String) {
+    /// Opens the file that `of` finds for the task that is shown in detail: its picture or its
+    /// chapter, named `what`. Below the report stands its path.
+    fn open(
+        &self,
+        desk: &mut impl Desk,
+        what: &str,
+        of: impl Fn(&Report, &str) -> Option<PathBuf>,
+    ) {
         let Some(Ok((report, _))) = &self.last else {
             return self.show(desk, "");
         };
         let task = screen::first_to_mend(report, false).or(report.tasks.last());
-        let remark = task.map_or_else(String::new, |task| remark(report, &task.result.key));
-        self.show(desk, &remark);
+        let remark = task.map(|task| {
+            let key = &task.result.key;
+            match of(report, key) {
+                Some(file) => {
+                    let opened = if desk.open(&file) { ", opened" } else { "" };
+                    format!("The {what} of {key}: {}{opened}", file.display())
+                }
+                None => format!("There is no {what} of {key}."),
+            }
+        });
+        self.show(desk, &remark.unwrap_or_default());
     }
 }
 

@@ -13,6 +13,7 @@ struct Script {
     complete: BTreeSet<String>,
     graded: Vec<String>,
     shown: Vec<String>,
+    opened: Vec<PathBuf>,
     fails: bool,
 }
 
@@ -58,6 +59,15 @@ impl Desk for Script {
                 && but.iter().all(|other| other.key != task.key)
         });
         Ok(open.next().map(|task| task.key.clone()))
+    }
+
+    fn needs_enter(&self) -> bool {
+        true
+    }
+
+    fn open(&mut self, file: &Path) -> bool {
+        self.opened.push(file.into());
+        true
     }
 
     fn show(&mut self, text: &str) {
@@ -145,10 +155,11 @@ fn keys_that_only_show_grade_nothing() {
         last(1)
     );
     assert!(
-        last(2).contains("The chapter about part1.task1: stages/book/src/part1/task1.md"),
+        last(2).contains("The chapter of part1.task1: stages/book/src/part1/task1.md, opened"),
         "{}",
         last(2)
     );
+    assert_eq!(script.opened, [Path::new("stages/book/src/part1/task1.md")]);
     assert!(last(3).contains("This is the last level."), "{}", last(3));
     assert!(!last(4).contains("This is the last level."), "{}", last(4));
 }

@@ -21,7 +21,6 @@ const LARGEST_CIRCLE: usize = 3;
 const REMAINING: &[(&str, usize)] = &[
     ("grader/class/src/reading", 6),
     ("grader/cost/src", 14),
-    ("grader/src/cli", 5),
     ("grader/worker/src/picture", 12),
     ("scenes/src/collada", 4),
     ("stages/book/code/figures", 13),

@@ -12,7 +12,8 @@ const Z95: f64 = 1.96;
 // END SOLUTION(part5.task1)
 
 /// Whether the relative error of the mean of `samples` (the luminances of a pixel's samples) is at
-/// most `tolerance`, with a confidence of 95 %: `1.96 · σ/√n <= tolerance · μ`. Equality counts.
+/// most `tolerance`, with a confidence of 95 %: whether half of the confidence interval, 1.96
+/// standard errors, is at most this fraction of the mean. Equality counts.
 ///
 /// Chapter: stages/book/src/part5/task1.md
 ///

@@ -11,9 +11,8 @@ use kit::{Aabb, Interval, Ray};
 ///
 /// Chapter: stages/book/src/part2/task2.md
 ///
-/// A box is the intersection of three slabs. A slab is the space between two parallel planes, which
-/// the ray crosses at `t = (plane - o) / d` on one axis. The ray is inside the box from the last of
-/// the three entries to the first of the three exits. Special cases:
+/// A box is the intersection of three slabs, each the space between two parallel planes. How the
+/// interval follows from them is open. Special cases:
 ///
 /// - Faces, edges and corners belong to the box, and both ends of the ray's range count. A flat box
 ///   and a box of a single point can be hit.

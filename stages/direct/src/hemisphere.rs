@@ -19,8 +19,8 @@ pub fn zero_bounce_radiance(surface: &Surface, wo: Vec3) -> Spectrum {
     // END SOLUTION(part3.task2)
 }
 
-/// Estimates direct light by uniform hemisphere sampling: the mean of `f · Li · |cos θi| · 2π` over
-/// `samples` directions, uniform over the hemisphere on the side of `wo`.
+/// Estimates direct light by uniform hemisphere sampling: the mean over `samples` directions, uniform
+/// over the hemisphere on the side of `wo`, without a bias.
 ///
 /// Chapter: stages/book/src/part3/task2.md
 ///

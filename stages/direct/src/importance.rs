@@ -3,7 +3,7 @@
 use kit::{LitScene, PixelSampler, Ray, Scattering, Spectrum, Surface, Vec3};
 
 /// Estimates direct light by sampling every light: the sum over [`LitScene::emitters`] of the mean
-/// of `f · L · |cos θi| / pdf`.
+/// of the light's samples, without a bias.
 ///
 /// Chapter: stages/book/src/part3/task3.md
 ///

@@ -32,8 +32,8 @@ pub fn lambert_f(reflectance: Spectrum, wo: Vec3, wi: Vec3) -> Spectrum {
     // END SOLUTION(part3.task1)
 }
 
-/// The density with which [`lambert_sample`] samples `wi`, in 1/sr: `|cos θi|/π` on the side of
-/// `wo`, otherwise 0.
+/// The density with which [`lambert_sample`] samples `wi`, in 1/sr: in proportion to the cosine of
+/// the angle to the normal on the side of `wo`, otherwise 0.
 ///
 /// Chapter: stages/book/src/part3/task1.md
 ///
@@ -54,9 +54,8 @@ pub fn lambert_pdf(wo: Vec3, wi: Vec3) -> f64 {
 ///
 /// Chapter: stages/book/src/part3/task1.md
 ///
-/// `u` is uniform in [0, 1)². Malley's method: a uniform point on the unit disk, projected up to
-/// the hemisphere. Then `f · cos θ / pdf` is `ρ` for every direction, so all samples have the same
-/// weight. `None` if `wo` is in the plane of the surface, where no light leaves.
+/// `u` is uniform in [0, 1)². With this density `f · cos θ / pdf` is `ρ` for every direction, so all
+/// samples have the same weight. How `u` becomes a direction is open. `None` if `wo` is in the plane of the surface, where no light leaves.
 ///
 /// See it: `cargo grader picture part3.task1`.
 pub fn lambert_sample(reflectance: Spectrum, wo: Vec3, u: Vec2) -> Option<BsdfSample> {

@@ -7,14 +7,9 @@
 ///
 /// `cos_i` is the cosine of the angle between the direction of the light and the normal. `eta` is
 /// the index of refraction of the side that the light comes from, divided by that of the other
-/// side. The angle of the refracted light follows from Snell's law, `sin θt = eta · sin θi`.
-/// Fresnel's equations for the two polarisations are:
-///
-/// ```text
-/// r∥ = (cos θi - eta · cos θt) / (cos θi + eta · cos θt)
-/// r⊥ = (eta · cos θi - cos θt) / (eta · cos θi + cos θt)
-/// F  = (r∥² + r⊥²) / 2
-/// ```
+/// side. The angle of the refracted light follows from Snell's law, `sin θt = eta · sin θi`. Of
+/// unpolarised light each polarisation has half of the power; Fresnel's equations are exact here, an
+/// approximation such as Schlick's is not enough.
 ///
 /// If `eta · sin θi >= 1`, nothing is refracted: total internal reflection, F = 1. At grazing
 /// incidence (`cos_i = 0`) F = 1. With `eta = 1` there is no boundary and F = 0, except at grazing

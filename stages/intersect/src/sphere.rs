@@ -13,17 +13,15 @@ use kit::{Hit, PrimId, Ray, Sphere};
 ///
 /// Chapter: stages/book/src/part1/task4.md
 ///
-/// With `f = o - center` the intersections are the roots of `a·t² - 2·b·t + c = 0`, where
-/// `a = d·d`, `b = -f·d` and `c = f·f - r²`, with `r = s.radius`. The textbook formula,
-/// `(b ± sqrt(b² - a·c)) / a`, loses digits by cancellation in two places: in `b² - a·c` if the
-/// sphere is small and far away or the ray is nearly tangent, and in `b - sqrt(..)` if the origin
-/// is near the surface.
+/// The textbook's formula for the roots of a quadratic loses digits by cancellation in two places:
+/// in the discriminant if the sphere is small and far away or the ray is nearly tangent, and in the
+/// numerator if the origin is near the surface.
 ///
 /// - If the near root is out of range, the far root counts: the ray starts inside, or `min_t` is
 ///   beyond the near root.
 /// - A tangent ray hits the sphere once. A ray that starts on the surface hits it at `t = 0`.
-/// - `r = 0` is a point, which is hit by a ray that passes exactly through it. `r < 0`, `r` NaN and
-///   `d = 0` are misses.
+/// - A radius of 0 is a point, which is hit by a ray that passes exactly through it. A negative
+///   radius, a radius of NaN and `d = 0` are misses.
 ///
 /// See it: `cargo grader picture part1.task4`.
 #[inline]
@@ -41,8 +39,8 @@ pub fn test_sphere(s: &Sphere, ray: &Ray) -> Option<f64> {
 /// Chapter: stages/book/src/part1/task4.md
 ///
 /// `n` and `ng` are the unit vector from the centre to the hit point: outward, also if the ray
-/// starts inside. `p` is the centre plus `r` times that vector, which projects `o + t·d` back onto
-/// the surface. `uv` is (0, 0). For `r = 0` the normal is `-d`, normalised.
+/// starts inside. `p` is on the surface: `o + t·d` is projected back onto it. `uv` is (0, 0). For a
+/// radius of 0 the normal is `-d`, normalised.
 ///
 /// See it: `cargo grader picture part1.task4`.
 pub fn intersect_sphere(s: &Sphere, id: PrimId, ray: &mut Ray) -> Option<Hit> {

@@ -67,11 +67,11 @@ pub fn test_triangle(tri: &Triangle, ray: &Ray) -> Option<TriangleHit> {
 ///
 /// Chapter: stages/book/src/part1/task3.md
 ///
-/// - `p` is `p0 + b1·(p1 - p0) + b2·(p2 - p0)`. This point is on the triangle even if the origin is
-///   far away. The rounding error of `o + t·d` grows with `t`.
-/// - `ng` is the unit vector along `(p1 - p0) x (p2 - p0)`.
-/// - `n` is `b0·n0 + b1·n1 + b2·n2`, normalised. If the three cancel, or one is not finite, it is
-///   `ng`. Neither normal is flipped towards the ray.
+/// - `p` is on the triangle even if the origin is far away. The rounding error of `o + t·d` grows
+///   with `t`.
+/// - `ng` is the unit normal of the triangle's plane, on the side of `(p1 - p0) x (p2 - p0)`.
+/// - `n` is the unit vector interpolated between the vertex normals. If the three cancel, or one is
+///   not finite, it is `ng`. Neither normal is flipped towards the ray.
 /// - `uv` is `(b1, b2)`.
 ///
 /// See it: `cargo grader picture part1.task3`.

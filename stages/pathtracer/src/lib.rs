@@ -3,7 +3,8 @@
 //! Reading order: [`world`] (the scene as a ray tests it, and the counters), [`accel`] (brute force
 //! or a tree), [`normals`] and [`lit`] (from pixel to radiance), `integrator` and `packet` (scalar
 //! paths, and paths in packets of eight), `materials` (scattering), [`textures`], [`lens`] and
-//! [`environment_file`] (what flags add to a scene), [`rendered`] (a job and its result),
+//! [`environment_file`] (what flags add to a scene), [`trial`] (whether the stages for a picture are
+//! written), [`rendered`] (a job and its result),
 //! [`layers`] (albedo, normal, depth), [`progressive`] (rendering that can be stopped and resumed)
 //! and [`passes`] (how many samples each pass takes), [`tone`], [`rate_picture`](mod@rate_picture), [`output`] and [`part_file`] (picture
 //! files), [`exact_sum`], [`sums_file`] and [`merge`](mod@merge) (parts of a picture), [`mitsuba`]
@@ -36,6 +37,7 @@ pub mod textures;
 mod tiles;
 pub mod tone;
 pub mod tracer;
+pub mod trial;
 pub mod world;
 
 pub use accel::{Accel, AccelKind};

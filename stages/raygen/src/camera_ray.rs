@@ -13,9 +13,9 @@ use kit::{Camera, Ray, Vec2};
 ///
 /// In camera space the camera is at the origin, looks along -z and has +y up. The sensor is a
 /// rectangle in the plane z = -1 with the corners (-tan(hFov/2), -tan(vFov/2), -1) and
-/// (tan(hFov/2), tan(vFov/2), -1); the angles are in degrees. `d` is the direction from the origin
-/// to the point, transformed to world space by `c2w` and normalised. `o` is the position of the
-/// camera. `n_clip` and `f_clip` are the range, measured along the unit ray.
+/// (tan(hFov/2), tan(vFov/2), -1); the angles are in degrees. The ray starts at the camera and goes
+/// through the point of the film. It is in world space, and `d` is a unit vector. `n_clip` and
+/// `f_clip` are the range, measured along the unit ray.
 ///
 /// The two angles are independent: each axis has its own tangent. The centre of the film is exactly
 /// on the -z axis. A field of view of 180 degrees, or slightly less, still gives a finite ray: half

@@ -7,16 +7,15 @@ use kit::{FilmSize, PixelEstimate, PixelSampler, Ray, Spectrum, Vec2};
 ///
 /// Chapter: stages/book/src/part1/task1.md
 ///
-/// The estimate is the mean of `ns_aa` samples. A sample is a position on the film,
-/// `(x + s.x, y + s.y)` in pixels. `camera_ray` expects it in film units, where (0, 0) is the
-/// bottom left corner of the film and (1, 1) the top right one: x is divided by `film.w` and y by
-/// `film.h`. `trace_ray` returns the radiance along the ray, and draws its random numbers from the
-/// same sampler.
+/// The estimate is the mean of `ns_aa` samples. `camera_ray` generates the ray through a position on
+/// the film in film units, where (0, 0) is the bottom left corner of the film and (1, 1) the top
+/// right one, whatever its size in pixels. `trace_ray` returns the radiance along the ray, and draws
+/// its random numbers from the same sampler.
 ///
-/// - `ns_aa == 1`: one ray through the centre of the pixel, `(x + 1/2, y + 1/2)`. Nothing is
-///   random: no position is drawn from the sampler.
-/// - `ns_aa > 1`: the position of each sample is one [`PixelSampler::get_sample`], uniform in
-///   [0, 1)².
+/// - `ns_aa == 1`: one ray through the centre of the pixel. Nothing is random: no position is drawn
+///   from the sampler.
+/// - `ns_aa > 1`: each sample has its own position in the pixel, one
+///   [`PixelSampler::get_sample`], uniform in [0, 1)².
 /// - `ns_aa == 0`: no rays. The estimate is black with 0 samples, not 0/0.
 ///
 /// A pixel outside the film is valid: the camera generates rays beyond the film as well.

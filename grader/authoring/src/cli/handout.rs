@@ -1,9 +1,9 @@
 //! The command `grader handout --part N --out DIR`: creates the project for students.
 
-use authoring::handout::{Handout, output_folder};
+use authoring::handout::{Handout, output_folder, vendored};
 use base::program::{Exit, path_argument};
 use base::{GraderError, Workspace, outln};
-use clap::{Arg, ArgMatches, Command};
+use clap::{Arg, ArgAction, ArgMatches, Command};
 use std::path::{Path, PathBuf};
 
 pub(crate) fn command() -> Command {
@@ -23,6 +23,12 @@ pub(crate) fn command() -> Command {
                 .required(true)
                 .help("A new folder outside the course"),
         )
+        .arg(
+            Arg::new("vendor")
+                .long("vendor")
+                .action(ArgAction::SetTrue)
+                .help("Put the sources of all libraries into the handout, so that it builds without a network"),
+        )
 }
 
 fn part_number(value: &str) -> Result<u32, String> {
@@ -35,13 +41,23 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     let out: &PathBuf = matches.get_one("out").expect("clap requires it");
     let workspace = Workspace::above(Path::new("."))?;
     output_folder::check(&workspace, out)?;
-    let handout = Handout::carve(&workspace, part)?;
-    handout.write(out)?;
+    let vendor = matches.get_flag("vendor");
+    let mut handout = Handout::carve(&workspace, part)?;
+    if vendor {
+        handout.use_vendored_libraries(&workspace)?;
+    }
+    handout.write(out, vendor)?;
     outln!(
         "{}: {} files written, {} solutions removed. Students start with README.md",
         out.display(),
         handout.files.len(),
         handout.removed.len()
     );
+    if vendor {
+        let size = vendored::megabytes(out);
+        outln!(
+            "vendor/ has the sources of every library, {size} MB: the handout builds without a network"
+        );
+    }
     Ok(Exit::Passed)
 }

@@ -101,10 +101,12 @@ impl<'a> FileSelection<'a> {
             && (!is_grader_crate(owner) || is_manifest || inside.starts_with("src"))
     }
 
-    /// Whether students write the file `path`, of one of the `stages`.
+    /// Whether students write the file `path`, of one of the `stages`: its sources and its tests.
     pub(super) fn is_written(&self, path: &Path, stages: &[&str]) -> bool {
         self.owner(path).is_some_and(|owner| {
-            stages.contains(&owner.name.as_str()) && path.starts_with(owner.folder.join("src"))
+            let folders = ["src", "tests"].map(|name| owner.folder.join(name));
+            let is_inside = folders.iter().any(|folder| path.starts_with(folder));
+            stages.contains(&owner.name.as_str()) && is_inside
         })
     }
 

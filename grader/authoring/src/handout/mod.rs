@@ -6,10 +6,12 @@
 //! README.
 
 pub mod carve;
+mod editor_files;
 mod file_selection;
 pub mod output_folder;
 pub mod readme;
 mod unit_tests;
+pub mod vendored;
 
 use base::{GraderError, Workspace, folder_of};
 use carve::Carver;
@@ -27,6 +29,9 @@ use submission::packages::{lock, manifest};
 
 /// The crate whose sources contain the text of markers, but no solution.
 const MENTIONS_MARKERS: &str = "submission";
+
+/// The test of each stage that a handout contains although it fails until the stage is written.
+const WORKED_EXAMPLE: &str = "worked_example.rs";
 
 /// A handout: the files of the course without the solutions of some parts.
 #[derive(Clone, Debug)]
@@ -84,6 +89,7 @@ impl Handout {
         handout.remove_tests(&selection)?;
         handout.test_only_stages(&course, part)?;
         handout.pack_goldens();
+        editor_files::add(&mut handout.files);
         let readme = readme::write(&course, part, &handout.files)?;
         handout
             .files
@@ -93,12 +99,26 @@ impl Handout {
         Ok(handout)
     }
 
-    /// Writes the handout to the new folder `out`. On an error the folder does not exist.
-    pub fn write(&self, out: &Path) -> Result<(), GraderError> {
+    /// Makes cargo take all libraries from the folder that [`Handout::write`] can add.
+    pub fn use_vendored_libraries(&mut self, workspace: &Workspace) -> Result<(), GraderError> {
+        let settings = self.files.entry(".cargo/config.toml".into()).or_default();
+        settings.extend_from_slice(vendored::SETTINGS.as_bytes());
+        let members = members::read(workspace.root())?;
+        self.files.remove(Path::new(given::LIST));
+        self.list_given(&FileSelection::new(&members), &Course::read(workspace)?);
+        Ok(())
+    }
+
+    /// Writes the handout to the new folder `out`, with the sources of all libraries if `vendor` is
+    /// set. On an error the folder does not exist.
+    pub fn write(&self, out: &Path, vendor: bool) -> Result<(), GraderError> {
         let temp = base::interrupt::temp_folder_in(folder_of(out)?)?;
         let complete = temp.path().join("handout");
         for (path, contents) in &self.files {
             file_tree::write(&complete.join(path), contents)?;
+        }
+        if vendor {
+            vendored::add(&complete)?;
         }
         // Not all systems can rename a folder to the name of an empty one.
         let _ = std::fs::remove_dir(out);
@@ -168,8 +188,8 @@ impl Handout {
         Ok(())
     }
 
-    /// Removes the tests and benches that run removed solutions, because they would fail. Also
-    /// removes them from the manifests.
+    /// Removes the tests and benches that run removed solutions, because they would fail, but for the
+    /// worked examples. Also removes them from the manifests.
     fn remove_tests(&mut self, selection: &FileSelection) -> Result<(), GraderError> {
         let owners = self
             .removed
@@ -181,8 +201,10 @@ impl Handout {
                 .owner(path)
                 .is_some_and(|owner| selection.tests_carved_code(owner, &carved))
         };
-        self.files
-            .retain(|path, _| !(selection.is_test(path) && tests_holes(path)));
+        self.files.retain(|path, _| {
+            let is_example = path.file_name().is_some_and(|name| name == WORKED_EXAMPLE);
+            !(selection.is_test(path) && tests_holes(path)) || is_example
+        });
         for (path, contents) in &mut self.files {
             if path.file_name().is_none_or(|name| name != "Cargo.toml") {
                 continue;

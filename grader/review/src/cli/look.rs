@@ -1,28 +1,16 @@
 //! The command `grader look`: writes a page for students and opens it.
 
 use base::program::Exit;
-use base::{GraderError, Workspace, outln, write_whole};
-use clap::{Arg, ArgAction, ArgMatches, Command};
+use base::{GraderError, Workspace, browser, outln, write_whole};
+use clap::ArgMatches;
 use grader::build::BuildRoot;
-use grader::cli::picture::{task_argument, task_of};
+use grader::cli::picture::task_of;
 use grader::course::Course;
 use grader::grade;
 use grader::grade::picture::file_stem;
 use judge::cases;
-use review::look::{Look, browser, page};
+use review::look::{Look, page};
 use std::path::Path;
-
-pub(crate) fn command() -> Command {
-    Command::new("look")
-        .about("Shows what is wrong in a task: writes a page with pictures and rays, and opens it in the browser")
-        .arg(task_argument())
-        .arg(
-            Arg::new("no-open")
-                .long("no-open")
-                .action(ArgAction::SetTrue)
-                .help("Write the page without opening it"),
-        )
-}
 
 pub(crate) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     let workspace = Workspace::above(Path::new("."))?;

@@ -1,9 +1,8 @@
 //! `grader look`: a page for students, with what is wrong in one task, and where.
 //!
 //! [`Look::of`] runs the cases of the task and compares its pictures, [`page`] formats them,
-//! `figure` draws the worst ray of a case, `lit_point` those of an estimate of light, [`browser`] opens the page.
+//! `figure` draws the worst ray of a case, `lit_point` those of an estimate of light.
 
-pub mod browser;
 mod figure;
 mod lit_point;
 pub mod page;

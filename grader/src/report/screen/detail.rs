@@ -99,7 +99,11 @@ fn does_not_compile(out: &mut Lines, task: &TaskResult, context: &Context) {
     let what = format!("{}: stages/{} does not compile", task.key, task.stage);
     let Some(messages) = &context.compiler else {
         let text = format!("{what}: the compiler's messages are above.");
-        return out.add(0, 2, &text);
+        out.add(0, 2, &text);
+        if let Some(first) = &context.first_error {
+            out.add(0, SENTENCES, &format!("  The first: {first}"));
+        }
+        return;
     };
     out.add(0, 2, &format!("{what}."));
     let (first, count) = compile_errors::first(messages);

@@ -281,6 +281,18 @@ fn full_marks_are_a_success() {
     for word in ["by_a_hair", "no known mistake", "fails"] {
         assert!(!text.contains(word), "{text}");
     }
+    // The simplest call that extra credit asks for is there to think about.
+    let mut inviting = full.clone();
+    inviting.simplest = Some(crate::diagnosis::simplest::SimplestCall {
+        case: "by_a_hair".into(),
+        aspect: Some(Aspect::HitOrMiss),
+        input: "a triangle".into(),
+        result: "your result: miss; expected: hit at t = 1.0".into(),
+        test: None,
+    });
+    let invited = screen(vec![inviting], &context, reveal(HintLevel::Remedy));
+    let invitation = "--extra`\n  it asks for by_a_hair: a triangle\n    your result: miss; expected: hit at t = 1\n";
+    assert!(invited.contains(invitation), "{invited}");
     let extra = Reveal {
         hint: HintLevel::Remedy,
         extra: true,
@@ -358,6 +370,14 @@ fn a_crash_says_how_and_a_stage_that_does_not_compile_shows_the_first_error() {
         "{printed}"
     );
     assert!(!printed.contains("--long"), "{printed}");
+    // Of messages longer than a page the first is repeated below them.
+    let long = Context {
+        first_error: Some("a.rs:1:5: error: expected `;`".into()),
+        ..self::context("part1.task3")
+    };
+    let printed = screen(vec![broken.clone()], &long, reveal(HintLevel::Findings));
+    let repeated = "\n    above.\n  The first: a.rs:1:5: error: expected `;`\n";
+    assert!(printed.contains(repeated), "{printed}");
     let text = screen(vec![broken], &context, reveal(HintLevel::Findings));
     assert!(text.contains("stages/intersect does not compile"), "{text}");
     assert!(

@@ -118,7 +118,7 @@ pub struct Args {
     pub focus: Option<f64>,
 
     /// What the picture shows
-    #[arg(long, value_enum, default_value_t = DEFAULT_SHADE)]
+    #[arg(long, value_enum, default_value_t = Shade::Auto)]
     pub shade: Shade,
 
     /// Render passes of -s samples (16 if that is 1) for this many seconds
@@ -168,19 +168,13 @@ pub struct Args {
 /// What the picture shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Shade {
-    /// Light if the scene has any, else normals
+    /// Light if the scene has any and your stages can compute it, else normals
     Auto,
     /// Surface normals as colours
     Normals,
     /// Light
     Lit,
 }
-
-// A project whose part 2 is done renders light by default.
-// BEGIN SOLUTION(part2.task3)
-const DEFAULT_SHADE: Shade = Shade::Auto;
-// STUB: const DEFAULT_SHADE: Shade = Shade::Normals;
-// END SOLUTION(part2.task3)
 
 // All choices find the same hits. The wide tree is the last task of the course.
 // BEGIN SOLUTION(part6.task1)

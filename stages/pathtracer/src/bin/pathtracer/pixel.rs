@@ -7,7 +7,7 @@ use kit::film::Cell;
 use pathtracer::args::Args;
 use pathtracer::replay::text;
 use pathtracer::{
-    Accel, AccelKind, Job, LightSettings, Picture, PreparedScene, ProgressiveRender, replay_pixel,
+    Accel, AccelKind, Job, LightSettings, PreparedScene, ProgressiveRender, replay_pixel,
 };
 use std::process::ExitCode;
 use std::sync::atomic::AtomicBool;
@@ -20,7 +20,7 @@ pub(crate) fn run(args: &Args, light: &LightSettings) -> Result<ExitCode, Failur
         return Ok(ExitCode::SUCCESS);
     };
     let environment = view::load_environment(args)?;
-    let picture = Picture::new(args.shade, scene, environment);
+    let picture = view::picture(args, light, scene, environment);
     let textures = view::load_textures(&args.scene, picture.scene());
     let prepared = PreparedScene::new(picture, textures, args.accel.into());
     let job = Job {

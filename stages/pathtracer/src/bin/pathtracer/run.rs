@@ -65,7 +65,7 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
         args.check_sums()?;
     }
     let environment = view::load_environment(args)?;
-    let picture = Picture::new(args.shade, scene, environment);
+    let picture = view::picture(args, &light, scene, environment);
     match &picture {
         Picture::Normals(_) => note_unused_by_normals(args),
         Picture::Lit(lit) => {
@@ -224,7 +224,7 @@ fn forced_effects(
 fn note_unused_by_normals(args: &Args) {
     let why = match args.shade {
         Shade::Normals => "normals are shown",
-        Shade::Auto | Shade::Lit => "the scene has no light, so normals are shown",
+        Shade::Auto | Shade::Lit => "normals are shown, not light",
     };
     note_unused(&args.unused_by_normals(), why);
 }

@@ -2,9 +2,10 @@
 
 use crate::failure::Failure;
 use base::errln;
-use kit::{Camera, Environment, FilmSize, Scene};
-use pathtracer::Textures;
-use pathtracer::args::Args;
+use kit::{Camera, Environment, FilmSize, LitScene, Scene};
+use pathtracer::args::{Args, Shade};
+use pathtracer::trial::light_waits_for;
+use pathtracer::{LightSettings, Picture, Textures};
 use scenes::placement;
 use std::io::{IsTerminal, stderr};
 use std::path::Path;
@@ -38,6 +39,32 @@ pub(crate) fn load_environment(args: &Args) -> Result<Option<Environment>, Failu
     Ok(path
         .map(|path| pathtracer::load_environment(path))
         .transpose()?)
+}
+
+/// The picture of the scene by the flag `--shade`. Its default shows light as soon as the stages
+/// compute it; before that it shows normals, and a note names the task that light waits for.
+pub(crate) fn picture(
+    args: &Args,
+    light: &LightSettings,
+    scene: Scene,
+    environment: Option<Environment>,
+) -> Picture {
+    let waits_for = match args.shade {
+        Shade::Auto => light_waits_for(args.accel.into(), light),
+        Shade::Normals | Shade::Lit => None,
+    };
+    let Some(hole) = waits_for else {
+        return Picture::new(args.shade, scene, environment);
+    };
+    if LitScene::new(scene.clone(), environment.clone()).has_light() {
+        errln!(
+            "note: normals are shown: light waits for {} (`{}`), which is not written yet. From then on pictures \
+             show light, unless `--shade normals` is given",
+            hole.task,
+            hole.function
+        );
+    }
+    Picture::new(Shade::Normals, scene, environment)
 }
 
 /// The camera and the size of the picture ([`Args::view`]). Prints a note if the scene's camera is

@@ -1,10 +1,10 @@
-//! Opens a page in the browser.
+//! Opens pages and pictures outside the terminal.
 
 use std::path::Path;
 use std::process::{Command, Stdio};
 
-/// Opens the file in the user's browser. Returns whether there is one: a machine without a screen
-/// has none.
+/// Opens the file in the user's browser, or in the program for files of its kind. Returns whether
+/// there is one: a machine without a screen has none.
 pub fn open(page: &Path) -> bool {
     let Some(mut command) = command(page) else {
         return false;
@@ -14,6 +14,16 @@ pub fn open(page: &Path) -> bool {
         .stdout(Stdio::null())
         .stderr(Stdio::null());
     quiet.spawn().is_ok()
+}
+
+/// Whether files can be opened: on a machine with a screen, and on Linux only with `xdg-open`.
+pub fn is_there() -> bool {
+    let Some(command) = command(Path::new("")) else {
+        return false;
+    };
+    let program = command.get_program();
+    let folders = std::env::var_os("PATH").unwrap_or_default();
+    cfg!(windows) || std::env::split_paths(&folders).any(|folder| folder.join(program).is_file())
 }
 
 fn command(page: &Path) -> Option<Command> {

@@ -1,0 +1,252 @@
+//! What an editor shows of a graded task: one warning, with what helps most.
+
+use crate::diagnosis::simplest::SimplestCall;
+use crate::report::{HintLevel, TaskReport, message};
+use crate::score::functions::FunctionStatus;
+use crate::score::{CaseResult, Status, TaskResult, order};
+use judge::cases::checked;
+use judge::plural;
+use judge::tally::Finding as Counted;
+use serde::{Deserialize, Serialize};
+
+/// What is wrong in a task. It is stored until a file that it depends on changes.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Finding {
+    /// The function to show it at, if the answers name one of those to write.
+    pub function: Option<String>,
+    /// Which cases fail.
+    cases: String,
+    /// What each of the first cases tests.
+    about: Vec<String>,
+    /// What is wrong, or how the code crashed.
+    wrong: String,
+    /// The simplest call that shows it, with the result and the expected one.
+    simplest: Option<String>,
+    /// What else is known: what the wrong answers have in common, other wrong functions.
+    others: Vec<String>,
+    /// The likely mistake.
+    mistake: Option<String>,
+    /// Where to look.
+    remedy: Option<String>,
+    /// Where the code panicked: file and line.
+    panicked_at: Option<(String, usize)>,
+}
+
+/// The most failed cases that a message names.
+const NAMED: usize = 4;
+
+impl Finding {
+    /// What is wrong in the core cases of a task; `None` if none of them fails by itself. With
+    /// `extra`, what is wrong in those of extra credit if no core case fails.
+    pub fn of(report: &TaskReport, functions: &[String], extra: bool) -> Option<Finding> {
+        let task = &report.result;
+        let mut failed = order::failed_cases_that_count(task);
+        failed.retain(|case| extra || case.tier == judge::Tier::Core);
+        let first = *failed.first()?;
+        let crash = match &first.status {
+            Status::Crashed(how) => Some(how.as_str()),
+            _ => None,
+        };
+        let shown = report.simplest.as_ref();
+        let wrong = match (crash, shown) {
+            (Some(how), _) => format!("{} {how}", first.name),
+            (None, Some(call)) => counted(task, call).unwrap_or_else(|| worst(first)),
+            (None, None) => worst(first),
+        };
+        let result = shown.map(message::found);
+        let names = result
+            .as_deref()
+            .or(first.worst().map(|(_, worst)| worst.message.as_str()));
+        let function = function_of(names.unwrap_or_default(), functions)
+            .or_else(|| wrong_functions(task).first().map(|(name, _)| name.clone()));
+        let diagnosis = report.diagnosis.as_ref();
+        Some(Finding {
+            cases: listed(&failed),
+            about: failed
+                .iter()
+                .take(NAMED)
+                .map(|case| format!("{} tests: {}", case.name, checked(&case.about)))
+                .collect(),
+            wrong,
+            simplest: shown.map(|call| {
+                let (input, found) = (message::input(call), message::found(call));
+                format!("simplest case: {input}: {found}")
+            }),
+            others: others(report, function.as_deref()),
+            mistake: diagnosis.map(|found| {
+                let label = found.certainty.label().to_lowercase();
+                format!("{label}: {}", found.says)
+            }),
+            remedy: diagnosis.map(|found| found.hint.clone()),
+            panicked_at: crash.and_then(panic_location),
+            function,
+        })
+    }
+
+    /// The message in a line, as far as `hint` reveals it.
+    pub fn title(&self, hint: HintLevel) -> String {
+        match hint {
+            HintLevel::Cases => self.cases.clone(),
+            _ => self.wrong.clone(),
+        }
+    }
+
+    /// Notes about it, as far as `hint` reveals them.
+    pub fn notes(&self, hint: HintLevel) -> Vec<String> {
+        if hint == HintLevel::Cases {
+            return self.about.clone();
+        }
+        let simplest = self.simplest.iter().cloned();
+        let others = self.others.iter().cloned();
+        simplest.chain(others).chain([self.cases.clone()]).collect()
+    }
+
+    /// Advice, as far as `hint` reveals it.
+    pub fn advice(&self, hint: HintLevel) -> Vec<String> {
+        let mistake = self.mistake.iter().filter(|_| hint >= HintLevel::Mistake);
+        let remedy = self.remedy.iter().filter(|_| hint >= HintLevel::Remedy);
+        mistake.chain(remedy).cloned().collect()
+    }
+
+    /// Where the code panicked: file and line.
+    pub fn panicked_at(&self) -> Option<(&str, usize)> {
+        let (file, line) = self.panicked_at.as_ref()?;
+        Some((file, *line))
+    }
+
+    /// The words that say what is meant, for the search for its line; only if `hint` may say where
+    /// to look.
+    pub fn clue(&self, hint: HintLevel) -> Option<String> {
+        let remedy = self.remedy.as_ref().filter(|_| hint >= HintLevel::Remedy)?;
+        Some(format!(
+            "{} {remedy}",
+            self.mistake.as_deref().unwrap_or_default()
+        ))
+    }
+}
+
+/// How many calls of the simplest call's case are wrong in its aspect.
+fn counted(task: &TaskResult, call: &SimplestCall) -> Option<String> {
+    let case = task.cases.iter().find(|case| case.name == call.case)?;
+    let mut findings = case.findings.iter();
+    let found = findings.find(|finding| Some(finding.aspect) == call.aspect)?;
+    Some(wrong_calls(case, found))
+}
+
+fn wrong_calls(case: &CaseResult, found: &Counted) -> String {
+    let (label, wrong, judged) = (found.aspect.label(), found.wrong, found.judged);
+    format!(
+        "{label} wrong on {wrong} of {judged} calls of {}",
+        case.name
+    )
+}
+
+/// The first wrong aspect of a case with its worst answer, or what else costs its points.
+fn worst(case: &CaseResult) -> String {
+    match case.findings.iter().find(|finding| finding.wrong > 0) {
+        Some(found) => {
+            let wrong = wrong_calls(case, found);
+            match &found.worst {
+                Some(worst) => {
+                    let (result, _) = message::parts(&worst.message);
+                    format!("{wrong}: {}", message::with_telling_digits(result))
+                }
+                None => wrong,
+            }
+        }
+        None => match case.reductions.first() {
+            Some(why) => format!("{}: {why}", case.name),
+            None => format!("{} fails", case.name),
+        },
+    }
+}
+
+fn listed(failed: &[&CaseResult]) -> String {
+    let names: Vec<&str> = failed
+        .iter()
+        .take(NAMED)
+        .map(|case| case.name.as_str())
+        .collect();
+    let more = match failed.len().saturating_sub(NAMED) {
+        0 => String::new(),
+        more => format!(" and {more} more"),
+    };
+    let fail = plural(failed.len(), "case fails", "cases fail");
+    format!("{fail}: {}{more}", names.join(", "))
+}
+
+/// The function that a message about an answer begins with.
+fn function_of(message: &str, functions: &[String]) -> Option<String> {
+    let mut functions = functions.iter();
+    let of = |name: &&String| {
+        let rest = message.strip_prefix(name.as_str());
+        rest.is_some_and(|rest| !rest.starts_with(|c: char| c == '_' || c.is_alphanumeric()))
+    };
+    functions.find(of).cloned()
+}
+
+/// The functions that are wrong, with the number of the cases in which they are.
+fn wrong_functions(task: &TaskResult) -> Vec<(String, String)> {
+    let wrong = task
+        .functions
+        .iter()
+        .filter_map(|function| match &function.status {
+            FunctionStatus::Wrong { of, wrong } if !function.name.is_empty() => {
+                Some((function.name.clone(), format!("{wrong} of {of} cases")))
+            }
+            _ => None,
+        });
+    wrong.collect()
+}
+
+/// What the wrong answers have in common, and the functions other than `shown` that are wrong.
+fn others(report: &TaskReport, shown: Option<&str>) -> Vec<String> {
+    let mut notes = Vec::new();
+    if !report.regularities.is_empty() {
+        notes.push(format!("in common: {}", report.regularities.join("; ")));
+    }
+    let wrong = wrong_functions(&report.result);
+    let wrong = wrong
+        .iter()
+        .filter(|(name, _)| Some(name.as_str()) != shown);
+    let wrong: Vec<String> = wrong
+        .map(|(name, cases)| format!("{name} (in {cases})"))
+        .collect();
+    if !wrong.is_empty() {
+        notes.push(format!("also wrong: {}", wrong.join(", ")));
+    }
+    notes
+}
+
+/// The file and the line in "panicked at FILE:LINE: message".
+fn panic_location(how: &str) -> Option<(String, usize)> {
+    let rest = how.strip_prefix("panicked at ")?;
+    let (file, rest) = rest.split_once(".rs:")?;
+    let digits = rest.split(|c: char| !c.is_ascii_digit()).next()?;
+    Some((format!("{file}.rs"), digits.parse().ok()?))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_panic_has_a_place() {
+        let how = "panicked at stages/bvh/src/traverse.rs:19: index out of bounds: a.rs:7";
+        let place = ("stages/bvh/src/traverse.rs".to_owned(), 19);
+        assert_eq!(panic_location(how), Some(place));
+        assert_eq!(panic_location("overflowed the stack"), None);
+    }
+
+    #[test]
+    fn a_message_names_its_function_whole() {
+        let functions = ["test".to_owned(), "test_triangle".to_owned()];
+        let of = |message: &str| function_of(message, &functions);
+        assert_eq!(
+            of("test_triangle: your result: miss").as_deref(),
+            Some("test_triangle")
+        );
+        assert_eq!(of("test: your result: miss").as_deref(), Some("test"));
+        assert_eq!(of("your result: miss"), None);
+    }
+}

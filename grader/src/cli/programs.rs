@@ -1,0 +1,91 @@
+//! The command lines of the programs beside the grader that students use.
+//!
+//! They are here and not in their programs, so that `--help` is printed, and a misspelt flag named,
+//! before anything is built.
+
+use super::picture::task_argument;
+use super::{Format, seed_argument};
+use base::program::{path_argument, whole_number};
+use clap::{Arg, ArgAction, Command};
+
+/// What `grader cost` can compare: ray/shape tests, trees, and pictures rendered by the workspace's
+/// program.
+pub const EXPERIMENTS: [&str; 5] = ["triangle", "sphere", "box", "bvh", "picture"];
+
+/// The names of the meshes of `grader speedup`, the default first.
+pub const MESHES: [&str; 4] = ["terrain", "smooth", "knot", "needles"];
+
+/// The command line of the program `name`, if students use it.
+pub(super) fn of(name: &str) -> Option<Command> {
+    match name {
+        "look" => Some(look()),
+        "cost" => Some(cost()),
+        "speedup" => Some(speedup()),
+        _ => None,
+    }
+}
+
+/// The command line of `grader look`.
+pub fn look() -> Command {
+    Command::new("look")
+        .about("Shows what is wrong in a task: writes a page with pictures and rays, and opens it in the browser")
+        .arg(task_argument())
+        .arg(
+            Arg::new("no-open")
+                .long("no-open")
+                .action(ArgAction::SetTrue)
+                .help("Write the page without opening it"),
+        )
+}
+
+/// The command line of `grader cost`.
+pub fn cost() -> Command {
+    Command::new("cost")
+        .about("Measures what accuracy costs in time: compares your kernels with well-known ones")
+        .arg(
+            Arg::new("what")
+                .num_args(..)
+                .value_parser(EXPERIMENTS)
+                .help("What to compare; everything by default"),
+        )
+        .arg(Format::argument())
+        .arg(
+            path_argument("html", "FILE")
+                .help("Also write a self-contained HTML page of plots"),
+        )
+        .arg(
+            path_argument("svg", "FILE")
+                .help("Also write one plot as an SVG file: accuracy against time of the first shape, or of `bvh` alone what exactness costs"),
+        )
+        .arg(
+            Arg::new("quick")
+                .long("quick")
+                .action(ArgAction::SetTrue)
+                .help("Use few rays: less precise, finishes in seconds"),
+        )
+        .arg(seed_argument())
+}
+
+/// The command line of `grader speedup`.
+pub fn speedup() -> Command {
+    Command::new("speedup")
+        .about("Measures what each step from brute force to a wide tree gains in speed: yours are among them")
+        .arg(
+            Arg::new("mesh")
+                .value_parser(MESHES)
+                .default_value(MESHES[0])
+                .help("The generated mesh"),
+        )
+        .arg(
+            Arg::new("largest")
+                .long("largest")
+                .value_name("TRIANGLES")
+                .value_parser(|value: &str| whole_number(value, 1000, 10_000_000_usize))
+                .default_value("1000000")
+                .help("The largest mesh; the others are powers of ten from 1000 on"),
+        )
+        .arg(Format::argument())
+        .arg(path_argument("html", "FILE").help("Also write a self-contained HTML page of plots"))
+        .arg(path_argument("svg", "FILE").help("Also write the plot of speed as an SVG file"))
+        .arg(seed_argument())
+}

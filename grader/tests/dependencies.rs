@@ -59,6 +59,7 @@ const MAY_DEPEND_ON: &[(&str, &[&str])] = &[
             "worker",
         ],
     ),
+    ("damage", &[]),
     ("wire", &[]),
     ("sandbox", &[]),
     ("harness", &["kit", "sandbox", "wire"]),

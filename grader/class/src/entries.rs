@@ -22,8 +22,9 @@ const NOT_UTF_8: &str = "has a name that is not UTF-8: rename it";
 /// The endings of archives, which are not part of a student's name.
 const ENDINGS: [&str; 4] = [".tar.gz", ".tgz", ".tar", ".zip"];
 
-/// The longest name of a student's page, in characters, without its ending.
-const PAGE_NAME: usize = 80;
+/// The longest part of a name in that of a student's page, in bytes: with a hash, an ending, and the
+/// ending of a file that is being written, it is still a name.
+const PAGE_NAME: usize = 160;
 
 /// Lists the submissions in `class`, sorted by name. Hidden entries are left out. A file that is no
 /// archive is listed, too: somebody handed it in, and reading it says what is wrong.
@@ -79,8 +80,9 @@ fn stem(file: &str) -> &str {
 /// no plain file name on every system is written with `_` and a part of its hash.
 pub fn page_names(names: &[&str]) -> Vec<String> {
     let plain = |name: &str| -> String {
-        let kept = name.chars().take(PAGE_NAME);
-        kept.map(|c| match c.is_alphanumeric() || "-_.".contains(c) {
+        let places = name.char_indices();
+        let kept = places.take_while(|(at, _)| *at < PAGE_NAME);
+        kept.map(|(_, c)| match c.is_alphanumeric() || "-_.".contains(c) {
             true => c,
             false => '_',
         })
@@ -121,6 +123,10 @@ mod tests {
         let pages = page_names(&names);
         assert_eq!(pages[3], "Zoë");
         assert_eq!(pages[7].len(), "_a_b-".len() + 8, "it collides with `a b`");
+        let longest = ["𠀀".repeat(63), "a".repeat(255), "é".repeat(127)];
+        for page in page_names(&longest.each_ref().map(String::as_str)) {
+            assert!(page.len() < 200, "{page}");
+        }
         let mut distinct: Vec<String> = pages.iter().map(|page| page.to_lowercase()).collect();
         distinct.sort();
         distinct.dedup();

@@ -11,11 +11,11 @@ use zip::write::SimpleFileOptions;
 const STAGES: [&str; 2] = ["raygen", "intersect"];
 
 /// The file that a submission has.
-const LIB: &str = "stages/intersect/src/lib.rs";
+pub(crate) const LIB: &str = "stages/intersect/src/lib.rs";
 
-type Files<'a> = &'a [(&'a str, &'a [u8])];
+pub(crate) type Files<'a> = &'a [(&'a str, &'a [u8])];
 
-fn write(folder: &Path, files: Files) {
+pub(crate) fn write(folder: &Path, files: Files) {
     for (name, contents) in files {
         let path = folder.join(name);
         std::fs::create_dir_all(path.parent().expect("a parent")).expect("a folder");
@@ -23,7 +23,7 @@ fn write(folder: &Path, files: Files) {
     }
 }
 
-fn zip(files: Files) -> Vec<u8> {
+pub(crate) fn zip(files: Files) -> Vec<u8> {
     let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
     for (name, contents) in files {
         zip.start_file(*name, SimpleFileOptions::default())
@@ -33,7 +33,7 @@ fn zip(files: Files) -> Vec<u8> {
     zip.finish().expect("a zip").into_inner()
 }
 
-fn tar(files: Files) -> Vec<u8> {
+pub(crate) fn tar(files: Files) -> Vec<u8> {
     let mut tar = tar::Builder::new(Vec::new());
     for (name, contents) in files {
         let mut header = tar::Header::new_ustar();
@@ -47,7 +47,7 @@ fn tar(files: Files) -> Vec<u8> {
     tar.into_inner().expect("a tar")
 }
 
-fn gzip(bytes: &[u8]) -> Vec<u8> {
+pub(crate) fn gzip(bytes: &[u8]) -> Vec<u8> {
     let mut gzip = flate2::write::GzEncoder::new(Vec::new(), flate2::Compression::default());
     gzip.write_all(bytes).expect("compressed");
     gzip.finish().expect("compressed")

@@ -1,8 +1,10 @@
 //! All tests of grading a class.
 
 mod alike;
+mod damaged;
 mod fake_class;
 mod forms;
+mod hostile_forms;
 mod likeness;
 mod reading;
 mod real;

@@ -11,7 +11,7 @@ use std::sync::atomic::{AtomicU32, Ordering};
 use std::sync::{Mutex, OnceLock};
 use wire::file::FrameWriter;
 use wire::question::{Question, Reply, read_reply};
-use wire::record::HoleCall;
+use wire::record::{HoleCall, shortened};
 use wire::{Answer, Case, Outcome, Record, RecordFrame, Work};
 
 /// The case that is running.
@@ -223,9 +223,9 @@ fn unwound(task: &str, payload: &(dyn Any + Send)) -> Outcome {
 }
 
 fn message(payload: &(dyn Any + Send)) -> String {
-    let text = payload.downcast_ref::<&str>().map(ToString::to_string);
-    text.or_else(|| payload.downcast_ref::<String>().cloned())
-        .unwrap_or_else(|| "a panic without a message".into())
+    let text = payload.downcast_ref::<&str>().copied();
+    let text = text.or_else(|| payload.downcast_ref::<String>().map(String::as_str));
+    shortened(text.unwrap_or("a panic without a message")).into()
 }
 
 #[cfg(test)]

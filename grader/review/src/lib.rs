@@ -145,7 +145,7 @@ impl Review {
                     );
                 }
                 Some(sources) => {
-                    let folder = clean.with_stages(&[(stage, sources)])?;
+                    let folder = clean.with_stages(&[(stage, sources)], None)?;
                     let workers = grade::workers(&folder.build_root(), &of_stage, specs, false)?;
                     review.add(workspace, course, &of_stage, specs, &workers, author)?;
                 }

@@ -9,8 +9,6 @@ use std::path::PathBuf;
 pub struct Policy {
     /// Files, and folders with everything in them, that may be read.
     pub read: Vec<PathBuf>,
-    /// Folders of which the names of files may be listed, but not the files read.
-    pub list: Vec<PathBuf>,
     /// As `read`, and programs in them may be run.
     pub run: Vec<PathBuf>,
     /// Folders in which files may be read, written, created, removed and run.
@@ -54,7 +52,6 @@ impl Policy {
         let mut arguments: Vec<OsString> = Vec::new();
         let lists = [
             ("--read", &self.read),
-            ("--list", &self.list),
             ("--run", &self.run),
             ("--write", &self.write),
         ];
@@ -115,7 +112,6 @@ impl Policy {
         };
         match name {
             "--read" => self.read.push(value.into()),
-            "--list" => self.list.push(value.into()),
             "--run" => self.run.push(value.into()),
             "--write" => self.write.push(value.into()),
             "--user" => {
@@ -141,7 +137,6 @@ mod tests {
     fn a_policy_is_read_back_from_its_arguments() {
         let policy = Policy {
             read: vec!["/a".into(), "/b c".into()],
-            list: vec!["/l".into()],
             run: vec!["/r".into()],
             write: vec!["/w".into()],
             processes: true,

@@ -10,21 +10,22 @@ use std::process::Command;
 use std::time::Duration;
 
 /// Runs cargo to its end. Returns the path of the program that it built, or the compiler's errors.
-/// `show` also prints the compiler's messages to stderr. If cargo is `limited`, a compiler that
-/// crashes or exceeds a limit is an error of the code.
+/// `show` also prints the compiler's messages to stderr. If cargo is limited to `most_time`, a compiler
+/// that crashes or exceeds a limit is an error of the code.
 pub(crate) fn run_cargo(
     mut command: Command,
     package: &str,
     show: bool,
-    limited: bool,
+    most_time: Option<Duration>,
 ) -> Result<Result<PathBuf, CompileErrors>, GraderError> {
+    let limited = most_time.is_some();
     let (mut child, running) = child_processes::start(&mut command).map_err(|e| {
         GraderError::new(format!(
             "cannot run cargo ({}): {e}. Is a Rust toolchain installed?",
             command.get_program().display()
         ))
     })?;
-    let watchdog = limited.then(|| Watchdog::start(&running, MOST_TIME));
+    let watchdog = most_time.map(|most| Watchdog::start(&running, most));
     let progress = child
         .stderr
         .take()
@@ -84,9 +85,9 @@ pub(crate) fn run_cargo(
     }
 }
 
-/// How long cargo may run if it is limited. Building one stage and the worker takes some seconds;
-/// on a busy machine, longer.
-const MOST_TIME: Duration = Duration::from_secs(600);
+/// How long cargo may run for a submission. Building one stage and the worker takes some seconds; on
+/// a busy machine, longer.
+pub(crate) const MOST_TIME: Duration = Duration::from_secs(600);
 
 /// How long cargo may take to end after its last message.
 const ENDING: Duration = Duration::from_secs(30);

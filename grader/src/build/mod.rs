@@ -6,7 +6,7 @@ pub mod compile_errors;
 pub mod compile_warnings;
 mod target_folder;
 
-use crate::build::cargo_run::run_cargo;
+use crate::build::cargo_run::{MOST_TIME, run_cargo};
 use crate::workers::launcher::Launcher;
 use crate::workers::runner::Worker;
 use base::{GraderError, Workspace, child_processes, err};
@@ -15,6 +15,7 @@ use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::sync::Arc;
+use std::time::{Duration, Instant};
 
 /// The result of building a worker.
 #[derive(Clone, Debug)]
@@ -88,7 +89,7 @@ impl BuildRoot<'_> {
     pub fn build_worker(&self, features: &[&str]) -> Result<BuildOutcome, GraderError> {
         let show = !self.sealed && !self.quiet;
         let command = self.command(features, show && has_colours());
-        match run_cargo(command, WORKER, show, self.launcher.is_some())? {
+        match run_cargo(command, WORKER, show, self.most_time())? {
             Ok(program) => {
                 let worker = copy_under_own_name(program, features)?;
                 Ok(BuildOutcome::Worker(Worker {
@@ -105,6 +106,13 @@ impl BuildRoot<'_> {
                 ))
             }
         }
+    }
+
+    /// How long cargo may run; `None` if it is not limited.
+    fn most_time(&self) -> Option<Duration> {
+        let end = self.launcher?.end();
+        let left = end.map(|end| end.saturating_duration_since(Instant::now()));
+        Some(left.map_or(MOST_TIME, |left| left.min(MOST_TIME)))
     }
 
     /// Makes sure that the errors of a limited build are the fault of a stage. If it was ended before
@@ -218,7 +226,7 @@ fn build_in(
     if let Some(target) = target {
         command.arg("--target-dir").arg(target);
     }
-    let built = run_cargo(command, package, true, false)?;
+    let built = run_cargo(command, package, true, None)?;
     Ok(built.map_err(|errors| errors.messages))
 }
 

@@ -71,7 +71,7 @@ pub fn describe(ending: &Ending) -> Option<String> {
             "started more than a hundred threads at once: join them, or start one for each processor".into()
         }
         Ending::OutOfTime => format!(
-            "took more than {} minutes in the cases of this task together: does it sleep or wait?",
+            "took more than {} minutes in the cases of this task together, or in all tasks more than the grader waits: does it sleep or wait?",
             task_time::MOST.as_secs() / 60
         ),
         Ending::Died { how, .. } => how.to_string(),
@@ -190,7 +190,7 @@ mod tests {
             (
                 Ending::OutOfTime,
                 CrashKind::Endless,
-                "took more than 4 minutes in the cases of this task together: does it sleep or wait?",
+                "took more than 4 minutes in the cases of this task together, or in all tasks more than the grader waits: does it sleep or wait?",
             ),
             (
                 Ending::TooManyThreads { call: 3 },

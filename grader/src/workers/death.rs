@@ -24,12 +24,20 @@ pub enum Death {
     SecondPanic,
     /// A signal ended it.
     Signal(i32),
+    /// It could not be started: its statics, or those of a thread, do not fit into its memory.
+    TooLargeToStart {
+        /// The limit in megabytes.
+        limit_mb: u32,
+    },
     /// It ended in a way that this system does not report.
     Unknown,
 }
 
 /// The number of the signal that `abort` sends.
 const SIGABRT: i32 = 6;
+
+/// The number of the signal with which the system ends a program that it cannot load.
+const SIGSEGV: i32 = 11;
 
 impl Death {
     /// The death of a worker with this status whose last lines are `end`.
@@ -42,6 +50,22 @@ impl Death {
             Some(signal) => Death::Signal(signal),
             None => Death::Unknown,
         }
+    }
+
+    /// The death of a worker that ended before it began the first case, if this can be the fault of
+    /// the code that it links: the reference's worker starts under the same limits.
+    pub fn before_the_start(status: ExitStatus, end: &str, limit_mb: u32) -> Option<Death> {
+        // What the system's loader and the worker say about memory that they do not get.
+        let no_memory = [
+            "cannot allocate TLS data structures",
+            "cannot allocate memory",
+            "cannot start a thread",
+            "memory allocation of",
+            "no memory left",
+        ];
+        let has_no_memory = no_memory.iter().any(|words| end.contains(words));
+        (signal(status) == Some(SIGSEGV) || has_no_memory)
+            .then_some(Death::TooLargeToStart { limit_mb })
     }
 
     /// Whether it is a symptom of code that does not end, as is a time limit.
@@ -140,6 +164,10 @@ impl fmt::Display for Death {
                 Some((name, cause)) => write!(f, "was ended by the signal {name} ({cause})"),
                 None => write!(f, "was ended by signal {signal}"),
             },
+            Death::TooLargeToStart { limit_mb } => write!(
+                f,
+                "could not be started: are its `static`s or `thread_local`s larger than {limit_mb} MB together?"
+            ),
             Death::Unknown => f.write_str("ended the whole program"),
         }
     }
@@ -203,5 +231,19 @@ mod tests {
         ] {
             assert_eq!(text(status, end), right);
         }
+    }
+
+    #[test]
+    fn only_code_that_is_too_large_is_to_blame_for_a_worker_that_does_not_start() {
+        let why = |status, end| Death::before_the_start(ExitStatus::from_raw(status), end, 1024);
+        let too_large = Some(Death::TooLargeToStart { limit_mb: 1024 });
+        assert_eq!(why(11, ""), too_large);
+        let of_loader = "worker: cannot allocate TLS data structures for initial thread\n";
+        assert_eq!(why(127 << 8, of_loader), too_large);
+        let of_worker = "worker: cannot start a thread: Cannot allocate memory (os error 12)\n";
+        assert_eq!(why(2 << 8, of_worker), too_large);
+        // The launcher's, and the machine's.
+        assert_eq!(why(125 << 8, "sandbox: Landlock: no such file"), None);
+        assert_eq!(why(9, ""), None);
     }
 }

@@ -2,7 +2,8 @@
 
 use std::fmt;
 use std::path::Path;
-use std::process::Command;
+use std::process::{Command, ExitStatus};
+use std::time::Instant;
 
 /// Starts cargo and workers with few rights. Both get nothing of the caller's environment.
 pub trait Launcher: fmt::Debug + Send + Sync {
@@ -14,6 +15,12 @@ pub trait Launcher: fmt::Debug + Send + Sync {
 
     /// Whether the thread of the student's code in a worker is to give up all rights.
     fn seals(&self) -> bool;
+
+    /// How a program ended whose command had this status: another program may have run it.
+    fn status_of_program(&self, status: ExitStatus) -> ExitStatus;
+
+    /// When everything that it starts has to have ended; `None` if there is no such limit.
+    fn end(&self) -> Option<Instant>;
 }
 
 /// Limits on a worker beyond those on its cases: they hold even if the worker does not enforce the

@@ -85,7 +85,10 @@ pub fn read(pipe: impl Read, cases: &[Case]) -> WorkerOutput {
     // A marker begins with an empty line, which ends a line that the code began.
     let mut empty_before = false;
     while let Some(line) = read_line(&mut input) {
-        if let Some(case) = case_of_marker(&line) {
+        // The code can print markers, too, but cases run in their order: so there is one for each case
+        // at most, however much is printed.
+        let marked = case_of_marker(&line);
+        if let Some(case) = marked.filter(|case| number.is_none_or(|before| before < *case)) {
             output.end(&mut current, number, cases);
             (number, empty_before) = (Some(case), false);
             continue;
@@ -152,10 +155,19 @@ fn is_of_runtime(line: &str) -> bool {
         || line.starts_with("note: run with `RUST_BACKTRACE")
 }
 
+/// How much text [`format`] makes at most, in bytes, and what one case more has: a report has all of
+/// it.
+const MOST_OF_TEXT: usize = 512 << 10;
+
 /// Formats what the code printed, case by case.
 pub fn format(printed: &[Printed]) -> String {
     let mut text = String::new();
-    for case in printed {
+    for (case, before) in printed.iter().zip(0..) {
+        if text.len() > MOST_OF_TEXT {
+            let more = printed.len() - before;
+            let _ = writeln!(text, "(What {more} more cases printed is left out.)");
+            break;
+        }
         let _ = writeln!(text, "{} {} printed:", case.task, case.case);
         let line = |text: &mut String, line: &String| {
             let _ = writeln!(text, "    {line}");
@@ -267,6 +279,27 @@ mod tests {
             shown,
             ["    line 11", "    … 1,980 more lines", "    line 1992"]
         );
+    }
+
+    #[test]
+    fn printed_markers_cost_no_memory() {
+        let marker = output_marker(0) + "x\n";
+        let output = read_text(&marker.repeat(10_000));
+        let [case] = &output.cases[..] else {
+            panic!("{} cases", output.cases.len())
+        };
+        assert!(case.lines() > 10_000);
+        let numbers = [2, 0, 7, 1].map(|case| output_marker(case) + "x\n");
+        assert_eq!(read_text(&numbers.concat()).cases[0].case, "c");
+    }
+
+    #[test]
+    fn the_output_of_very_many_cases_is_left_out() {
+        let line = "x".repeat(LINE_BYTES);
+        let case = printed("a", &[line.as_str(); FIRST_LINES]);
+        let text = format(&vec![case; 1000]);
+        assert!(text.len() < 2 * MOST_OF_TEXT);
+        assert!(text.ends_with("more cases printed is left out.)\n"));
     }
 
     #[test]

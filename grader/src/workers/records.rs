@@ -8,6 +8,8 @@
 
 use crate::workers::death::Death;
 use crate::workers::runner::{self, Ending};
+use std::borrow::Cow;
+use wire::record::shortened;
 use wire::{Case, Excess, Outcome, Record, RecordFrame};
 
 /// The endings that the records of one worker contain.
@@ -91,13 +93,49 @@ pub fn read(
 }
 
 /// The ending of a case whose record is in order; validates its answer.
-fn ending(case: &Case, record: Record) -> Ending {
+fn ending(case: &Case, mut record: Record) -> Ending {
     if let Outcome::Answered(answer) = &record.outcome
         && let Err(why) = judge::fits(&case.work, answer)
     {
         return Ending::Malformed(format!("the worker's record does not fit the case: {why}"));
     }
+    shorten_texts(&mut record);
     Ending::Recorded(record)
+}
+
+/// The most functions of a record that are kept: no task has as many.
+const MOST_FUNCTIONS: usize = 32;
+
+/// Cuts what the student's code can make as long as it likes: the records of all cases are kept at
+/// once, and the report shows them.
+fn shorten_texts(record: &mut Record) {
+    record.untouched.truncate(MOST_FUNCTIONS);
+    record.untouched.iter_mut().for_each(shorten);
+    record.holes.truncate(MOST_FUNCTIONS);
+    for hole in &mut record.holes {
+        shorten(&mut hole.called);
+        shorten(&mut hole.hole);
+    }
+    match &mut record.outcome {
+        Outcome::Answered(_) => {}
+        Outcome::NotAttempted { task: text } | Outcome::Unable { reason: text } => shorten(text),
+        Outcome::Panicked {
+            message: first,
+            location: second,
+            ..
+        }
+        | Outcome::CalledTooOften {
+            function: first,
+            asked_for: second,
+            ..
+        } => [first, second].into_iter().for_each(shorten),
+    }
+}
+
+fn shorten(text: &mut String) {
+    if let Cow::Owned(short) = shortened(text) {
+        *text = short;
+    }
 }
 
 fn cannot_be_read(why: &str) -> Ending {
@@ -123,6 +161,7 @@ fn out_of_order(frame: &RecordFrame, next: usize, began: bool) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use wire::record::{HoleCall, MOST_OF_TEXT};
     use wire::work::{BoxWork, Probe, Ray};
     use wire::{Answer, Work};
 
@@ -260,6 +299,49 @@ mod tests {
         ] {
             let why = format!("the worker's record does not fit the case: {why}");
             assert_eq!(summary(&[started(0), answered(0, answer)]), (0, Some(why)));
+        }
+    }
+
+    #[test]
+    fn long_texts_are_cut() {
+        let long = "é".repeat(1 << 20);
+        let hole = HoleCall {
+            called: long.clone(),
+            hole: long.clone(),
+        };
+        let record = |outcome| {
+            RecordFrame::Done(Record {
+                case: 0,
+                untouched: vec![long.clone(); 100],
+                holes: vec![hole.clone(); 100],
+                outcome,
+            })
+        };
+        for outcome in [
+            Outcome::Panicked {
+                message: long.clone(),
+                location: long.clone(),
+                call: 0,
+            },
+            Outcome::NotAttempted { task: long.clone() },
+            Outcome::Unable {
+                reason: long.clone(),
+            },
+            Outcome::CalledTooOften {
+                function: long.clone(),
+                times: 7,
+                asked_for: long.clone(),
+                call: 0,
+            },
+        ] {
+            let read = read_all(&[started(0), record(outcome)]);
+            let text = format!("{:?}", read.endings);
+            assert!(text.contains("é…"), "it is kept in part");
+            assert!(
+                text.len() < 4 * MOST_OF_TEXT * MOST_FUNCTIONS,
+                "{}",
+                text.len()
+            );
         }
     }
 

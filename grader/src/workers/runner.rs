@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, ExitStatus};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 use wire::question::write_reply;
 use wire::{Case, Outcome, Record, RecordFrame, Work};
 
@@ -120,6 +120,13 @@ impl From<PathBuf> for Worker {
     }
 }
 
+impl Worker {
+    /// When its cases have to have ended; `None` if there is no such limit.
+    fn end(&self) -> Option<Instant> {
+        self.launcher.as_ref()?.end()
+    }
+}
+
 /// Runs `cases` in `worker`. A case that ends the worker does not affect the others.
 pub fn run(worker: &Worker, cases: &[Case]) -> Result<Run, GraderError> {
     let folder = interrupt::temp_folder()?;
@@ -128,10 +135,39 @@ pub fn run(worker: &Worker, cases: &[Case]) -> Result<Run, GraderError> {
     let mut timeouts: HashMap<&str, u32> = HashMap::new();
     let mut deaths: HashMap<&str, u32> = HashMap::new();
     let mut printed = Vec::new();
-    let mut times = TaskTimes::default();
+    let mut times = TaskTimes::until(worker.end());
     let mut stalls = 0;
     let mut first = 0;
-    while first < cases.len() {
+    loop {
+        for (case, ending) in cases_to_run[first..].iter_mut().zip(&mut endings[first..]) {
+            if times.is_over(case) {
+                ending.get_or_insert(Ending::OutOfTime);
+                continue;
+            }
+            if timeouts
+                .get(case.task.as_str())
+                .is_none_or(|&timeouts| timeouts < TIMEOUTS_A_TASK)
+            {
+                continue;
+            }
+            match case.work {
+                // Timings take longer for larger meshes: a short limit does not help.
+                Work::Timing(_) => *ending = Some(Ending::Skipped),
+                // Correct code takes longer than the short limit, too.
+                Work::BuildGrowth(_) => {}
+                _ => case.limit_ms = case.limit_ms.min(SHORT_LIMIT_MS),
+            }
+        }
+        while first < cases.len() && endings[first].is_some() {
+            first += 1;
+        }
+        if first == cases.len() {
+            break;
+        }
+        // A worker reads all cases before it starts: do not send the finished ones again.
+        cases_to_run[..first]
+            .iter_mut()
+            .for_each(|case| case.work = Work::Stop(Vec::new()));
         let process = Process {
             worker,
             folder: folder.path(),
@@ -168,10 +204,17 @@ pub fn run(worker: &Worker, cases: &[Case]) -> Result<Run, GraderError> {
                 },
             });
         } else if read.endings.is_empty() {
-            return Err(GraderError::new(format!(
-                "the worker did not start ({status}): {}",
-                output.end.trim()
-            )));
+            let limit_mb = memory_mb(&cases_to_run);
+            let how = Death::before_the_start(status, &output.end, limit_mb);
+            let Some(how) = how.filter(|_| worker.launcher.is_some()) else {
+                return Err(GraderError::new(format!(
+                    "the worker did not start ({status}): {}",
+                    output.end.trim()
+                )));
+            };
+            let rest = cases[first..].iter();
+            read.endings
+                .extend(rest.map(|_| Ending::Died { how, call: None }));
         }
         let slots = cases.iter().zip(&mut endings).skip(first);
         let next = first + read.endings.len();
@@ -182,32 +225,6 @@ pub fn run(worker: &Worker, cases: &[Case]) -> Result<Run, GraderError> {
             slot.get_or_insert(ending);
         }
         first = next;
-        for (case, ending) in cases_to_run[first..].iter_mut().zip(&mut endings[first..]) {
-            if times.is_over(case) {
-                *ending = Some(Ending::OutOfTime);
-                continue;
-            }
-            if timeouts
-                .get(case.task.as_str())
-                .is_none_or(|&timeouts| timeouts < TIMEOUTS_A_TASK)
-            {
-                continue;
-            }
-            match case.work {
-                // Timings take longer for larger meshes: a short limit does not help.
-                Work::Timing(_) => *ending = Some(Ending::Skipped),
-                // Correct code takes longer than the short limit, too.
-                Work::BuildGrowth(_) => {}
-                _ => case.limit_ms = case.limit_ms.min(SHORT_LIMIT_MS),
-            }
-        }
-        while first < cases.len() && endings[first].is_some() {
-            first += 1;
-        }
-        // A worker reads all cases before it starts: do not send the finished ones again.
-        cases_to_run[..first]
-            .iter_mut()
-            .for_each(|case| case.work = Work::Stop(Vec::new()));
     }
     Ok(Run {
         endings: endings
@@ -275,8 +292,10 @@ impl Process<'_> {
             let output = output
                 .join()
                 .unwrap_or_else(|panic| std::panic::resume_unwind(panic));
+            let status = status?;
+            let launcher = self.worker.launcher.as_ref();
             Ok(Finished {
-                status: status?,
+                status: launcher.map_or(status, |launcher| launcher.status_of_program(status)),
                 output,
                 records,
                 has_stalled,
@@ -326,7 +345,7 @@ impl Process<'_> {
             return (Records::default(), false);
         };
         let (mut frames, deadline) = channel.frames(has_ended);
-        let mut wait = GRACE;
+        let mut wait = GRACE.min(times.left_of_all().unwrap_or(GRACE));
         let in_time = std::iter::from_fn(|| {
             deadline.set(wait);
             let frame = loop {
@@ -382,7 +401,8 @@ impl Process<'_> {
             cases: &self.cases[..=case],
             ..self
         };
-        let records = alone.run(case, true, &mut TaskTimes::default())?.records;
+        let mut times = TaskTimes::until(self.worker.end());
+        let records = alone.run(case, true, &mut times)?.records;
         Ok(records.call.filter(|_| records.next_began))
     }
 }
@@ -428,8 +448,43 @@ mod tests {
     use super::*;
     use std::os::unix::fs::PermissionsExt;
 
+    /// Starts programs as they are, until the end.
+    #[derive(Debug)]
+    struct Until(Instant);
+
+    impl Launcher for Until {
+        fn cargo(&self) -> Command {
+            Command::new("cargo")
+        }
+
+        fn worker(&self, program: &Path, _: WorkerLimits) -> Command {
+            Command::new(program)
+        }
+
+        fn seals(&self) -> bool {
+            false
+        }
+
+        fn status_of_program(&self, status: ExitStatus) -> ExitStatus {
+            status
+        }
+
+        fn end(&self) -> Option<Instant> {
+            Some(self.0)
+        }
+    }
+
     /// The endings of `count` cases in a worker that is a shell script.
     fn endings(script: &str, count: usize) -> Result<Vec<Ending>, GraderError> {
+        endings_until(None, script, count)
+    }
+
+    /// The same of a submission, which has `left`.
+    fn endings_until(
+        left: Option<Duration>,
+        script: &str,
+        count: usize,
+    ) -> Result<Vec<Ending>, GraderError> {
         let folder = tempfile::tempdir().unwrap();
         let program = folder.path().join("worker");
         std::fs::write(&program, format!("#!/bin/sh\n{script}\n")).unwrap();
@@ -440,8 +495,50 @@ mod tests {
             limit_ms: 10,
             work: Work::Stop(Vec::new()),
         };
-        let run = run(&Worker::from(program), &vec![case; count])?;
-        Ok(run.endings)
+        let until = left.map(|left| Arc::new(Until(Instant::now() + left)) as Arc<dyn Launcher>);
+        let worker = Worker {
+            launcher: until,
+            ..Worker::from(program)
+        };
+        Ok(run(&worker, &vec![case; count])?.endings)
+    }
+
+    /// What a worker writes when it begins the first case: the length of the frame, the key that it has
+    /// read, the number of the frame, and the frame.
+    const BEGINS: &str =
+        r"head -c 16 > key; (printf '\2\0\0\0'; cat key; printf '\0\0\0\0\0\0\0\0\0\0') >&0";
+
+    #[test]
+    fn a_submission_that_waits_is_ended_with_all_its_cases() {
+        let script = format!("{BEGINS}; exec sleep 1000");
+        let ended = endings_until(Some(Duration::from_millis(500)), &script, 3).unwrap();
+        assert_eq!(ended, vec![Ending::OutOfTime; 3]);
+        // Without a limit, the same worker is only ended by the case.
+        let begins = format!("{BEGINS}; exit 7");
+        let died = Ending::Died {
+            how: Death::Exit(7),
+            call: None,
+        };
+        assert_eq!(endings(&begins, 1).unwrap(), [died]);
+    }
+
+    #[test]
+    fn a_submission_that_is_too_large_to_start_fails_and_the_machine_does_not() {
+        let most = Some(Duration::from_secs(600));
+        let says = "cat > /dev/null; echo 'worker: cannot start a thread: no memory'; exit 2";
+        let dies = Ending::Died {
+            how: Death::TooLargeToStart { limit_mb: 1024 },
+            call: None,
+        };
+        for script in ["cat > /dev/null; kill -SEGV $$", says] {
+            assert_eq!(
+                endings_until(most, script, 2).unwrap(),
+                vec![dies.clone(); 2]
+            );
+            assert!(endings(script, 2).is_err());
+        }
+        let of_the_launcher = "cat > /dev/null; echo 'sandbox: no seccomp'; exit 125";
+        assert!(endings_until(most, of_the_launcher, 2).is_err());
     }
 
     #[test]

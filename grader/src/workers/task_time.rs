@@ -1,4 +1,4 @@
-//! How long the cases of one task may take together.
+//! How long the cases of one task may take together, and all that a submission runs.
 //!
 //! Each case has a limit of its own, but code that waits a little less than that in hundreds of cases
 //! would take hours. The time that counts is the elapsed one, waiting included; the limit is some
@@ -16,9 +16,19 @@ pub(crate) const MOST: Duration = Duration::from_secs(240);
 pub(crate) struct TaskTimes {
     taken: HashMap<String, Duration>,
     running: Option<(String, Instant)>,
+    /// When no case may run any more.
+    end: Option<Instant>,
 }
 
 impl TaskTimes {
+    /// No case has run yet, and none may run after `end`.
+    pub(crate) fn until(end: Option<Instant>) -> TaskTimes {
+        TaskTimes {
+            end,
+            ..TaskTimes::default()
+        }
+    }
+
     /// A case starts now.
     pub(crate) fn start(&mut self, case: &Case) {
         self.stop();
@@ -37,7 +47,14 @@ impl TaskTimes {
     pub(crate) fn left(&self, case: &Case) -> Option<Duration> {
         let taken = self.taken.get(&case.task).copied().unwrap_or_default();
         let is_timing = matches!(case.work, Work::Timing(_) | Work::TimeTest(_));
-        (!is_timing).then(|| MOST.saturating_sub(taken))
+        let of_task = (!is_timing).then(|| MOST.saturating_sub(taken));
+        of_task.into_iter().chain(self.left_of_all()).min()
+    }
+
+    /// What is left for all cases; `None` if there is no such limit.
+    pub(crate) fn left_of_all(&self) -> Option<Duration> {
+        let end = self.end?;
+        Some(end.saturating_duration_since(Instant::now()))
     }
 
     /// Whether nothing is left for `case`.
@@ -68,5 +85,19 @@ mod tests {
         times.stop();
         let left = times.left(&stop("part5.task2")).unwrap();
         assert!(left < MOST && left > MOST / 2, "{left:?}");
+    }
+
+    #[test]
+    fn nothing_is_left_after_the_end_of_a_submission() {
+        let case = Case {
+            task: "part5.task2".into(),
+            name: "a".into(),
+            limit_ms: 1,
+            work: Work::Stop(Vec::new()),
+        };
+        let now = Instant::now();
+        assert!(TaskTimes::until(Some(now)).is_over(&case));
+        assert!(!TaskTimes::until(Some(now + MOST)).is_over(&case));
+        assert!(!TaskTimes::until(None).is_over(&case));
     }
 }

@@ -9,8 +9,10 @@ use base::interrupt::{self, TempFolder};
 use grader::build::BuildRoot;
 use grader::workers::launcher::Launcher;
 use std::fs::{File, FileTimes};
+use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use std::time::Instant;
 
 /// A workspace for building one submission. It is removed when this is dropped.
 #[derive(Debug)]
@@ -30,10 +32,12 @@ const COMPILED: [&str; 3] = ["release/.fingerprint", "release/build", "release/d
 const WORKER: &str = "worker";
 
 impl BuildFolder {
-    /// Writes the workspace of `clean` with these stages in place of the reference's.
+    /// Writes the workspace of `clean` with these stages in place of the reference's. What is built
+    /// and run in it has to end at `end`.
     pub(crate) fn new(
         clean: &CleanWorkspace,
         stages: &[(&str, &Files)],
+        end: Option<Instant>,
     ) -> Result<BuildFolder, GraderError> {
         let folder = interrupt::temp_folder_in(clean.top())?;
         let inside = |name: &str| folder.path().join(name);
@@ -42,7 +46,14 @@ impl BuildFolder {
         let sources = |stage: &&str| Path::new("stages").join(stage).join("src");
         let replaced: Vec<PathBuf> = names.iter().map(sources).collect();
         copy_tree(clean.trusted(), &root, Path::new(""), &|path| {
-            replaced.iter().any(|src| path == src)
+            if replaced.iter().any(|src| path == src) {
+                Part::Nothing
+            } else if CleanWorkspace::is_read(path, &names) {
+                Part::All
+            } else {
+                // What is compiled already. The reference of the other stages is among it.
+                Part::Name
+            }
         })?;
         for ((_, files), src) in stages.iter().zip(&replaced) {
             for (path, contents) in files.iter() {
@@ -50,9 +61,15 @@ impl BuildFolder {
             }
         }
         for compiled in COMPILED {
-            copy_tree(clean.target(), &target, Path::new(compiled), &|path| {
-                is_artifact_of(path, &names)
-            })?;
+            copy_tree(
+                clean.target(),
+                &target,
+                Path::new(compiled),
+                &|path| match is_artifact_of(path, &names) {
+                    true => Part::Nothing,
+                    false => Part::All,
+                },
+            )?;
         }
         let settings = Path::new("config.toml");
         create(&home)?;
@@ -60,7 +77,7 @@ impl BuildFolder {
         let temporary = inside("temporary");
         create(&temporary)?;
         open_to_all(folder.path())?;
-        let jail = clean.jail(&root, &target, home, temporary, &names);
+        let jail = clean.jail(&root, &target, home, temporary, end);
         Ok(BuildFolder {
             root,
             target,
@@ -101,13 +118,22 @@ fn is_artifact_of(path: &Path, stages: &[&str]) -> bool {
     is(of) || of.strip_prefix("lib").is_some_and(is)
 }
 
+/// The part of a file or a folder that is copied.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Part {
+    All,
+    /// An empty file with the name and the time of the original.
+    Name,
+    Nothing,
+}
+
 /// Copies what is below `from/below` to `to/below`, with the times of the files, by which cargo sees
-/// what has changed. Leaves out what `is_left_out`, which gets paths relative to `from`.
+/// what has changed, as far as `what` says, which gets paths relative to `from`.
 fn copy_tree(
     from: &Path,
     to: &Path,
     below: &Path,
-    is_left_out: &dyn Fn(&Path) -> bool,
+    what: &dyn Fn(&Path) -> Part,
 ) -> Result<(), GraderError> {
     let folder = from.join(below);
     let failed = |e| GraderError::file("read", &folder, e);
@@ -115,12 +141,13 @@ fn copy_tree(
     for entry in std::fs::read_dir(&folder).map_err(failed)? {
         let entry = entry.map_err(failed)?;
         let path = below.join(entry.file_name());
-        if is_left_out(&path) {
-            continue;
-        }
-        match entry.file_type().map_err(failed)?.is_dir() {
-            true => copy_tree(from, to, &path, is_left_out)?,
-            false => copy_file(&from.join(&path), &to.join(&path))?,
+        let is_folder = entry.file_type().map_err(failed)?.is_dir();
+        let (original, copy) = (from.join(&path), to.join(&path));
+        match what(&path) {
+            Part::Nothing => {}
+            _ if is_folder => copy_tree(from, to, &path, what)?,
+            Part::All => copy_file(&original, &copy)?,
+            Part::Name => with_time_of(&original, &copy, File::create(&copy).map(drop))?,
         }
     }
     Ok(())
@@ -128,12 +155,17 @@ fn copy_tree(
 
 /// Copies a file with its time.
 fn copy_file(from: &Path, to: &Path) -> Result<(), GraderError> {
-    let copied = std::fs::copy(from, to).and_then(|_| {
+    with_time_of(from, to, std::fs::copy(from, to).map(drop))
+}
+
+/// Gives the file `to`, if it was `written`, the time of `from`.
+fn with_time_of(from: &Path, to: &Path, written: io::Result<()>) -> Result<(), GraderError> {
+    let written = written.and_then(|()| {
         let modified = from.metadata()?.modified()?;
         let file = File::options().append(true).open(to)?;
         file.set_times(FileTimes::new().set_modified(modified))
     });
-    copied.map_err(|e| GraderError::file("write", to, e))
+    written.map_err(|e| GraderError::file("write", to, e))
 }
 
 fn create(folder: &Path) -> Result<(), GraderError> {
@@ -188,9 +220,21 @@ mod tests {
         let times = FileTimes::new().set_modified(long_ago);
         let file = File::options().append(true).open(from.join("x/y")).unwrap();
         file.set_times(times).unwrap();
-        copy_tree(&from, &to, Path::new("x"), &|path| path.ends_with("z")).unwrap();
-        let copy = to.join("x/y");
-        assert_eq!(copy.metadata().unwrap().modified().unwrap(), long_ago);
-        assert!(!to.join("x/z").exists());
+        for (what, contents) in [(Part::All, "1"), (Part::Name, "")] {
+            copy_tree(
+                &from,
+                &to,
+                Path::new("x"),
+                &|path| match path.ends_with("z") {
+                    true => Part::Nothing,
+                    false => what,
+                },
+            )
+            .unwrap();
+            let copy = to.join("x/y");
+            assert_eq!(copy.metadata().unwrap().modified().unwrap(), long_ago);
+            assert_eq!(std::fs::read_to_string(copy).unwrap(), contents);
+            assert!(!to.join("x/z").exists());
+        }
     }
 }

@@ -11,11 +11,12 @@ use crate::toolchain::Toolchain;
 use base::{GraderError, Workspace, interrupt};
 use base::{child_processes, errln};
 use grader::workers::launcher::Launcher;
+use std::ffi::OsStr;
 use std::fs::File;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 /// What all submissions share. It is made once for each version of the course and the compiler, and
 /// then never written again: each submission is built in a folder of its own. Threads may share it.
@@ -32,8 +33,6 @@ pub struct CleanWorkspace {
     target: PathBuf,
     /// Cargo's settings.
     home: PathBuf,
-    /// The manifests of the crates, relative to the workspace, and that of the workspace.
-    manifests: Vec<PathBuf>,
     toolchain: Toolchain,
     containment: Containment,
 }
@@ -62,17 +61,11 @@ impl CleanWorkspace {
         let all = root.join("target/submissions");
         std::fs::create_dir_all(&all).map_err(|e| GraderError::file("create", &all, e))?;
         let top = all.join(version(&files, &toolchain));
-        let manifests = files.keys();
-        let manifests = manifests.filter(|path| {
-            let name = path.file_name().unwrap_or_default();
-            name == "Cargo.toml" || name == "Cargo.lock"
-        });
         let clean = CleanWorkspace {
             trusted: top.join("course"),
             libraries: top.join("libraries"),
             target: top.join("target"),
             home: top.join("home"),
-            manifests: manifests.cloned().collect(),
             toolchain,
             containment,
             top,
@@ -93,9 +86,13 @@ impl CleanWorkspace {
     }
 
     /// Writes the workspace with these stages in place of the reference's, to a folder that is
-    /// removed with the returned value.
-    pub fn with_stages(&self, stages: &[(&str, &Files)]) -> Result<BuildFolder, GraderError> {
-        BuildFolder::new(self, stages)
+    /// removed with the returned value. What is built and run in it has to end at `end`.
+    pub fn with_stages(
+        &self,
+        stages: &[(&str, &Files)],
+        end: Option<Instant>,
+    ) -> Result<BuildFolder, GraderError> {
+        BuildFolder::new(self, stages, end)
     }
 
     /// Makes everything. What an interrupted run has left is removed.
@@ -150,19 +147,18 @@ impl CleanWorkspace {
         )
     }
 
-    /// Builds the worker with the reference's stages, under the same limits as a submission, but
-    /// with all of the course's files.
+    /// Builds the worker with the reference's stages, under the same limits as a submission.
     fn build(&self) -> Result<(), GraderError> {
         let temporary = interrupt::temp_folder()?;
         let jail = Jail {
             containment: self.containment.clone(),
             toolchain: self.toolchain.clone(),
             root: self.trusted.clone(),
-            sources: vec![self.trusted.clone()],
             libraries: self.libraries.clone(),
             home: self.home.clone(),
             target: self.target.clone(),
             temporary: temporary.path().to_path_buf(),
+            end: None,
         };
         let output = jail
             .cargo()
@@ -204,31 +200,39 @@ impl CleanWorkspace {
         &self.home
     }
 
-    /// What starts the programs of a submission that is built in `root`, with these stages. Of the
-    /// course's sources it can read only what cargo compiles again.
+    /// What starts the programs of a submission that is built in `root`.
     pub(crate) fn jail(
         &self,
         root: &Path,
         target: &Path,
         home: PathBuf,
         temporary: PathBuf,
-        stages: &[&str],
+        end: Option<Instant>,
     ) -> Jail {
-        let manifests = self.manifests.iter().map(|path| root.join(path));
-        let mut sources: Vec<PathBuf> = manifests.collect();
-        sources.push(root.join(WORKER));
-        sources.extend(stages.iter().map(|stage| root.join("stages").join(stage)));
         Jail {
             containment: self.containment.clone(),
             toolchain: self.toolchain.clone(),
             root: root.to_path_buf(),
-            sources,
             libraries: self.libraries.clone(),
             home,
             target: target.to_path_buf(),
             temporary,
+            end,
         }
     }
+
+    /// Whether cargo compiles or reads the file `path` of the course when it builds a submission with
+    /// these stages. Of the others it needs the names and the times.
+    pub(crate) fn is_read(path: &Path, stages: &[&str]) -> bool {
+        let is_manifest = path.file_name().is_some_and(is_manifest);
+        let is_of_stage = |stage: &&str| path.starts_with(Path::new("stages").join(stage));
+        is_manifest || path.starts_with(WORKER) || stages.iter().any(is_of_stage)
+    }
+}
+
+/// Whether cargo reads the files of this name in every crate.
+fn is_manifest(name: &OsStr) -> bool {
+    name == "Cargo.toml" || name == "Cargo.lock"
 }
 
 /// How long something may stay unused.

@@ -1,5 +1,6 @@
 //! How the code of submissions is contained: what this machine can do, and what is said about it.
 
+use crate::bubblewrap;
 use crate::toolchain::LIBRARY_CACHE;
 use base::{GraderError, Workspace};
 use grader::build;
@@ -9,7 +10,7 @@ pub use sandbox::{Limits, Policy};
 use sandbox::{Support, Without};
 use std::fmt;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
+use std::process::{Command, ExitStatus, Stdio};
 use std::sync::atomic::{AtomicU32, Ordering};
 
 /// Address space of a worker beyond what its cases may allocate, in megabytes: program, libraries,
@@ -47,6 +48,9 @@ pub enum Containment {
         /// The command in front of the launcher for an empty network of its own; `None` where this
         /// is not allowed.
         own_network: Option<&'static [&'static str]>,
+        /// Whether bubblewrap runs the launcher, in a file system that has what the policy lists and
+        /// nothing else, and with no network and no other processes.
+        bubblewrap: bool,
     },
     /// Only time and memory are limited.
     None,
@@ -64,11 +68,17 @@ impl Containment {
         let mut held = support(&mut Command::new(&launcher))
             .map_err(|e| GraderError::file("run", &launcher, e))?;
         held.other_user &= is_open_to_all(workspace.root());
+        // Only in place of Landlock: it can do no more, and takes some milliseconds to start.
+        let bubblewrap = !held.files && bubblewrap::works(&launcher);
         let goldens = workspace.root().join("golden");
-        if !(held.system_calls || held.other_user && is_closed_to_others(&goldens)) {
+        let is_closed = held.other_user && is_closed_to_others(&goldens);
+        if !(held.system_calls || bubblewrap || is_closed) {
             return Err(GraderError::new(
-                "this machine cannot contain the code of a submission: it needs Linux with seccomp, or to be run by the superuser with a folder `golden` that others cannot read. Grade on another machine, or add `--unsandboxed` if you trust the code: it then has all your rights",
+                "this machine cannot contain the code of a submission: it needs Linux with seccomp, or the program `bwrap` (package bubblewrap) and the right to use it, or to be run by the superuser with a folder `golden` that others cannot read. Grade on another machine, or add `--unsandboxed` if you trust the code: it then has all your rights",
             ));
+        }
+        if bubblewrap {
+            return Ok(Containment::in_bubblewrap(launcher, held));
         }
         let own_network = UNSHARE.into_iter().find(|unshare| {
             let inside = support(&mut in_front_of(unshare, &launcher));
@@ -78,7 +88,21 @@ impl Containment {
             launcher,
             held,
             own_network,
+            bubblewrap,
         })
+    }
+
+    /// With bubblewrap in front of the launcher. It maps one user, so there is no other.
+    fn in_bubblewrap(launcher: PathBuf, held: Support) -> Containment {
+        Containment::Sandbox {
+            launcher,
+            held: Support {
+                other_user: false,
+                ..held
+            },
+            own_network: None,
+            bubblewrap: true,
+        }
     }
 
     /// This containment and those of machines that lack some of its means. For tests.
@@ -90,29 +114,50 @@ impl Containment {
             launcher: launcher.clone(),
             held,
             own_network: None,
+            bubblewrap: false,
         };
         let other_user = false;
         let files = false;
-        vec![
+        // A kernel without Landlock.
+        let no_landlock = Support { files, ..*held };
+        let no_landlock_and_seccomp = Support {
+            system_calls: false,
+            ..no_landlock
+        };
+        let mut levels = vec![
             self.clone(),
             of(Support {
                 other_user,
                 ..*held
             }),
-            // A kernel without Landlock.
-            of(Support { files, ..*held }),
+            of(no_landlock),
             of(Support {
-                files,
                 other_user,
-                ..*held
+                ..no_landlock
             }),
-            // A kernel without both.
-            of(Support {
-                files,
-                system_calls: false,
-                ..*held
-            }),
-        ]
+            of(no_landlock_and_seccomp),
+        ];
+        if bubblewrap::works(launcher) {
+            let less = [no_landlock, no_landlock_and_seccomp];
+            levels.extend(less.map(|held| Containment::in_bubblewrap(launcher.clone(), held)));
+        }
+        levels
+    }
+
+    /// Whether code can open no file that is not its own, whatever it calls.
+    pub fn closes_files(&self) -> bool {
+        matches!(self, Containment::Sandbox { held, bubblewrap, .. } if held.files || *bubblewrap)
+    }
+
+    /// How the program ended that a command of this containment has run: bubblewrap reports a signal
+    /// as an exit code.
+    pub fn status_of_program(&self, status: ExitStatus) -> ExitStatus {
+        match self {
+            Containment::Sandbox {
+                bubblewrap: true, ..
+            } => bubblewrap::status_of_program(status),
+            _ => status,
+        }
     }
 
     /// Whether code is run by the launcher.
@@ -176,6 +221,7 @@ impl Containment {
             launcher,
             held,
             own_network,
+            bubblewrap,
         } = self
         else {
             return Command::new(program);
@@ -188,6 +234,7 @@ impl Containment {
             ..policy.clone()
         };
         let mut command = match own_network {
+            _ if *bubblewrap => bubblewrap::command(launcher, &policy),
             Some(unshare) => in_front_of(unshare, launcher),
             None => Command::new(launcher),
         };
@@ -200,7 +247,10 @@ impl Containment {
 impl fmt::Display for Containment {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Containment::Sandbox {
-            held, own_network, ..
+            held,
+            own_network,
+            bubblewrap,
+            ..
         } = self
         else {
             return f.write_str(
@@ -210,6 +260,7 @@ impl fmt::Display for Containment {
         let means = [
             ("Landlock", held.files),
             ("seccomp", held.system_calls),
+            ("bubblewrap", *bubblewrap),
             ("limits of resources", true),
             ("another user", held.other_user),
             ("a network of its own", own_network.is_some()),
@@ -225,7 +276,7 @@ impl fmt::Display for Containment {
             true => "every user",
             false => "the person who graded it",
         };
-        match (held.files, held.system_calls) {
+        match (self.closes_files(), held.system_calls) {
             (true, true) => {}
             (false, true) => f.write_str(
                 "the compiler could read files of the person who graded, if the scan of the code missed a way; ",
@@ -235,7 +286,7 @@ impl fmt::Display for Containment {
                     write!(f, "the code could read what {user} can read; ")?;
                 }
                 f.write_str("it could start programs, and read the memory of its worker; ")?;
-                if own_network.is_none() {
+                if own_network.is_none() && !bubblewrap {
                     f.write_str("it could use the network; ")?;
                 }
             }

@@ -5,7 +5,8 @@ use crate::toolchain::{LIBRARY_CACHE, Toolchain};
 use grader::workers::launcher::{Launcher, WorkerLimits};
 use sandbox::{Limits, Policy};
 use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::process::{Command, ExitStatus};
+use std::time::Instant;
 
 /// Processor time of one process that compiles, in seconds. The largest crate of the course takes
 /// 6 seconds.
@@ -21,8 +22,6 @@ pub(crate) struct Jail {
     pub(crate) toolchain: Toolchain,
     /// The workspace that is built.
     pub(crate) root: PathBuf,
-    /// What of it the compiler reads: files, and folders with everything in them.
-    pub(crate) sources: Vec<PathBuf>,
     /// The sources of the libraries.
     pub(crate) libraries: PathBuf,
     /// Cargo's own folder, with its settings.
@@ -31,21 +30,25 @@ pub(crate) struct Jail {
     pub(crate) target: PathBuf,
     /// Where programs put temporary files.
     pub(crate) temporary: PathBuf,
+    /// When all programs of the submission have to have ended, if there is such a limit.
+    pub(crate) end: Option<Instant>,
 }
 
 impl Launcher for Jail {
     fn cargo(&self) -> Command {
         let mut run = self.toolchain.folders.clone();
         run.extend(self.toolchain.cargo.parent().map(Path::to_path_buf));
-        let mut read = self.sources.clone();
-        read.extend([self.libraries.clone(), LIBRARY_CACHE.into()]);
-        read.push("/dev/urandom".into());
+        let read = vec![
+            self.root.clone(),
+            self.libraries.clone(),
+            LIBRARY_CACHE.into(),
+            "/dev/urandom".into(),
+        ];
         let write = [&self.home, &self.target, &self.temporary];
         let mut write: Vec<PathBuf> = write.into_iter().cloned().collect();
         write.push("/dev/null".into());
         let policy = Policy {
             read,
-            list: vec![self.root.clone()],
             run,
             write,
             processes: true,
@@ -78,5 +81,13 @@ impl Launcher for Jail {
 
     fn seals(&self) -> bool {
         self.containment.seals()
+    }
+
+    fn status_of_program(&self, status: ExitStatus) -> ExitStatus {
+        self.containment.status_of_program(status)
+    }
+
+    fn end(&self) -> Option<Instant> {
+        self.end
     }
 }

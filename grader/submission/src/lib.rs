@@ -12,6 +12,7 @@
 //! compiled and while it runs; [`build_folder`] keeps one submission from the next.
 
 pub mod arguments;
+mod bubblewrap;
 pub mod build_folder;
 mod by_heart;
 pub mod clean_workspace;
@@ -41,6 +42,7 @@ use grader::workers::printed;
 use read::Submission;
 use serde::Serialize;
 use std::collections::BTreeMap;
+use std::time::{Duration, Instant};
 
 /// The report about a submission.
 #[derive(Clone, Debug, Serialize)]
@@ -117,6 +119,7 @@ impl SubmissionReport {
         let mut ungraded = Vec::new();
         let mut results = Vec::new();
         let mut graded_tasks = Vec::new();
+        let end = end_of_all_stages();
         for stage in grade::stages(&tasks) {
             let of_stage = tasks.iter().copied().filter(|task| task.stage == stage);
             let Some(sources) = submission.stages.get(stage) else {
@@ -136,7 +139,7 @@ impl SubmissionReport {
                 continue;
             }
             let of_stage: Vec<&Task> = of_stage.collect();
-            let folder = clean.with_stages(&[(stage, sources)])?;
+            let folder = clean.with_stages(&[(stage, sources)], end)?;
             let build_root = folder.build_root();
             let graded = grade::at(workspace, &course, &of_stage, request.seed, &build_root)?;
             report.limit = report.limit.or(graded.limit);
@@ -175,13 +178,23 @@ impl SubmissionReport {
             let all: Vec<(&str, &Files)> = all
                 .map(|(stage, sources)| (stage.as_str(), sources))
                 .collect();
-            let folder = clean.with_stages(&all)?;
+            let folder = clean.with_stages(&all, end_of_all_stages())?;
             let build_root = folder.build_root();
             let graded = grade::at(workspace, &course, &graded_tasks, request.seed, &build_root)?;
             report.together = Some(combine(graded.report.tasks, &ungraded));
         }
         Ok(report)
     }
+}
+
+/// How long all stages of a submission may be built and run: some twenty times what honest code takes.
+/// Code that waits as long as each case lets it would otherwise take hours, and a class would give it
+/// up instead of grading it.
+const MOST_TIME: Duration = Duration::from_secs(25 * 60);
+
+/// The end of that time, if it begins now.
+fn end_of_all_stages() -> Option<Instant> {
+    Instant::now().checked_add(MOST_TIME)
 }
 
 /// A sentence about stages that were refused before they were compiled; `None` if none was.

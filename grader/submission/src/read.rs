@@ -77,8 +77,9 @@ impl Submission {
             let src = stages_folder.join(stage).join("src");
             if exists(&src)? {
                 let files = sources(&top, &src, &mut notes)?;
-                submission.reaches_out.extend(reaches_out(stage, &files));
-                let forbidden = scan::forbidden(stage, &files);
+                let found = reaches_out(stage, &files);
+                submission.reaches_out.extend(first_places(found));
+                let forbidden = first_places(scan::forbidden(stage, &files));
                 if !forbidden.is_empty() {
                     submission.forbidden.insert((*stage).to_string(), forbidden);
                 }
@@ -260,6 +261,19 @@ fn walk(
     Ok(true)
 }
 
+/// How many places of a stage are named: a file may have a hundred thousand.
+const MOST_PLACES: usize = 20;
+
+/// The first of these places, and how many others there are.
+fn first_places(mut places: Vec<String>) -> Vec<String> {
+    let more = places.len().saturating_sub(MOST_PLACES);
+    if more > 0 {
+        places.truncate(MOST_PLACES);
+        places.push(format!("and {more} more places"));
+    }
+    places
+}
+
 /// Finds lines that may access files outside their module tree or start programs. A person should
 /// check whether they are harmless.
 fn reaches_out(stage: &str, files: &Files) -> Vec<String> {
@@ -399,6 +413,17 @@ mod tests {
         let (_folder, submission) = read(&[("stages/intersect/src/lib.rs", code)]);
         let expected = ["stages/intersect/src/lib.rs:2: `std::fs`"];
         assert_eq!(submission.unwrap().reaches_out, expected);
+    }
+
+    #[test]
+    fn of_many_places_the_first_are_named() {
+        let code = "use std::fs; unsafe {}\n".repeat(1000);
+        let (_folder, submission) = read(&[("stages/intersect/src/lib.rs", code.as_bytes())]);
+        let submission = submission.unwrap();
+        for places in [&submission.reaches_out, &submission.forbidden["intersect"]] {
+            assert_eq!(places.len(), MOST_PLACES + 1);
+            assert_eq!(places[MOST_PLACES], "and 980 more places");
+        }
     }
 
     #[test]

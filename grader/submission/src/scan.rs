@@ -142,6 +142,10 @@ fn tokens(code: &str) -> Vec<Token> {
         rest: code,
         line: 1,
     };
+    if is_shebang(code) {
+        // A quotation mark in it begins no string.
+        scanner.skip_past("\n");
+    }
     let mut tokens = Vec::new();
     while let Some(token) = scanner.next() {
         tokens.push(token);
@@ -171,7 +175,7 @@ impl Scanner<'_> {
     fn next(&mut self) -> Option<Token> {
         loop {
             let first = self.rest.chars().next()?;
-            if first.is_whitespace() {
+            if is_space(first) {
                 self.skip(first.len_utf8());
             } else if self.rest.starts_with("//") {
                 self.skip_past("\n");
@@ -258,6 +262,21 @@ impl Scanner<'_> {
     }
 }
 
+/// Whether the first line is for the system's shell, as the compiler reads it: `#!` that begins no
+/// attribute.
+fn is_shebang(code: &str) -> bool {
+    let rest = code.strip_prefix('\u{feff}').unwrap_or(code);
+    let rest = rest
+        .strip_prefix("#!")
+        .map(|rest| rest.trim_start_matches(is_space));
+    rest.is_some_and(|rest| !rest.starts_with('['))
+}
+
+/// Whether the compiler reads a character as space: also marks of direction.
+fn is_space(c: char) -> bool {
+    c.is_whitespace() || matches!(c, '\u{200e}' | '\u{200f}')
+}
+
 /// The lifetime at the beginning of `text`, with its quotation mark; `None` if it is a character.
 fn lifetime(text: &str) -> Option<&str> {
     let name = text.strip_prefix('\'')?;
@@ -313,6 +332,13 @@ mod tests {
             ("r##\"a\"#\"##; '\\''; asm!()", "a.rs:1: `asm"),
             ("fn f<'a>(x: &'a u8) { env!(\"A\") }", "a.rs:1: `env"),
             ("fn f<'a, 'b>(_: &'a &'b ()) {}", "a.rs:1: `&"),
+            (
+                "#!/bin/sh \"\nstatic S: &str = env!(\"A\"); // \"",
+                "a.rs:2: `env",
+            ),
+            ("#![doc = \"]\"] extern crate a;", "a.rs:1: `extern"),
+            ("include\u{200e}!(\"x\");", "a.rs:1: `include"),
+            ("#\u{200f}[path = \"x\"] mod a;", "a.rs:1: `path"),
         ] {
             assert_eq!(found(code), [place], "{code}");
         }

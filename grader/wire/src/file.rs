@@ -19,6 +19,10 @@ use std::io::{self, Read, Write};
 /// allocate.
 pub const MAX_FRAME_BYTES: u32 = 24 << 20;
 
+/// The most bytes of all records of one worker: they are in memory at once. Those of honest code have a
+/// tenth of it.
+const MAX_STREAM_BYTES: u64 = 512 << 20;
+
 /// The length of a header: length, key and number of the frame.
 const HEADER_BYTES: usize = 4 + KEY_BYTES + 8;
 
@@ -125,6 +129,8 @@ pub struct FrameReader {
     input: Box<dyn Read>,
     key: Key,
     number: u64,
+    /// How many bytes of frames may still be read.
+    left: u64,
     ended: bool,
 }
 
@@ -135,6 +141,7 @@ impl FrameReader {
             input,
             key,
             number: 0,
+            left: MAX_STREAM_BYTES,
             ended: false,
         }
     }
@@ -156,6 +163,9 @@ impl FrameReader {
                 "a record has {length} bytes, expected at most {MAX_FRAME_BYTES}"
             ));
         }
+        self.left = self.left.checked_sub(length.into()).ok_or_else(|| {
+            format!("the records of all cases have more than {MAX_STREAM_BYTES} bytes together")
+        })?;
         let Some(body) = self.bytes(length)? else {
             return Ok(None);
         };
@@ -259,6 +269,15 @@ mod tests {
             assert_eq!(frames.len(), 3, "{frames:?}");
             assert!(frames[2].is_err(), "{frames:?}");
         }
+    }
+
+    #[test]
+    fn all_records_together_have_a_limit() {
+        let bytes = [started(0), started(1), started(2)].concat();
+        let mut reader = FrameReader::new(Box::new(io::Cursor::new(bytes.clone())), KEY);
+        reader.left = (bytes.len() / 3 * 2 - 2 * HEADER_BYTES) as u64;
+        let read: Vec<_> = reader.map(|frame| frame.is_ok()).collect();
+        assert_eq!(read, [true, true, false]);
     }
 
     #[test]

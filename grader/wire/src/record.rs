@@ -3,6 +3,7 @@
 use crate::kinds::Answer;
 use crate::question::Question;
 use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
 
 /// An entry of the file that the worker writes: for each case a start, then its end.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -122,4 +123,18 @@ pub enum Outcome {
         /// Why.
         reason: String,
     },
+}
+
+/// The longest text of a record, in bytes. The student's code can make the message of a panic as long
+/// as it likes.
+pub const MOST_OF_TEXT: usize = 4096;
+
+/// `text`, or its beginning if it is longer than [`MOST_OF_TEXT`].
+pub fn shortened(text: &str) -> Cow<'_, str> {
+    if text.len() <= MOST_OF_TEXT {
+        return text.into();
+    }
+    let mut ends = (0..=MOST_OF_TEXT).rev();
+    let end = ends.find(|end| text.is_char_boundary(*end)).unwrap_or(0);
+    format!("{}…", &text[..end]).into()
 }

@@ -1,8 +1,7 @@
 //! Fuzzing: whatever bytes arrive, the readers of the channel return values or an error. They never
 //! panic, hang or ask for more memory than a frame may have.
-//!
-//! `FIRSTLIGHT_FUZZ_SEED` sets the first seed (default 0), to repeat a failure.
 
+use damage::{Random, damage, seeds};
 use wire::file::{FrameReader, FrameWriter, Key, read_cases, write_cases};
 use wire::question::{Question, read_reply, write_reply};
 use wire::work::{BoxWork, Probe, Ray};
@@ -10,42 +9,6 @@ use wire::{Answer, Case, Excess, Outcome, Record, RecordFrame, Work};
 
 /// The number of damaged streams.
 const STREAMS: u64 = 20_000;
-
-/// Random numbers that depend on the seed only (SplitMix64).
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    fn below(&mut self, end: usize) -> usize {
-        (self.next() % end.max(1) as u64) as usize
-    }
-}
-
-/// Changes, removes, repeats or inserts a few bytes.
-fn damage(bytes: &mut Vec<u8>, random: &mut Random) {
-    for _ in 0..=random.below(3) {
-        let at = random.below(bytes.len());
-        let extreme = [0, 1, 0x7f, 0x80, 0xff][random.below(5)];
-        match random.below(5) {
-            0 if at < bytes.len() => bytes[at] = random.next() as u8,
-            1 if at < bytes.len() => bytes[at] = extreme,
-            2 => bytes.truncate(at),
-            3 => bytes.insert(at, extreme),
-            _ => {
-                let end = (at + random.below(40)).min(bytes.len());
-                let again = bytes[at.min(end)..end].to_vec();
-                bytes.extend(again);
-            }
-        }
-    }
-}
 
 /// A stream of every kind of frame, and its key.
 fn frames() -> (Vec<u8>, Key) {
@@ -98,19 +61,13 @@ fn read(bytes: &[u8], key: Key) -> Vec<Result<RecordFrame, String>> {
     FrameReader::new(Box::new(std::io::Cursor::new(bytes.to_vec())), key).collect()
 }
 
-fn seeds() -> impl Iterator<Item = u64> {
-    let first = std::env::var("FIRSTLIGHT_FUZZ_SEED");
-    let first = first.ok().and_then(|first| first.parse().ok()).unwrap_or(0);
-    (first..).take(STREAMS as usize)
-}
-
 #[test]
 fn damaged_frames_end_in_an_error() {
     let (bytes, key) = frames();
     let whole = read(&bytes, key);
-    for seed in seeds() {
+    for seed in seeds(STREAMS) {
         let mut damaged = bytes.clone();
-        damage(&mut damaged, &mut Random(seed));
+        damage(&mut damaged, &mut Random::new(seed));
         let frames = read(&damaged, key);
         // What stands before the damage is read as it was; an error ends the stream.
         let errors = frames.iter().filter(|frame| frame.is_err()).count();
@@ -141,8 +98,8 @@ fn damaged_cases_and_replies_are_errors_or_values() {
     write_cases(&mut cases, Key::random(), &[case]).expect("writing to memory succeeds");
     let mut replies = Vec::new();
     write_reply(&mut replies, Some([0.5, 0.7])).expect("writing to memory succeeds");
-    for seed in seeds() {
-        let mut random = Random(seed);
+    for seed in seeds(STREAMS) {
+        let mut random = Random::new(seed);
         let mut damaged = [cases.clone(), replies.clone()];
         damaged
             .iter_mut()

@@ -119,6 +119,7 @@ impl Reader {
         }
         let is_late = watchdog.stop();
         let status = running.wait(&mut child, ENDING).map_err(|e| machine(&e))?;
+        let status = self.containment.status_of_program(status);
         if !status.success() {
             running.kill(); // what it has started, such as git
         }

@@ -26,7 +26,6 @@ pub(super) fn restrict(policy: &Policy) -> Result<(), String> {
     let read = make_bitflags!(AccessFs::{ReadFile | ReadDir});
     let granted = [
         (&policy.read, read),
-        (&policy.list, AccessFs::ReadDir.into()),
         (&policy.run, read | AccessFs::Execute),
         (&policy.write, AccessFs::from_all(NEWEST) & !devices()),
     ];

@@ -55,6 +55,37 @@ pub(crate) const ALL: &[Attempt] = &[
     attempt("change the rights of a file", |socket| {
         fs::set_permissions(socket, fs::Permissions::from_mode(0o700)).is_ok()
     }),
+    attempt("learn where it is", |_| {
+        ["/proc/self/exe", "/proc/self/cwd", "/proc/self/fd/0"]
+            .iter()
+            .any(|path| fs::read_link(path).is_ok())
+    }),
+    attempt("learn the real path of a file", |_| {
+        fs::canonicalize("/etc/../etc/passwd").is_ok()
+    }),
+    attempt("list what it has open", |_| {
+        fs::read_dir("/proc/self/fd").is_ok() || fs::read_dir("/dev/fd").is_ok()
+    }),
+    attempt("read the environment of its parent", |_| {
+        let parent = std::os::unix::process::parent_id();
+        fs::read(format!("/proc/{parent}/environ")).is_ok()
+    }),
+    attempt("read the keys of the machine", |_| {
+        fs::read("/proc/keys").is_ok() || fs::read_dir("/root/.ssh").is_ok()
+    }),
+    attempt("make a link to what it may not read", |socket| {
+        std::os::unix::fs::symlink("/etc/passwd", socket.with_file_name("hostile")).is_ok()
+    }),
+    attempt("make a second name of the socket", |socket| {
+        fs::hard_link(socket, socket.with_file_name("hostile")).is_ok()
+    }),
+    attempt("change the owner of a file", |socket| {
+        std::os::unix::fs::chown(socket, Some(0), Some(0)).is_ok()
+    }),
+    attempt("change the root", |_| {
+        std::os::unix::fs::chroot("/").is_ok()
+    }),
+    attempt("make a pipe to wait at", |_| std::io::pipe().is_ok()),
     attempt("go to another folder", |_| {
         std::env::set_current_dir("/").is_ok()
     }),
@@ -144,6 +175,21 @@ pub(crate) const ALL: &[Attempt] = &[
         };
         error("/no such socket") != Some(ErrorKind::PermissionDenied)
     }),
+    attempt("send a datagram to an address through the channel", |_| {
+        UdpSocket::from(channel())
+            .send_to(b"x", "127.0.0.1:9")
+            .is_ok()
+    }),
+    attempt("connect the channel to a server", |_| {
+        UdpSocket::from(channel()).connect("127.0.0.1:9").is_ok()
+    }),
+    attempt("wait for others at the channel", |_| {
+        TcpListener::from(channel()).accept().is_ok()
+            || UnixListener::from(channel()).accept().is_ok()
+    }),
+    attempt("ask the channel for an error", |_| {
+        UnixStream::from(channel()).take_error().is_ok()
+    }),
     attempt("send the log a line", |_| {
         channel_as_datagram().send_to(b"x", "/dev/log").is_ok()
     }),
@@ -190,6 +236,45 @@ pub(crate) const ALL: &[Attempt] = &[
             .is_ok()
     }),
     attempt("open the terminal", |_| File::open("/dev/tty").is_ok()),
+    attempt("write the output to the disk", |_| {
+        output().sync_all().is_ok()
+    }),
+    attempt("lock the channel for others", |_| {
+        File::from(channel()).try_lock().is_ok()
+    }),
+];
+
+/// Ways out that lead through files and networks: a level that closes these lets none of them pass,
+/// even if it denies no system calls.
+pub(crate) const THROUGH_FILES_AND_NETWORKS: &[Attempt] = &[
+    attempt("read the users", |_| fs::read("/etc/passwd").is_ok()),
+    attempt("read what the course has", |_| {
+        fs::read(concat!(env!("CARGO_MANIFEST_DIR"), "/Cargo.toml")).is_ok()
+    }),
+    attempt("list the home", |_| fs::read_dir("/root").is_ok()),
+    attempt("write a file beside the socket", |socket| {
+        fs::write(socket.with_file_name("hostile"), b"x").is_ok()
+    }),
+    attempt("replace its program", |_| {
+        std::env::current_exe().is_ok_and(|path| fs::write(path, b"x").is_ok())
+    }),
+    attempt("remove the socket", |socket| {
+        fs::remove_file(socket).is_ok()
+    }),
+    attempt("read the environment of another process", |_| {
+        // In a space of processes of its own, these are its own, without a secret.
+        let entries = fs::read_dir("/proc").into_iter().flatten().flatten();
+        let environments = entries.filter_map(|entry| fs::read(entry.path().join("environ")).ok());
+        let mut secrets = environments.filter(|text| text.windows(5).any(|part| part == b"HOME="));
+        secrets.next().is_some()
+    }),
+    attempt("connect to a local service", |socket| {
+        UnixDatagram::unbound().is_ok_and(|one| one.send_to(b"hostile", socket).is_ok())
+    }),
+    attempt("see a network", |_| {
+        // Only its own, where nobody listens and nothing is reached.
+        UdpSocket::bind("127.0.0.1:0").is_ok_and(|socket| socket.connect("192.0.2.1:9").is_ok())
+    }),
 ];
 
 /// The worker's end of the channel, as safe code can get it.

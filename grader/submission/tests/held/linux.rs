@@ -11,10 +11,10 @@ use std::alloc::System;
 use std::os::unix::fs::PermissionsExt;
 use std::os::unix::net::UnixDatagram;
 use std::path::Path;
-use std::process::{Command, ExitCode};
+use std::process::{Command, ExitCode, ExitStatus};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 use submission::containment::Containment;
 use wire::{Answer, Case, Record, Work};
 
@@ -26,6 +26,9 @@ const LIMIT_MS: u64 = 1000;
 
 /// The same for code that writes a gigabyte: on a busy machine that takes many seconds.
 const LONG_LIMIT_MS: u64 = 10_000;
+
+/// With this variable, the spoilers run at every level, not only at the strongest.
+const ALL_LEVELS: &str = "FIRSTLIGHT_ALL_LEVELS";
 
 /// What a way out prints that leads out. `crash::describe` shows it.
 const GOT_OUT: &str = "GOT OUT";
@@ -46,13 +49,27 @@ impl Launcher for Level {
     fn seals(&self) -> bool {
         self.0.seals()
     }
+
+    fn status_of_program(&self, status: ExitStatus) -> ExitStatus {
+        self.0.status_of_program(status)
+    }
+
+    fn end(&self) -> Option<Instant> {
+        None
+    }
 }
 
 /// The worker's part. The name of a case is that of its code, after a `:` with a path for it.
 fn run_case(index: u32, case: &Case) -> Record {
     let (name, path) = case.name.split_once(':').unwrap_or((&case.name, ""));
     harness::run(index, case, |_| {
-        if let Some(attempt) = attempts::ALL.iter().find(|it| it.name == name) {
+        let all = attempts::ALL;
+        let some = attempts::THROUGH_FILES_AND_NETWORKS;
+        let (list, path) = match path.strip_prefix(ONLY_CLOSED) {
+            Some(path) => (some, path),
+            None => (all, path),
+        };
+        if let Some(attempt) = list.iter().find(|it| it.name == name) {
             let got_out = (attempt.got_out)(Path::new(path));
             assert!(!got_out, "{GOT_OUT}: {name}");
         }
@@ -75,7 +92,19 @@ pub(crate) fn main() -> ExitCode {
     let mut wrong = Vec::new();
     for level in strongest.levels() {
         if level.seals() {
-            wrong.extend(attempts_that_lead_out(&level));
+            wrong.extend(attempts_that_lead_out(&level, attempts::ALL, ""));
+        } else if level.closes_files() {
+            let some = attempts::THROUGH_FILES_AND_NETWORKS;
+            wrong.extend(attempts_that_lead_out(&level, some, ONLY_CLOSED));
+        } else {
+            continue;
+        }
+        println!("held: {level}");
+    }
+    if std::env::var_os(ALL_LEVELS).is_some() {
+        let others = strongest.levels().into_iter().skip(1);
+        for level in others.filter(Containment::seals) {
+            wrong.extend(spoilers_that_spoil_more(&level));
         }
     }
     let filters = Arc::new(Filters::default());
@@ -89,8 +118,12 @@ pub(crate) fn main() -> ExitCode {
     ExitCode::SUCCESS
 }
 
-/// Makes all attempts at a level, with a socket that listens outside and hears nothing.
-fn attempts_that_lead_out(level: &Containment) -> Vec<String> {
+/// What stands before the path of an attempt of the list for levels that deny no system calls.
+const ONLY_CLOSED: &str = "only closed ";
+
+/// Makes these attempts at a level, with a socket that listens outside and hears nothing. `mark`
+/// stands before their paths.
+fn attempts_that_lead_out(level: &Containment, attempts: &[Attempt], mark: &str) -> Vec<String> {
     let folder = tempfile::tempdir().expect("there is a folder");
     let open_to = |path: &Path, mode| {
         let rights = std::fs::Permissions::from_mode(mode);
@@ -101,9 +134,9 @@ fn attempts_that_lead_out(level: &Containment) -> Vec<String> {
     let listener = UnixDatagram::bind(&path).expect("a socket can be bound");
     open_to(&path, 0o777);
     listener.set_nonblocking(true).expect("it can be set");
-    let names = attempts::ALL.iter().map(|Attempt { name, .. }| *name);
+    let names = attempts.iter().map(|Attempt { name, .. }| *name);
     let names: Vec<String> = names
-        .map(|name| format!("{name}:{}", path.display()))
+        .map(|name| format!("{name}:{mark}{}", path.display()))
         .collect();
     let run = run(level, &names);
     let mut wrong = Vec::new();
@@ -139,7 +172,9 @@ fn spoilers_that_spoil_more(level: &Containment) -> Vec<String> {
         let spoiler = spoilers::ALL.iter().find(|it| it.name == name);
         let expected: &[&str] = spoiler.map_or(&["answers"], |spoiler| spoiler.says);
         if !expected.iter().any(|part| says.contains(part)) {
-            wrong.push(format!("{name}: {says}; expected one of {expected:?}"));
+            wrong.push(format!(
+                "{level}: {name}: {says}; expected one of {expected:?}"
+            ));
         }
     }
     wrong

@@ -44,6 +44,136 @@ pub(crate) const ALL: &[Spoiler] = &[
             std::panic::panic_any(Payload(1));
         },
     ),
+    spoiler(
+        "a payload whose drop never ends",
+        &["did not return"],
+        || {
+            struct Endless;
+            impl Drop for Endless {
+                fn drop(&mut self) {
+                    loop {
+                        std::thread::park();
+                    }
+                }
+            }
+            std::panic::panic_any(Endless);
+        },
+    ),
+    spoiler(
+        "a payload that exits when it is dropped",
+        &["called `std::process::exit(0)`"],
+        || {
+            struct Exits;
+            impl Drop for Exits {
+                fn drop(&mut self) {
+                    std::process::exit(0)
+                }
+            }
+            std::panic::panic_any(Exits);
+        },
+    ),
+    spoiler("a panic with a message of 100 MB", &["xxx…"], || {
+        std::panic::panic_any("x".repeat(100 << 20));
+    }),
+    spoiler(
+        "a hook that panics",
+        &["panicked again", "aborted the whole program"],
+        || {
+            std::panic::set_hook(Box::new(|_| panic!("in the hook")));
+            panic!();
+        },
+    ),
+    spoiler(
+        "a panic while it cleans up after one",
+        &["panicked again"],
+        || {
+            let _payload = Payload(1);
+            panic!();
+        },
+    ),
+    spoiler("a panic with the standard error locked", PANIC, || {
+        std::thread::spawn(|| {
+            let _lock = std::io::stderr().lock();
+            std::thread::sleep(Duration::from_secs(60));
+        });
+        std::thread::sleep(Duration::from_millis(20));
+        panic!();
+    }),
+    spoiler("keeps the standard input locked", &["answers"], || {
+        std::thread::spawn(|| {
+            let _lock = std::io::stdin().lock();
+            std::thread::sleep(Duration::from_secs(60));
+        });
+    }),
+    spoiler("takes all descriptors and keeps them", &["answers"], || {
+        let copy = || std::io::stdin().as_fd().try_clone_to_owned().ok();
+        std::mem::forget(std::iter::from_fn(copy).collect::<Vec<_>>());
+    }),
+    spoiler("prints the marks of other cases", &["answers"], || {
+        let marks = (0..50_000).map(|i| format!("\n\0case {}\nx\n", i % 70));
+        print!("{}", marks.collect::<String>());
+    }),
+    spoiler(
+        "threads that start threads",
+        &["more than a hundred threads", "panicked"],
+        || {
+            fn start() {
+                for _ in 0..2 {
+                    let thread = std::thread::Builder::new().stack_size(1 << 16);
+                    let _ = thread.spawn(start);
+                }
+                std::thread::sleep(Duration::from_secs(60));
+            }
+            start();
+        },
+    ),
+    spoiler(
+        "a thread whose end never comes",
+        &["did not return"],
+        || {
+            struct Endless;
+            impl Drop for Endless {
+                fn drop(&mut self) {
+                    loop {
+                        std::thread::park();
+                    }
+                }
+            }
+            thread_local!(static LAST: Endless = const { Endless });
+            let _ = std::thread::spawn(|| LAST.with(|_| ())).join();
+        },
+    ),
+    spoiler(
+        "panics without end and catches them",
+        &["did not return"],
+        || {
+            loop {
+                let _ = std::panic::catch_unwind(|| panic!());
+            }
+        },
+    ),
+    spoiler("sleeps in very short pieces", &["did not return"], || {
+        loop {
+            std::thread::sleep(Duration::from_micros(1));
+        }
+    }),
+    spoiler(
+        "more memory than there are addresses",
+        &["asked for more than 1024 MB", "panicked"],
+        || {
+            black_box(Vec::<u8>::with_capacity(black_box(isize::MAX as usize)));
+        },
+    ),
+    spoiler("a recursion of drops", &["overflowed the stack"], || {
+        struct List(#[allow(dead_code, reason = "it is dropped")] Option<Box<List>>);
+        impl Drop for List {
+            fn drop(&mut self) {
+                black_box(&self.0);
+            }
+        }
+        let list = (0..5_000_000).fold(None, |rest, _| Some(Box::new(List(rest))));
+        drop(list);
+    }),
     spoiler("a hook that never returns", &["did not return"], || {
         std::panic::set_hook(Box::new(|_| {
             loop {

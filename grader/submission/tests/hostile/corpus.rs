@@ -24,7 +24,7 @@ pub(crate) struct Case {
     pub(crate) never: Option<String>,
     /// Part of what the compiler says if it is not scanned.
     pub(crate) unscanned: Option<String>,
-    /// Its score: `less`, `all` or `any`.
+    /// Its score: `none`, `less`, `all` or `any`.
     pub(crate) score: Option<String>,
     /// The limit that it exceeds.
     pub(crate) limit: Option<String>,
@@ -106,16 +106,62 @@ fn filled_in(code: &str) -> String {
         entries.find(|path| path.join("complete").is_file())
     });
     let clean = newest.unwrap_or(shared);
-    let brackets = "(".repeat(100_000) + "1" + &")".repeat(100_000);
-    let errors = (0..10_000).fold(String::new(), |text, i| {
-        text + &format!("pub fn f{i}() -> u8 {{ \"a text that is no number\" }}\n")
+    let paths = [
+        ("{COURSE}", root.to_string_lossy().into_owned()),
+        ("{CLEAN}", clean.to_string_lossy().into_owned()),
+        ("{HOME}", home),
+        ("{CHANNEL}", CHANNEL.to_string()),
+    ];
+    let code = paths.iter().fold(code.to_string(), |code, (name, text)| {
+        code.replace(name, text)
     });
-    code.replace("{COURSE}", &root.to_string_lossy())
-        .replace("{CLEAN}", &clean.to_string_lossy())
-        .replace("{HOME}", &home)
-        .replace("{CHANNEL}", CHANNEL)
-        .replace("{BRACKETS}", &brackets)
-        .replace("{ERRORS}", &errors)
+    MADE.iter()
+        .fold(code, |code, (name, text)| match code.contains(name) {
+            true => code.replace(name, &text()),
+            false => code,
+        })
+}
+
+/// A placeholder in the corpus, and what makes the code that it stands for.
+type Made = (&'static str, fn() -> String);
+
+/// Code that is too long to be written, or does not show when it is.
+const MADE: [Made; 10] = [
+    ("{LRM}", || "\u{200e}".into()),
+    ("{ESC}", || "\u{1b}".into()),
+    ("{RLO}", || "\u{202e}".into()),
+    ("{NUL}", || "\0\u{1}".into()),
+    ("{BRACKETS}", || {
+        "(".repeat(100_000) + "1" + &")".repeat(100_000)
+    }),
+    ("{ERRORS}", || {
+        each(0..10_000, |i| {
+            format!("pub fn f{i}() -> u8 {{ \"a text that is no number\" }}\n")
+        })
+    }),
+    ("{WARNINGS}", || {
+        each(0..50_000, |i| format!("let w{i} = 1;\n"))
+    }),
+    ("{LONG_STRINGS}", || {
+        format!("\"{}\",", "x".repeat(1 << 20)).repeat(32)
+    }),
+    ("{DOUBLED}", || {
+        let next = |i| format!("let a{i} = (a{0}, a{0});", i - 1);
+        "let a0 = (0_u8, 0_u8);".to_string() + &each(1..31, next)
+    }),
+    ("{PATTERNS}", || {
+        each(0..24, |i| {
+            let column = |j| match i == j {
+                true => "(true, false),",
+                false => "(_, true) | (false, _),",
+            };
+            format!("[{}] => false,", each(0..24, |j| column(j).to_string()))
+        }) + "_ => true"
+    }),
+];
+
+fn each(numbers: std::ops::Range<usize>, text: impl Fn(usize) -> String) -> String {
+    numbers.map(text).collect()
 }
 
 fn root() -> PathBuf {
@@ -153,7 +199,7 @@ impl Case {
     pub(crate) fn files(&self) -> Files {
         let mut files = reference("intersect");
         // Attributes of the crate.
-        let (attribute, code) = match self.code.strip_prefix("#!") {
+        let (attribute, code) = match self.code.strip_prefix("#![") {
             Some(rest) => rest.split_once(']').expect("an attribute ends"),
             None => ("", self.code.as_str()),
         };
@@ -167,7 +213,7 @@ impl Case {
         change("lib.rs", &|text| {
             let start = match attribute {
                 "" => String::new(),
-                attribute => format!("#!{attribute}]\n"),
+                attribute => format!("#![{attribute}]\n"),
             };
             format!("{start}{text}\n#[allow(dead_code, missing_docs)]\npub mod hostile;\n")
         });
@@ -209,7 +255,7 @@ impl Class {
         let containment = self.0.containment().clone();
         let clean = CleanWorkspace::open(&workspace, containment).expect("it is built");
         let folder = clean
-            .with_stages(&[("intersect", files)])
+            .with_stages(&[("intersect", files)], None)
             .expect("it is written");
         let built = folder.build_root().build_worker(&["intersect"]);
         built.expect("cargo runs")

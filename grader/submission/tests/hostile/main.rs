@@ -11,6 +11,7 @@ mod by_heart;
 mod corpus;
 mod counters;
 mod folders;
+mod growth;
 
 use corpus::{Case, Class, attempts_code, cases};
 use grader::build::{BuildLimit, BuildOutcome};
@@ -96,7 +97,9 @@ fn code_that_is_too_much_for_the_compiler_is_ended() {
             (None, outcome) => outcome != Outcome::Graded,
         };
         println!("{}: {:?}", case.name, graded.outcome);
-        if !has_outcome || !report.compiler.contains(says) || report.scores.score > 0.0 {
+        let is_obeyed = |c: char| c.is_control() && c != '\n' || c == '\u{202e}';
+        let is_shown = report.compiler.contains(says) && !report.compiler.contains(is_obeyed);
+        if !has_outcome || !is_shown || report.scores.score > 0.0 {
             let start: String = report.compiler.chars().take(2000).collect();
             wrong.push(format!("{}: {:?}: {start}", case.name, graded.outcome));
         }
@@ -144,6 +147,7 @@ fn spoiled(class: &Class, case: &Case) -> Option<String> {
     let (report, scores) = (&graded.report, &graded.report.scores);
     println!("{}: {} of {}", case.name, scores.score, scores.max_score);
     let has_score = match case.score.as_deref() {
+        Some("none") => scores.score == 0.0,
         Some("less") => scores.score < scores.max_score,
         Some("all") => scores.score == scores.max_score,
         _ => true,
@@ -156,6 +160,29 @@ fn spoiled(class: &Class, case: &Case) -> Option<String> {
         let start: String = json.chars().take(2000).collect();
         format!("{}: {}{start}", case.name, report.compiler)
     })
+}
+
+/// Grades `FIRSTLIGHT_ONE`, a case of any file by its name, and prints what came of it. To try a new
+/// one.
+#[test]
+#[ignore = "for trying a new submission"]
+fn one_submission() {
+    let name = std::env::var("FIRSTLIGHT_ONE").unwrap_or_default();
+    let class = Class::open();
+    let all = ["scan", "compile", "run"].into_iter().flat_map(cases);
+    for case in all.filter(|case| !name.is_empty() && case.name.contains(&name)) {
+        let started = std::time::Instant::now();
+        let graded = class.grade(&case.files(), 1);
+        let graded = graded.expect("it is graded");
+        let scores = &graded.report.scores;
+        let seconds = started.elapsed().as_secs();
+        println!(
+            "{}: {:?}, {} of {}, {seconds} s",
+            case.name, graded.outcome, scores.score, scores.max_score
+        );
+        let json = grader::report::json(&graded.report).expect("a report is JSON");
+        println!("{}", json.chars().take(3000).collect::<String>());
+    }
 }
 
 /// What keeps code in its folder changes no answer and no point.

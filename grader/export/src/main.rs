@@ -71,7 +71,7 @@ fn command() -> Command {
             Arg::new("unsandboxed")
                 .long("unsandboxed")
                 .action(ArgAction::SetTrue)
-                .help("Grade where the container has no Landlock, too: code can read the solutions then"),
+                .help("Grade where the container has neither seccomp nor bubblewrap, too: code can read the solutions then"),
         )
         .arg(
             Arg::new("course")

@@ -162,6 +162,28 @@ fn spoiled(class: &Class, case: &Case) -> Option<String> {
     })
 }
 
+/// Files that make cargo build more, or refuse the crate, are files that no module names.
+#[test]
+#[ignore = "builds a submission: seconds"]
+fn files_to_which_cargo_gives_a_meaning_have_none() {
+    let class = Class::open();
+    let mut files = corpus::reference("intersect");
+    for name in [
+        "bin/build.rs",
+        "bin/deps.rs",
+        "bin/worker/main.rs",
+        "main.rs",
+        "build.rs",
+    ] {
+        let code = b"compile_error!(\"it is built\");".to_vec();
+        files.insert(name.into(), code);
+    }
+    files.insert("bin/build\nscore 80 of 80.rs".into(), Vec::new());
+    let report = class.grade(&files, 1).expect("it is graded").report;
+    assert_eq!(report.compiler, "");
+    assert_eq!(report.scores.score, report.scores.max_score);
+}
+
 /// Grades `FIRSTLIGHT_ONE`, a case of any file by its name, and prints what came of it. To try a new
 /// one.
 #[test]

@@ -12,7 +12,7 @@ use crate::workers::printed;
 use crate::workers::worker_set::WorkerSet;
 use base::program::Exit;
 use base::{GraderError, Workspace, out, outln};
-use judge::cases::{self, Spec};
+use judge::cases::Spec;
 use judge::repro;
 use judge::snapshot::{self, Line, Snapshot};
 use judge::tally::WrongAnswer;
@@ -35,7 +35,7 @@ pub(super) fn run(
 ) -> Result<Exit, GraderError> {
     let course = Course::read(workspace)?;
     let (task, entry) = find(&course, &request.what, name)?;
-    let specs = cases::all(request.seed);
+    let specs = grade::specs(request.seed)?;
     let spec = grade::chosen(&[task], &specs)?;
     let spec = spec.into_iter().find(|spec| spec.name == name);
     let spec = spec.ok_or_else(|| no_case(task, name))?;

@@ -4,11 +4,11 @@ use super::case::{find, golden};
 use super::{seed_argument, seed_of};
 use crate::course::Course;
 use crate::explain;
+use crate::grade;
 use crate::report::terminal::Page;
 use base::program::Exit;
 use base::{GraderError, Workspace, out};
 use clap::{Arg, ArgMatches, Command};
-use judge::cases;
 use std::path::Path;
 
 pub(super) fn command() -> Command {
@@ -29,7 +29,7 @@ pub(super) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     let what: &String = matches.get_one("case").expect("clap requires it");
     let workspace = Workspace::above(Path::new("."))?;
     let course = Course::read(&workspace)?;
-    let specs = cases::all(seed_of(matches));
+    let specs = grade::specs(seed_of(matches))?;
     let page = Page::of_stdout();
     match what.split_once('/') {
         None => {

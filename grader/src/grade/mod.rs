@@ -17,6 +17,7 @@ use crate::workers::stage_workers::StageWorkers;
 use crate::workers::worker_set::WorkerSet;
 use base::{GraderError, Workspace};
 use judge::cases::{self, Spec};
+use judge::packed_truth;
 use judge::repro::{self, FailedCase};
 use wire::record::HoleCall;
 use wire::{Answer, Outcome};
@@ -53,7 +54,7 @@ pub fn in_place(
 ) -> Result<Graded, GraderError> {
     let course = Course::read(workspace)?;
     let tasks = course.select(&request.what)?;
-    let specs = cases::all(request.seed);
+    let specs = specs(request.seed)?;
     let times = times && speedup::applies_to(&tasks);
     let build_root = BuildRoot {
         quiet,
@@ -105,7 +106,7 @@ pub fn at(
     seed: u64,
     build_root: &BuildRoot,
 ) -> Result<Graded, GraderError> {
-    let specs = cases::all(seed);
+    let specs = specs(seed)?;
     let workers = workers(build_root, tasks, &specs, false)?;
     let run = run(&workers, course, tasks, &specs)?;
     Ok(Graded {
@@ -117,6 +118,14 @@ pub fn at(
         compiler: workers.compiler,
         limit: workers.limit,
     })
+}
+
+/// All cases of a seed. A handout refuses other seeds than 0: it has no right results for them.
+pub fn specs(seed: u64) -> Result<Vec<Spec>, GraderError> {
+    match packed_truth::refusal(seed) {
+        Some(why) => Err(GraderError::new(why)),
+        None => Ok(cases::all(seed)),
+    }
 }
 
 /// Builds the workers for `tasks`, including one for whole scenes if a case needs it or

@@ -83,6 +83,8 @@ pub enum Subject {
         strategy: Strategy,
         /// Samples per pixel.
         samples: u32,
+        /// The scattering of its surfaces.
+        scattering: GivenScattering,
     },
     /// The functions of mirrors and glass: a mirror ball and a glass ball on a chequered floor,
     /// then the Fresnel reflectance and the refracted direction over the angle.
@@ -97,6 +99,8 @@ pub enum Subject {
         max_depth: u32,
         /// Paths per pixel.
         samples: u32,
+        /// The scattering of its surfaces.
+        scattering: GivenScattering,
     },
     /// `play_roulette`, in a column for each number of bounces: the result for each throughput (to
     /// the right) and `u` (upwards), then its mean over all `u` beside the throughput itself.
@@ -117,6 +121,8 @@ pub enum Subject {
         batch: u32,
         /// Error that is good enough, as a share of the mean.
         tolerance: f64,
+        /// The scattering of its surfaces.
+        scattering: GivenScattering,
     },
     /// The same with `has_surely_converged`: a light that is hit more and more rarely to the left.
     RareLight {
@@ -129,15 +135,27 @@ pub enum Subject {
     },
 }
 
-/// An eye that looks at a point, with +y up.
+/// An eye, and a panel in front of it, as vectors: the ray through the point `x`, `y`, in pixels from
+/// the bottom left, has the direction `corner + x right + y up`.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct View {
     /// Position.
     pub eye: Xyz,
-    /// The point in the centre of the panel.
-    pub target: Xyz,
-    /// Horizontal field of view in degrees.
-    pub h_fov: f64,
+    /// From the eye to the bottom left corner of the panel.
+    pub corner: Xyz,
+    /// From a pixel to the next one on its right.
+    pub right: Xyz,
+    /// From a pixel to the next one above.
+    pub up: Xyz,
+}
+
+/// The given scattering of pictures whose task is about something else, in numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct GivenScattering {
+    /// The BSDF of a white diffuse surface, in 1/sr.
+    pub white: f64,
+    /// By what the components of a local direction are multiplied in a mirror.
+    pub mirror: Xyz,
 }
 
 /// The panels of a picture, each row by row from the bottom left. Channels are linear, from 0 to 1.

@@ -19,6 +19,7 @@ use file_selection::FileSelection;
 use grader::course::given::{self, GivenFiles};
 use grader::course::packed;
 use grader::course::{Course, stages_of};
+use judge::{packed_truth, truth_tables};
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -85,6 +86,7 @@ impl Handout {
                 root.display()
             )));
         }
+        handout.add_truth(&carver);
         handout.remove_unit_tests(&selection)?;
         handout.remove_tests(&selection)?;
         handout.test_only_stages(&course, part)?;
@@ -168,6 +170,14 @@ impl Handout {
             self.files.insert(path, text.into_bytes());
         }
         Ok(())
+    }
+
+    /// Adds the right results of the formulas that were removed from the judge.
+    fn add_truth(&mut self, carver: &Carver) {
+        let tables = truth_tables::of_seed_0().iter();
+        let removed = tables.filter(|(task, _)| carver.carved_keys.contains(**task));
+        let table = packed_truth::pack(removed.map(|(_, table)| table));
+        self.files.insert(packed_truth::FILE.into(), table);
     }
 
     /// Removes the unit tests of the grader's crates.

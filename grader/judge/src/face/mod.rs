@@ -8,4 +8,5 @@ pub mod picture;
 pub mod pictures;
 pub mod repro;
 pub mod snapshot;
+pub mod truth_tables;
 pub mod whole;

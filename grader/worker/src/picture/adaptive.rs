@@ -6,28 +6,30 @@ use crate::panels;
 use kit::{
     Budget, FilmSize, Material, PixelEstimate, PixelSampler, Ray, Spectrum, Tally, Vec2, Vec3, math,
 };
-use std::f64::consts::FRAC_1_PI;
 use wire::light::LitWorld;
-use wire::picture::View;
+use wire::picture::{GivenScattering, View};
+
+/// The budget of a pixel.
+pub(super) fn budget(ns_aa: u32, batch: u32, tolerance: f64) -> Budget {
+    Budget {
+        ns_aa,
+        batch,
+        tolerance,
+    }
+}
 
 /// A world of rectangles under a large lamp, and its sampling rate.
 pub(super) fn lamp(
     size: [u32; 2],
     world: &LitWorld,
     view: &View,
-    ns_aa: u32,
-    batch: u32,
-    tolerance: f64,
+    budget: Budget,
+    scattering: GivenScattering,
 ) -> Vec<Panel> {
     let lit = panels::lit_scene(world);
     let lamps = Lamps::of(world);
-    let eye = Eye::new(view, size);
+    let eye = Eye::new(view);
     let [w, h] = size.map(f64::from);
-    let budget = Budget {
-        ns_aa,
-        batch,
-        tolerance,
-    };
     picture(
         size,
         budget,
@@ -39,7 +41,7 @@ pub(super) fn lamp(
             let (surface, wo) = (lit.surface(&hit), -ray.d);
             match surface.material {
                 Material::Diffuse { reflectance } => {
-                    *reflectance * FRAC_1_PI * lamps.irradiance(&surface, wo, sampler)
+                    *reflectance * scattering.white * lamps.irradiance(&surface, wo, sampler)
                 }
                 _ => surface.emitted(wo),
             }
@@ -50,12 +52,7 @@ pub(super) fn lamp(
 
 /// Light on a ball that each sample finds with a probability from 1 (right) down to 0.005 (left),
 /// and the sampling rate.
-pub(super) fn rare_light(size: [u32; 2], ns_aa: u32, batch: u32, tolerance: f64) -> Vec<Panel> {
-    let budget = Budget {
-        ns_aa,
-        batch,
-        tolerance,
-    };
+pub(super) fn rare_light(size: [u32; 2], budget: Budget) -> Vec<Panel> {
     picture(
         size,
         budget,

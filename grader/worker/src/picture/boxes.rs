@@ -15,7 +15,7 @@ pub(super) fn boxes(
     /// The length inside of boxes that is white.
     const WHITE: f64 = 4.0;
     let boxes: Vec<_> = boxes.iter().map(convert::aabb).collect();
-    let eye = Eye::new(view, size);
+    let eye = Eye::new(view);
     two_panels(size, |x, y| {
         let ray = eye.through(x, y);
         let hits = boxes.iter().zip(0_u32..);

@@ -4,10 +4,9 @@ use super::{Eye, Panel, panel};
 use crate::panels;
 use kit::sampler::{Pattern, Sampling};
 use kit::{Material, PixelSampler, Scattering, Spectrum, Vec2, Vec3};
-use std::f64::consts::FRAC_1_PI;
 use wire::direct::Strategy;
 use wire::light::LitWorld;
-use wire::picture::View;
+use wire::picture::{GivenScattering, View};
 
 /// Emission and direct light.
 pub(super) fn direct(
@@ -16,9 +15,10 @@ pub(super) fn direct(
     view: &View,
     strategy: Strategy,
     samples: u32,
+    scattering: GivenScattering,
 ) -> Vec<Panel> {
     let lit = panels::lit_scene(world);
-    let eye = Eye::new(view, size);
+    let eye = Eye::new(view);
     vec![panel(size, |x, y| {
         let ray = eye.through(x, y);
         let Some(hit) = panels::first_hit(world, &ray) else {
@@ -40,7 +40,7 @@ pub(super) fn direct(
                 direct::zero_bounce_radiance(&surface, wo)
             }
         };
-        let (s, f) = (&mut sampler, &GivenDiffuse);
+        let (s, f) = (&mut sampler, &GivenDiffuse(scattering));
         radiance += match strategy {
             Strategy::ZeroBounce => Spectrum::BLACK,
             Strategy::Hemisphere => direct::estimate_direct_lighting_hemisphere(
@@ -67,12 +67,12 @@ pub(super) fn direct(
 }
 
 /// Given scattering, so that the picture of a task is right before task 1 is written.
-struct GivenDiffuse;
+struct GivenDiffuse(GivenScattering);
 
 impl Scattering for GivenDiffuse {
     fn f(&self, material: &Material, wo: Vec3, wi: Vec3) -> Spectrum {
         match material {
-            Material::Diffuse { reflectance } if wo.z * wi.z > 0.0 => *reflectance * FRAC_1_PI,
+            Material::Diffuse { reflectance } if wo.z * wi.z > 0.0 => *reflectance * self.0.white,
             _ => Spectrum::BLACK,
         }
     }

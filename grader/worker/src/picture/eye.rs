@@ -1,36 +1,29 @@
-//! The given camera of the pictures.
+//! The given eye of the pictures.
 
-use kit::{Camera, Mat3, Ray, Vec3, camera::half_tan};
+use kit::{Ray, Vec3};
 use wire::picture::View;
 
 /// Generates the rays of a [`View`].
 pub(super) struct Eye {
     position: Vec3,
-    to_world: Mat3,
-    /// Tangents of half the horizontal and the vertical field of view.
-    half: [f64; 2],
-    size: [f64; 2],
+    corner: Vec3,
+    right: Vec3,
+    up: Vec3,
 }
 
 impl Eye {
-    pub(super) fn new(view: &View, size: [u32; 2]) -> Eye {
-        let [position, target] = [view.eye, view.target].map(Vec3::from);
-        let size = size.map(f64::from);
-        let half = half_tan(view.h_fov);
+    pub(super) fn new(view: &View) -> Eye {
         Eye {
-            position,
-            to_world: Camera::look_at(position, target, Vec3::Y)
-                .expect("no picture looks along +y"),
-            half: [half, half * size[1] / size[0]],
-            size,
+            position: view.eye.into(),
+            corner: view.corner.into(),
+            right: view.right.into(),
+            up: view.up.into(),
         }
     }
 
     /// The ray through the point `x`, `y` of the panel, in pixels from the bottom left.
     pub(super) fn ray(&self, x: f64, y: f64) -> Ray {
-        let [right, up] = [(x, 0), (y, 1)]
-            .map(|(place, axis)| (2.0 * place / self.size[axis] - 1.0) * self.half[axis]);
-        let d = self.to_world * Vec3::new(right, up, -1.0);
+        let d = self.corner + x * self.right + y * self.up;
         Ray::new(self.position, d.normalize())
     }
 

@@ -83,7 +83,8 @@ pub(crate) fn picture(work: &PictureWork) -> Result<PictureAnswer, String> {
             view,
             strategy,
             samples,
-        } => direct::direct(size, world, view, *strategy, *samples),
+            scattering,
+        } => direct::direct(size, world, view, *strategy, *samples, *scattering),
         #[cfg(feature = "global")]
         Subject::Specular => specular::specular(size),
         #[cfg(feature = "global")]
@@ -92,7 +93,8 @@ pub(crate) fn picture(work: &PictureWork) -> Result<PictureAnswer, String> {
             view,
             max_depth,
             samples,
-        } => paths::paths(size, world, view, *max_depth, *samples),
+            scattering,
+        } => paths::paths(size, world, view, *max_depth, *samples, *scattering),
         #[cfg(feature = "global")]
         Subject::Roulette { bounces } => roulette::roulette(size, bounces),
         #[cfg(feature = "adaptive")]
@@ -102,13 +104,17 @@ pub(crate) fn picture(work: &PictureWork) -> Result<PictureAnswer, String> {
             ns_aa,
             batch,
             tolerance,
-        } => adaptive::lamp(size, world, view, *ns_aa, *batch, *tolerance),
+            scattering,
+        } => {
+            let budget = adaptive::budget(*ns_aa, *batch, *tolerance);
+            adaptive::lamp(size, world, view, budget, *scattering)
+        }
         #[cfg(feature = "adaptive")]
         Subject::RareLight {
             ns_aa,
             batch,
             tolerance,
-        } => adaptive::rare_light(size, *ns_aa, *batch, *tolerance),
+        } => adaptive::rare_light(size, adaptive::budget(*ns_aa, *batch, *tolerance)),
         #[allow(
             unreachable_patterns,
             reason = "a worker with every stage has an arm for each subject"

@@ -5,9 +5,8 @@ use super::{Eye, Panel, panel};
 use crate::panels;
 use kit::sampler::{Pattern, Sampling};
 use kit::{BsdfSample, Material, PixelSampler, Scattering, Spectrum, Surface, Vec2, Vec3, warp};
-use std::f64::consts::FRAC_1_PI;
 use wire::light::LitWorld;
-use wire::picture::View;
+use wire::picture::{GivenScattering, View};
 
 /// The radiance of paths through a world of rectangles.
 pub(super) fn paths(
@@ -16,10 +15,11 @@ pub(super) fn paths(
     view: &View,
     max_depth: u32,
     samples: u32,
+    scattering: GivenScattering,
 ) -> Vec<Panel> {
     let lit = panels::lit_scene(world);
     let lamps = Lamps::of(world);
-    let eye = Eye::new(view, size);
+    let eye = Eye::new(view);
     vec![panel(size, |x, y| {
         let ray = eye.through(x, y);
         let sampling = Sampling {
@@ -35,11 +35,11 @@ pub(super) fn paths(
                 &ray,
                 max_depth,
                 &mut sampler,
-                &GivenScattering,
+                &UniformScattering(scattering),
                 &mut |ray| panels::first_hit(world, ray),
                 &mut |surface: &Surface, wo, sampler: &mut PixelSampler| match surface.material {
                     Material::Diffuse { reflectance } => {
-                        *reflectance * FRAC_1_PI * lamps.irradiance(surface, wo, sampler)
+                        *reflectance * scattering.white * lamps.irradiance(surface, wo, sampler)
                     }
                     _ => Spectrum::BLACK,
                 },
@@ -51,9 +51,9 @@ pub(super) fn paths(
 }
 
 /// Diffuse surfaces, sampled uniformly, and mirrors.
-struct GivenScattering;
+struct UniformScattering(GivenScattering);
 
-impl Scattering for GivenScattering {
+impl Scattering for UniformScattering {
     fn f(&self, _: &Material, _: Vec3, _: Vec3) -> Spectrum {
         Spectrum::BLACK
     }
@@ -68,15 +68,16 @@ impl Scattering for GivenScattering {
                 let wi = warp::uniform_hemisphere(u) * 1.0_f64.copysign(wo.z);
                 Some(BsdfSample {
                     wi,
-                    f: *reflectance * FRAC_1_PI,
+                    f: *reflectance * self.0.white,
                     pdf: warp::UNIFORM_HEMISPHERE_PDF,
                     delta: false,
                 })
             }
             Material::Mirror { reflectance } if wo.z != 0.0 => Some(BsdfSample {
-                wi: 2.0 * wo.z * Vec3::Z - wo,
-                f: *reflectance / wo.z.abs(),
-                pdf: 1.0,
+                wi: Vec3::from(self.0.mirror) * wo,
+                // Only the weight counts, f · |cos θ| / pdf.
+                f: *reflectance,
+                pdf: wo.z.abs(),
                 delta: true,
             }),
             _ => None,

@@ -16,7 +16,7 @@ pub(super) fn closest(
 ) -> Vec<Panel> {
     let triangles: Vec<_> = triangles.iter().map(convert::triangle).collect();
     let spheres: Vec<_> = spheres.iter().map(convert::sphere).collect();
-    let eye = Eye::new(view, size);
+    let eye = Eye::new(view);
     two_panels(size, |x, y| {
         let mut ray = eye.through(x, y);
         let mut closest = None;

@@ -16,7 +16,7 @@ pub(super) fn closest(
 ) -> Result<Vec<Panel>, String> {
     let scene = load(scene)?;
     let tree = kit_tree(tree);
-    let eye = Eye::new(view, size);
+    let eye = Eye::new(view);
     Ok(two_panels(size, |x, y| {
         let mut world = SceneWorld::new(&scene);
         let hit = bvh::intersect_bvh(&tree, &mut eye.through(x, y), &mut world);

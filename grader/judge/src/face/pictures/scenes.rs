@@ -1,7 +1,10 @@
 //! The scenes of the pictures.
 
+use super::SIZE;
+use crate::tools::questions::eye::view;
 use crate::tools::questions::picture_shapes::{octahedron, ring, spheres_in_a_pile};
 use crate::tools::questions::probes::wire_triangle;
+use crate::tools::questions::scattering;
 use crate::tools::questions::tree_plan::along_morton_curve;
 use crate::tools::truth::scene::load;
 use kit::{Camera, Triangle, Vec3};
@@ -52,11 +55,7 @@ pub(super) fn cut_ring() -> Subject {
     Subject::Shapes {
         triangles: triangles.iter().map(wire_triangle).collect(),
         spheres: Vec::new(),
-        view: View {
-            eye: eye.into(),
-            target: [0.0; 3],
-            h_fov: 46.0,
-        },
+        view: view(eye.into(), [0.0; 3], 46.0, SIZE),
         range: [3.0, 9.0],
     }
 }
@@ -75,11 +74,7 @@ pub(super) fn spheres() -> Subject {
     Subject::Shapes {
         triangles: Vec::new(),
         spheres,
-        view: View {
-            eye: eye.into(),
-            target: [0.0, 0.85, 0.0],
-            h_fov: 40.0,
-        },
+        view: view(eye.into(), [0.0, 0.85, 0.0], 40.0, SIZE),
         range: [4.0, 14.0],
     }
 }
@@ -111,11 +106,7 @@ pub(super) fn boxes() -> Subject {
     boxes.push([[5.0, 5.0, 8.0], [8.0, 8.0, 11.0]]);
     Subject::Boxes {
         boxes,
-        view: View {
-            eye: [3.1, 4.3, 5.6],
-            target: [0.0, 0.1, 0.2],
-            h_fov: 50.0,
-        },
+        view: view([3.1, 4.3, 5.6], [0.0, 0.1, 0.2], 50.0, SIZE),
         range: [2.0, 12.0],
     }
 }
@@ -126,11 +117,7 @@ pub(super) fn traversal() -> Subject {
     Subject::Traversal {
         tree: along_morton_curve(&load(&scene).primitive_bounds(), 4),
         scene,
-        view: View {
-            eye: [0.15, 0.85, 4.0],
-            target: [0.0, 0.72, 0.0],
-            h_fov: 36.0,
-        },
+        view: view([0.15, 0.85, 4.0], [0.0, 0.72, 0.0], 36.0, SIZE),
         hottest: 420,
     }
 }
@@ -207,19 +194,18 @@ fn block([x0, y0, z0]: Xyz, [x1, y1, z1]: Xyz, material: Material) -> [Panel; 5]
     ]
 }
 
-const ROOM_VIEW: View = View {
-    eye: [0.1, 0.1, 3.9],
-    target: [0.0, -0.01, 0.0],
-    h_fov: 39.0,
-};
+fn room_view() -> View {
+    view([0.1, 0.1, 3.9], [0.0, -0.01, 0.0], 39.0, SIZE)
+}
 
 /// The room under a wide lamp, which random directions often hit.
 pub(super) fn hemisphere() -> Subject {
     Subject::Direct {
         world: room(0.75, [1.5; 3]),
-        view: ROOM_VIEW,
+        view: room_view(),
         strategy: Strategy::Hemisphere,
         samples: 64,
+        scattering: scattering::given(),
     }
 }
 
@@ -232,9 +218,10 @@ pub(super) fn lights() -> Subject {
     });
     Subject::Direct {
         world,
-        view: ROOM_VIEW,
+        view: room_view(),
         strategy: Strategy::Lights,
         samples: 16,
+        scattering: scattering::given(),
     }
 }
 
@@ -252,9 +239,10 @@ pub(super) fn paths() -> Subject {
     ));
     Subject::Paths {
         world,
-        view: ROOM_VIEW,
+        view: room_view(),
         max_depth: 5,
         samples: 12,
+        scattering: scattering::given(),
     }
 }
 
@@ -262,9 +250,10 @@ pub(super) fn paths() -> Subject {
 pub(super) fn adaptive() -> Subject {
     Subject::Adaptive {
         world: room(0.35, [5.5; 3]),
-        view: ROOM_VIEW,
+        view: room_view(),
         ns_aa: 128,
         batch: 16,
         tolerance: 0.1,
+        scattering: scattering::given(),
     }
 }

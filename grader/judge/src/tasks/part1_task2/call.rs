@@ -4,6 +4,7 @@ use crate::tools::aspects::hits::show;
 use crate::tools::call_text::{holding, point};
 use crate::tools::convert;
 use crate::tools::shown::{ComparedNumber, ShownCall, ShownRay};
+use kit::camera::half_tan;
 use kit::{Mat3, Ray, Vec2, Vec3};
 use wire::work::{self, Camera, CameraWork};
 
@@ -84,7 +85,7 @@ pub(super) fn shown(
 /// The point of the film where the ray goes; `None` behind the camera.
 fn film_point(camera: &kit::Camera, ray: &Ray) -> Option<Vec2> {
     let local = camera.c2w.transpose() * (ray.o + ray.d - camera.pos);
-    let half = [camera.h_fov, camera.v_fov].map(|angle| kit::math::tan(angle.to_radians() / 2.0));
+    let half = [camera.h_fov, camera.v_fov].map(half_tan);
     let at = |along: f64, half: f64| 0.5 + 0.5 * along / -local.z / half;
     (local.z < 0.0).then(|| Vec2::new(at(local.x, half[0]), at(local.y, half[1])))
 }

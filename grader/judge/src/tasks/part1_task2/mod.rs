@@ -6,6 +6,7 @@ pub(crate) mod judge;
 mod lines;
 mod repro;
 mod simple;
+mod truth;
 
 use crate::tools::Tier;
 use crate::tools::check::{CaseContext, Check, one_each};
@@ -139,6 +140,14 @@ impl Check for kind::CameraRays {
     fn colours(answers: &Vec<Ray>) -> Option<Vec<Xyz>> {
         let rays = answers.iter();
         Some(rays.map(|ray| colours::direction(ray.d)).collect())
+    }
+
+    fn look_up_truth(work: &CameraWork) {
+        for camera in &work.cameras {
+            for point in &work.sensor {
+                truth::direction(camera, *point);
+            }
+        }
     }
 
     fn simple(_: &CameraWork) -> Vec<CameraWork> {

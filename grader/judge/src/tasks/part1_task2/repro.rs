@@ -1,12 +1,11 @@
 //! Rust tests of camera rays.
 
+use super::truth::direction;
 use crate::tools::repro::numbers::{float, vec3};
-use kit::Vec3;
 use std::fmt::Write;
 use wire::work::Camera;
 
 pub(crate) fn ray(camera: &Camera, [x, y]: [f64; 2]) -> String {
-    let [right, up, backward] = camera.c2w.map(Vec3::from);
     let mut text = String::from("use kit::{Camera, Mat3, Vec2, Vec3};\n");
     let _ = writeln!(
         text,
@@ -27,10 +26,6 @@ pub(crate) fn ray(camera: &Camera, [x, y]: [f64; 2]) -> String {
         float(camera.n_clip),
         float(camera.f_clip)
     );
-    let half = |degrees: f64| kit::math::tan((0.5 * degrees).to_radians());
-    let d = (2.0 * x - 1.0) * half(camera.h_fov) * right
-        + (2.0 * y - 1.0) * half(camera.v_fov) * up
-        - backward;
     let _ = writeln!(
         text,
         "let ray = raygen::generate_ray(&camera, Vec2::new({}, {}));",
@@ -38,7 +33,7 @@ pub(crate) fn ray(camera: &Camera, [x, y]: [f64; 2]) -> String {
         float(y)
     );
     let _ = writeln!(text, "assert_eq!(ray.o, camera.pos);");
-    let d = vec3(d.normalize().into());
+    let d = vec3(direction(camera, [x, y]).into());
     let _ = writeln!(
         text,
         "assert!((ray.d - {d}).abs().max_element() <= 1e-9, \"d = {{}}\", ray.d);"

@@ -1,12 +1,12 @@
 //! Judges diffuse surfaces.
 
+use super::truth::{density, right, sampled_f};
 use super::turns;
 use crate::tools::aspects::chance::{self, MIN_ESTIMATES};
 use crate::tools::aspects::hits::show;
 use crate::tools::aspects::numbers::{self, same_colour};
 use crate::tools::tally::{Aspect, Class, Tally};
 use kit::Vec3;
-use std::f64::consts::PI;
 use wire::direct::{LambertAnswer, LambertProbe};
 use wire::work::Xyz;
 
@@ -33,8 +33,9 @@ pub(crate) fn lambert(tally: &mut Tally, probes: &[LambertProbe], answers: &[Lam
             .map(|(_, answer)| answer.sample.map(|sample| sample.wi.into()))
             .collect();
         if directions.len() >= MIN_ESTIMATES {
-            let density = |w: Vec3| (w.z * side).max(0.0) / PI;
-            chance::spread(tally, &directions, density, "by the cosine to the normal");
+            let density = density();
+            let pdf = |w: Vec3| density((w.z * side).max(0.0));
+            chance::spread(tally, &directions, pdf, "by the cosine to the normal");
         }
     }
 }
@@ -56,23 +57,13 @@ pub(crate) fn untested(tally: &mut Tally, probes: &[LambertProbe], answers: &[La
     }
 }
 
-/// The right f and density of a probe.
-pub(crate) fn right(probe: &LambertProbe) -> (Xyz, f64) {
-    let [wo, wi] = [probe.wo[2], probe.wi[2]];
-    if wo * wi > 0.0 {
-        (probe.reflectance.map(|rho| rho / PI), wi.abs() / PI)
-    } else {
-        ([0.0; 3], 0.0)
-    }
-}
-
 fn one(tally: &mut Tally, call: usize, probe: &LambertProbe, answer: &LambertAnswer) {
     for aspect in [Aspect::Bsdf, Aspect::Pdf, Aspect::HitOrMiss] {
         tally.expect(aspect);
     }
     let (wo, wi) = (Vec3::from(probe.wo), Vec3::from(probe.wi));
     let input = || format!("wo = {}, wi = {}", show(wo), show(wi));
-    let share = probe.reflectance.map(|rho| rho / PI);
+    let share = sampled_f(probe.reflectance);
     // |cos θ| of a direction on the side of the viewer; 0 on the other side and in the plane of the
     // surface.
     let cosine_of = |wi: Vec3| if wo.z * wi.z > 0.0 { wi.z.abs() } else { 0.0 };
@@ -147,7 +138,7 @@ fn one(tally: &mut Tally, call: usize, probe: &LambertProbe, answer: &LambertAns
         ("f times the cosine", share.map(|channel| channel * cosine)),
         ("f over the cosine", share.map(|channel| channel / cosine)),
         ("f without pi", probe.reflectance),
-        ("f without the reflectance", [1.0 / PI; 3]),
+        ("f without the reflectance", sampled_f([1.0; 3])),
     ];
     let is = |right: Xyz| same_colour(f, right, BOUND);
     let named = known_mistakes
@@ -166,15 +157,16 @@ fn one(tally: &mut Tally, call: usize, probe: &LambertProbe, answer: &LambertAns
             format!("f of {}", sample_input())
         });
     }
-    let right = cosine / PI;
+    let density = density();
+    let right = density(cosine);
     // Near the horizon the density may be computed from a more precise cosine than wi.z.
     let bound = BOUND + 1e-15 / right.max(1e-300);
     let known_mistakes = [
         ("pdf 1", 1.0),
-        ("pdf of uniform directions", 0.5 / PI),
+        ("pdf of uniform directions", density(0.5)),
         ("pdf without pi", cosine),
-        ("pdf of the sine", sine / PI),
-        ("pdf of wo", wo.z.abs() / PI),
+        ("pdf of the sine", density(sine)),
+        ("pdf of wo", density(wo.z.abs())),
         ("pdf negative", -right),
     ];
     let pdf = sample.pdf;

@@ -6,6 +6,7 @@ pub(crate) mod judge;
 mod lines;
 mod repro;
 mod simple;
+mod truth;
 mod turns;
 
 use crate::tools::Tier;
@@ -39,6 +40,13 @@ impl Check for kind::Lambert {
 
     fn fits(probes: &Vec<LambertProbe>, answers: &Vec<LambertAnswer>) -> Result<(), String> {
         one_each(Self::calls(probes), answers)
+    }
+
+    fn look_up_truth(probes: &Vec<LambertProbe>) {
+        truth::density()(1.0);
+        for probe in probes {
+            truth::right(probe);
+        }
     }
 
     fn symmetries(probes: &Vec<LambertProbe>) -> Symmetries {

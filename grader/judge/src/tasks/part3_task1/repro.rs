@@ -1,6 +1,6 @@
 //! Rust tests of diffuse surfaces.
 
-use super::judge;
+use super::{judge, truth};
 use crate::tools::repro::numbers::{float, same_colour, spectrum, vec3};
 use std::fmt::Write;
 use wire::direct::LambertProbe;
@@ -8,7 +8,7 @@ use wire::direct::LambertProbe;
 /// A test of value, density and the fields of one sample. The distribution of samples is not
 /// tested.
 pub(crate) fn matte(probe: &LambertProbe) -> String {
-    let (f, pdf) = judge::right(probe);
+    let (f, pdf) = truth::right(probe);
     let bound = judge::BOUND;
     let mut text = format!(
         "use kit::{{Spectrum, Vec2, Vec3}};
@@ -33,11 +33,7 @@ let sample = direct::lambert_sample(reflectance, wo, Vec2::new({}, {}));
         text.push_str("assert_eq!(sample, None);\n");
         return text;
     }
-    let f = same_colour(
-        "f",
-        probe.reflectance.map(|rho| rho / std::f64::consts::PI),
-        bound,
-    );
+    let f = same_colour("f", truth::sampled_f(probe.reflectance), bound);
     let _ = write!(
         text,
         "let sample = sample.expect(\"expected a sample\");
@@ -45,10 +41,11 @@ assert!((sample.wi.length() - 1.0).abs() <= {bound:?}, \"{{}} is not unit\", sam
 assert!(sample.wi.z * wo.z > 0.0, \"{{}} is not on the side of wo\", sample.wi);
 let f = sample.f;
 {f}
-let pdf = sample.wi.z.abs() / std::f64::consts::PI;
+let pdf = sample.wi.z.abs() * {along_the_normal};
 assert!(sample.pdf > 0.0 && (sample.pdf - pdf).abs() <= {bound:?} * pdf + 1e-15, \"pdf = {{}}\", sample.pdf);
 assert!(!sample.delta);
 ",
+        along_the_normal = float(truth::density()(1.0)),
     );
     text
 }

@@ -7,6 +7,7 @@ mod lines;
 mod moves;
 mod repro;
 mod simple;
+mod truth;
 
 use crate::tools::Tier;
 use crate::tools::check::{CaseContext, Check, one_each};
@@ -40,6 +41,15 @@ impl Check for kind::Specular {
                 answers[call]
             )),
             None => Ok(()),
+        }
+    }
+
+    fn look_up_truth(calls: &Vec<SpecularCall>) {
+        for call in calls {
+            truth::result(call);
+            if let SpecularCall::Glass { wo, ior, .. } = *call {
+                truth::reflected_share(wo, ior);
+            }
         }
     }
 

@@ -1,13 +1,14 @@
 //! Rust tests of mirrors and glass.
 
 use super::judge;
+use super::truth::{self, Right};
 use crate::tools::Tier;
 use crate::tools::repro::numbers::{float, same_colour, spectrum, vec3};
 use wire::global::SpecularCall;
 
 /// A test of one call.
 pub(crate) fn smooth(tier: Tier, input: &SpecularCall) -> String {
-    let (right, bound) = judge::right(tier, input);
+    let (right, bound) = truth::right(tier, input);
     let arguments = match *input {
         SpecularCall::Fresnel { cos_i, eta } => format!("{}, {}", float(cos_i), float(eta)),
         SpecularCall::Reflect { wo } => vec3(wo),
@@ -40,24 +41,24 @@ pub(crate) fn smooth(tier: Tier, input: &SpecularCall) -> String {
         format!("assert!(({what} - {right}).length() <= {bound:?}, \"{{}}\", {what});\n")
     };
     match right {
-        judge::Right::Share(share) => format!(
+        Right::Share(share) => format!(
             "let share = {call};\nassert!((share - {}).abs() <= {bound:?}, \"{{share}}\");\n",
             float(share)
         ),
-        judge::Right::Direction(None) => {
+        Right::Direction(None) => {
             format!("use kit::Vec3;\nassert_eq!({call}, None);\n")
         }
-        judge::Right::Direction(Some(wi)) => {
+        Right::Direction(Some(wi)) => {
             let found = match input {
                 SpecularCall::Reflect { .. } => "",
                 _ => ".expect(\"there is a direction\")",
             };
-            format!("use kit::Vec3;\nlet wi = {call}{found};\n") + &near("wi", vec3(wi.into()))
+            format!("use kit::Vec3;\nlet wi = {call}{found};\n") + &near("wi", vec3(wi))
         }
-        judge::Right::Sample(None) => {
+        Right::Sample(None) => {
             format!("use kit::{{Spectrum, Vec3}};\nassert_eq!({call}, None);\n")
         }
-        judge::Right::Sample(Some(sample)) => {
+        Right::Sample(Some(sample)) => {
             let share = sample.wi[2].abs() / sample.pdf;
             let weight = sample.f.map(|f| f * share);
             let weight_bound = judge::weight_bound(bound, sample.pdf);

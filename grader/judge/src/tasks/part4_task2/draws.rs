@@ -1,9 +1,10 @@
 //! Judges the random numbers of a path, and the directions that it samples with them.
 
-use super::judge::{PLACE_BOUND, Right};
+use super::judge::PLACE_BOUND;
+use super::truth::Right;
 use crate::tools::aspects::numbers;
 use crate::tools::tally::{Aspect, Class, Tally};
-use kit::{Frame, PixelSampler};
+use kit::{Frame, PixelSampler, Vec3};
 use std::collections::{BTreeSet, HashSet};
 use wire::global::{PathAnswer, ScriptedPath};
 
@@ -26,7 +27,7 @@ pub(super) fn judge(
             continue;
         };
         let frame = Frame::around(path.steps[*i as usize].n.into());
-        let (local, aspect) = (frame.to_local(-*d), Aspect::SampledDirection);
+        let (local, aspect) = (frame.to_local(-Vec3::from(*d)), Aspect::SampledDirection);
         numbers::direction(tally, aspect, call, *wo, local, PLACE_BOUND, || {
             format!("wo of surface {i} in its local space. {}", about())
         });

@@ -8,6 +8,7 @@ mod lines;
 mod moves;
 mod simple;
 mod throughput;
+mod truth;
 
 use crate::tools::Tier;
 use crate::tools::check::{CaseContext, Check, in_range, one_each};
@@ -40,6 +41,12 @@ impl Check for kind::Paths {
             }
         }
         Ok(())
+    }
+
+    fn look_up_truth(paths: &Vec<ScriptedPath>) {
+        for path in paths {
+            truth::Right::of(path);
+        }
     }
 
     const NOT_MOVED: &'static str = "no light reaches the paths";

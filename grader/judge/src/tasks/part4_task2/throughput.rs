@@ -1,6 +1,7 @@
 //! Judges the arguments with which a path calls roulette.
 
-use super::judge::{Right, SUM_BOUND, factor};
+use super::judge::SUM_BOUND;
+use super::truth::Right;
 use crate::tools::aspects::numbers::same_colour;
 use crate::tools::tally::{Aspect, Class, Tally};
 use kit::{Frame, Vec3};
@@ -23,10 +24,8 @@ type Throughput = fn(&Bounce<'_>) -> Vec3;
 /// The throughputs that common mistakes compute.
 const KNOWN_MISTAKES: [(&str, Throughput); 8] = [
     ("before the bounce", |bounce| bounce.before),
-    ("the weight alone", |bounce| factor(bounce.sample)),
-    ("the weight added", |bounce| {
-        bounce.before + factor(bounce.sample)
-    }),
+    ("the weight alone", weight),
+    ("the weight added", |bounce| bounce.before + weight(bounce)),
     ("without the cosine", |bounce| {
         bounce.before * f(bounce) / bounce.sample.pdf
     }),
@@ -44,6 +43,11 @@ const KNOWN_MISTAKES: [(&str, Throughput); 8] = [
     }),
 ];
 
+/// The weight of the sample alone.
+fn weight(bounce: &Bounce<'_>) -> Vec3 {
+    f(bounce) * bounce.sample.wi[2].abs() / bounce.sample.pdf
+}
+
 fn f(bounce: &Bounce<'_>) -> Vec3 {
     bounce.sample.f.into()
 }
@@ -57,25 +61,22 @@ pub(crate) fn judge(
     right: &Right,
     about: &impl Fn() -> String,
 ) {
-    // No ray continues from the last surface that the depth allows, nor from one without a sampled
-    // direction.
-    let most = (path.max_depth as usize)
-        .saturating_sub(1)
-        .min(right.surfaces);
-    let steps = path.steps.iter().zip(&right.weights).zip(&right.directions);
-    let bounces: Vec<Bounce<'_>> = steps
-        .take(most)
-        .filter_map(|((step, weight), d)| {
+    let bounces: Vec<Bounce<'_>> = right
+        .bounces
+        .iter()
+        .filter_map(|bounce| {
+            let step = &path.steps[bounce.surface];
             Some(Bounce {
-                before: *weight,
+                before: bounce.before.into(),
                 sample: step.sample.as_ref()?,
-                wo: local(step, -*d),
+                wo: local(step, -Vec3::from(right.directions[bounce.surface])),
             })
         })
         .collect();
-    let wanted: Vec<Vec3> = bounces
+    let wanted: Vec<Vec3> = right
+        .bounces
         .iter()
-        .map(|bounce| bounce.before * factor(bounce.sample))
+        .map(|bounce| bounce.after.into())
         .collect();
     tally.expect(Aspect::Throughput);
     let off = answer.roulette_calls.len().abs_diff(wanted.len()) as f64;

@@ -1,14 +1,12 @@
 //! Judges Russian roulette.
 
+use super::truth::survival;
 use crate::tools::aspects::chance::{self, MIN_ESTIMATES};
 use crate::tools::aspects::numbers;
 use crate::tools::tally::{Aspect, Class, Tally};
 use kit::Tally as SampleTally;
 use wire::global::RouletteWork;
 use wire::work::Xyz;
-
-/// The number of bounces before roulette may end a path.
-const FREE_BOUNCES: u32 = 3;
 
 /// Relative error allowed: the rounding of a division.
 pub(crate) const BOUND: f64 = 1e-12;
@@ -35,19 +33,10 @@ pub(crate) fn roulette(tally: &mut Tally, work: &RouletteWork, answers: &[Option
     }
 }
 
-/// The probability that a path continues.
-fn survival_probability(throughput: Xyz, bounces: u32) -> f64 {
-    let brightest = throughput.into_iter().fold(0.0, f64::max);
-    match bounces {
-        0..=FREE_BOUNCES if brightest > 0.0 => 1.0,
-        _ => brightest.min(1.0),
-    }
-}
-
-/// The throughput of a path that continues; `None` if it ends.
-pub(crate) fn right(throughput: Xyz, bounces: u32, u: f64) -> Option<Xyz> {
-    let chance = survival_probability(throughput, bounces);
-    (u < chance).then(|| throughput.map(|channel| channel / chance))
+/// The right throughput of a path that continues; `None` if it ends.
+pub(super) fn right(throughput: Xyz, bounces: u32, u: f64) -> Option<Xyz> {
+    let (chance, survivor) = survival(throughput, bounces);
+    (u < chance).then_some(survivor)
 }
 
 fn one(tally: &mut Tally, call: usize, throughput: Xyz, bounces: u32, u: f64, answer: Option<Xyz>) {
@@ -63,7 +52,7 @@ fn one(tally: &mut Tally, call: usize, throughput: Xyz, bounces: u32, u: f64, an
         format!(
             "{}: your result: {answer:?}; the path continues with the probability {:?}; expected: {}",
             about(),
-            survival_probability(throughput, bounces),
+            survival(throughput, bounces).0,
             if right.is_some() {
                 "it continues"
             } else {

@@ -4,6 +4,7 @@ pub(crate) mod cases;
 mod judge;
 mod repro;
 mod simple;
+mod truth;
 
 use crate::tools::Tier;
 use crate::tools::call_text::point;
@@ -32,6 +33,12 @@ impl Check for kind::Roulette {
 
     fn fits(work: &RouletteWork, answers: &Vec<Option<Xyz>>) -> Result<(), String> {
         one_each(Self::calls(work), answers)
+    }
+
+    fn look_up_truth(work: &RouletteWork) {
+        for (throughput, bounces) in &work.paths {
+            truth::survival(*throughput, *bounces);
+        }
     }
 
     const NOT_MOVED: &'static str = "its paths are grey, and the largest channel decides";

@@ -1,5 +1,6 @@
 //! Cases of the stopping rule, and of pixels that stop by it.
 
+use super::truth::threshold;
 use crate::tools::kinds::stopping::call;
 use crate::tools::questions::probes::ProbeRng;
 use crate::tools::spec::Spec;
@@ -148,18 +149,6 @@ fn near_the_threshold(name: &str, seed: u64, share: f64) -> Vec<StopCall> {
         })
     });
     calls.collect()
-}
-
-/// The smallest tolerance for which the rule returns true: 1.96 standard errors over the mean,
-/// computed from plain sums.
-fn threshold(runs: &[(u32, f64)]) -> f64 {
-    let over = |f: &dyn Fn(f64) -> f64| -> f64 {
-        runs.iter().map(|&(count, x)| f64::from(count) * f(x)).sum()
-    };
-    let n = over(&|_| 1.0);
-    let mean = over(&|x| x) / n;
-    let variance = over(&|x| (x - mean) * (x - mean)) / (n - 1.0);
-    1.96 * (variance / n).sqrt() / mean
 }
 
 fn equal_samples() -> Vec<StopCall> {

@@ -1,30 +1,17 @@
 //! Judges the stopping rule, and pixels that stop by a rule.
 
 use super::placement;
+use super::truth::{converged, right_samples};
 use crate::tools::aspects::independence::{self, PixelSamples};
 use crate::tools::aspects::numbers;
-use crate::tools::kinds::stopping::{samples, verdict};
+use crate::tools::kinds::stopping::verdict;
 use crate::tools::tally::{Aspect, Class, Tally};
-use kit::{Spectrum, Tally as SampleTally};
-use wire::adaptive::{AdaptiveAnswer, AdaptivePixel, StopAnswer, StopCall, StopRule};
+use kit::Tally as SampleTally;
+use wire::adaptive::{AdaptiveAnswer, AdaptivePixel, StopAnswer, StopCall};
 use wire::work::Xyz;
 
 /// Relative error allowed in means and variances: they are sums of thousands of numbers.
 const BOUND: f64 = 1e-9;
-
-/// Half the width of the 95 % confidence interval of a normal distribution, in standard deviations.
-const CONFIDENCE: f64 = 1.96;
-
-/// Whether the confidence interval of the mean is narrow enough; both sides are squared.
-fn is_narrow(samples: &SampleTally, tolerance: f64) -> bool {
-    let (n, wanted) = (samples.count() as f64, tolerance * samples.mean());
-    n > 0.0 && n * wanted * wanted >= CONFIDENCE * CONFIDENCE * samples.variance()
-}
-
-/// The right result of the plain rule.
-pub(crate) fn converged(call: &StopCall) -> bool {
-    is_narrow(&samples(call), call.tolerance)
-}
 
 /// Judges the plain rule.
 pub(crate) fn stop(tally: &mut Tally, calls: &[StopCall], answers: &[StopAnswer]) {
@@ -86,28 +73,6 @@ pub(crate) fn untested(tally: &mut Tally, works: &[AdaptivePixel], answers: &[Ad
 fn last_is_optional(work: &AdaptivePixel, rule_calls: &[SampleTally]) -> bool {
     let last = rule_calls.last();
     last.is_some_and(|at_call| at_call.count() == u64::from(work.ns_aa))
-}
-
-/// The number of samples that a correct loop takes, and the samples at each call of the rule.
-pub(crate) fn right_samples(work: &AdaptivePixel) -> (u32, Vec<SampleTally>) {
-    let mut taken = SampleTally::default();
-    let mut rule_calls = Vec::new();
-    let samples = work.stream.iter().cycle().zip(1..=work.ns_aa);
-    for (radiance, count) in samples {
-        taken.push(Spectrum::from(*radiance).luminance());
-        if !count.is_multiple_of(work.batch.max(1)) {
-            continue;
-        }
-        rule_calls.push(taken);
-        let enough = match work.rule {
-            StopRule::From(least) => taken.count() >= least,
-            StopRule::Plain => is_narrow(&taken, work.tolerance),
-        };
-        if enough {
-            return (count, rule_calls);
-        }
-    }
-    (work.ns_aa, rule_calls)
 }
 
 /// The mean of the first `samples` samples.

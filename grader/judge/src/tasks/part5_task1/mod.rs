@@ -6,6 +6,7 @@ pub(crate) mod lines;
 mod placement;
 pub(crate) mod repro;
 mod simple;
+mod truth;
 
 use crate::tools::Tier;
 use crate::tools::call_text::{few, point};
@@ -33,6 +34,12 @@ impl Check for kind::Stop {
 
     fn fits(questions: &Vec<StopCall>, answers: &Vec<StopAnswer>) -> Result<(), String> {
         one_each(Self::calls(questions), answers)
+    }
+
+    fn look_up_truth(calls: &Vec<StopCall>) {
+        for call in calls {
+            truth::converged(call);
+        }
     }
 
     const NOT_MOVED: &'static str = stopping::NOT_MOVED;
@@ -112,6 +119,12 @@ impl Check for kind::AdaptivePixels {
 
     fn fits(questions: &Vec<AdaptivePixel>, answers: &Vec<AdaptiveAnswer>) -> Result<(), String> {
         one_each(Self::calls(questions), answers)
+    }
+
+    fn look_up_truth(pixels: &Vec<AdaptivePixel>) {
+        for pixel in pixels {
+            truth::right_samples(pixel);
+        }
     }
 
     /// One factor for all channels: the rule gets luminances.

@@ -1,6 +1,6 @@
 //! Rust tests of the stopping rule, and of pixels that stop by a rule.
 
-use super::judge;
+use super::{judge, truth};
 use crate::tools::kinds::stopping::{MOST_SAMPLES, define_samples};
 use crate::tools::repro::numbers::{float, spectrum};
 use std::fmt::Write;
@@ -14,7 +14,7 @@ pub(crate) fn plain(call: &StopCall) -> Option<String> {
         text,
         "assert_eq!(adaptive::has_converged(&samples, {}), {});",
         float(call.tolerance),
-        judge::converged(call)
+        truth::converged(call)
     );
     Some(text)
 }
@@ -25,7 +25,7 @@ pub(crate) fn pixel(work: &AdaptivePixel) -> Option<String> {
     if work.stream.len() > MOST_SAMPLES {
         return None;
     }
-    let (samples, rule_calls) = judge::right_samples(work);
+    let (samples, rule_calls) = truth::right_samples(work);
     let stream: Vec<String> = work.stream.iter().map(|light| spectrum(*light)).collect();
     let rule = match work.rule {
         StopRule::From(least) => format!("samples.count() >= {least}"),

@@ -1,17 +1,9 @@
 //! Judges the stopping rule that waits until the plain rule is reliable.
 
+use super::truth::plain_decides;
 use crate::tools::kinds::stopping::{samples, verdict};
 use crate::tools::tally::{Aspect, Class, Tally};
 use wire::adaptive::{StopAnswer, StopCall};
-
-/// The number of samples before the plain rule decides.
-const MIN_SAMPLES: u64 = 256;
-
-/// Whether the plain rule decides.
-pub(crate) fn plain_decides(call: &StopCall) -> bool {
-    let samples = samples(call);
-    samples.count() >= MIN_SAMPLES && samples.mean() > 0.0
-}
 
 /// Judges the waiting rule.
 pub(crate) fn sure_stop(tally: &mut Tally, calls: &[StopCall], answers: &[StopAnswer]) {

@@ -4,6 +4,7 @@ pub(crate) mod cases;
 mod judge;
 mod repro;
 mod simple;
+mod truth;
 
 use crate::tools::Tier;
 use crate::tools::check::{CaseContext, Check, one_each};
@@ -30,6 +31,12 @@ impl Check for kind::SureStop {
 
     fn fits(questions: &Vec<StopCall>, answers: &Vec<StopAnswer>) -> Result<(), String> {
         one_each(Self::calls(questions), answers)
+    }
+
+    fn look_up_truth(questions: &Vec<StopCall>) {
+        for call in questions {
+            truth::plain_decides(call);
+        }
     }
 
     const NOT_MOVED: &'static str = stopping::NOT_MOVED;

@@ -1,6 +1,6 @@
 //! Rust tests of the stopping rule that waits.
 
-use super::judge;
+use super::truth;
 use crate::tools::kinds::stopping::define_samples;
 use crate::tools::repro::numbers::float;
 use std::fmt::Write;
@@ -8,7 +8,7 @@ use wire::adaptive::StopCall;
 
 /// A test of the result of the waiting rule, and of its calls of the plain rule.
 pub(crate) fn waiting_rule(call: &StopCall) -> Option<String> {
-    let (tolerance, plain_decides) = (float(call.tolerance), judge::plain_decides(call));
+    let (tolerance, plain_decides) = (float(call.tolerance), truth::plain_decides(call));
     let mut text = String::from("use kit::Tally;\n");
     define_samples(&mut text, call)?;
     let _ = write!(

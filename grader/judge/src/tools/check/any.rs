@@ -48,6 +48,9 @@ pub(crate) trait AnyCheck: Debug + Sync {
     /// As [`Check::expected`].
     fn expected(&self, work: &Work, tier: Tier, enclosed: bool) -> Vec<Expected>;
 
+    /// As [`Check::look_up_truth`].
+    fn look_up_truth(&self, work: &Work);
+
     /// As [`Check::judge`].
     fn judge(
         &self,
@@ -178,6 +181,10 @@ impl<K: Check> AnyCheck for ErasedCheck<K> {
 
     fn expected(&self, work: &Work, tier: Tier, enclosed: bool) -> Vec<Expected> {
         K::expected(Self::question(work), tier, enclosed)
+    }
+
+    fn look_up_truth(&self, work: &Work) {
+        K::look_up_truth(Self::question(work));
     }
 
     fn judge(

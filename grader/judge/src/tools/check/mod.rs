@@ -82,6 +82,10 @@ pub(crate) trait Check: Kind {
         Vec::new()
     }
 
+    /// Computes the right results that the judgement of an answer may need and that come from a
+    /// formula: handouts have them as a table (see [`crate::tools::packed_truth`]).
+    fn look_up_truth(_question: &Self::Question) {}
+
     /// Judges an answer to a case whose points are of `tier`, and counts the results in `tally`.
     fn judge(
         tally: &mut Tally,

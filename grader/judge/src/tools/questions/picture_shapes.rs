@@ -1,11 +1,7 @@
-//! The shapes of the pictures of Part 1, and the rays of their cameras.
+//! The shapes of the pictures of Part 1.
 
-use super::probes::through;
-use kit::{Camera, Ray, Sphere, Triangle, Vec3, math};
+use kit::{Sphere, Triangle, Vec3, math};
 use std::f64::consts::TAU;
-
-/// Width and height of the pictures.
-pub(crate) const SIZE: [u32; 2] = [160, 120];
 
 /// Ten spheres in a pyramid on a large sphere, with small spheres around them.
 pub(crate) fn spheres_in_a_pile() -> Vec<Sphere> {
@@ -43,22 +39,6 @@ pub(crate) fn spheres_in_a_pile() -> Vec<Sphere> {
         }
     }));
     spheres
-}
-
-/// The rays through the pixels' centres, row by row from the bottom left, of a camera at `pos`.
-pub(crate) fn picture_rays(pos: Vec3, target: Vec3, h_fov: f64) -> Vec<Ray> {
-    let c2w = Camera::look_at(pos, target, Vec3::Y).expect("the pictures do not look along +y");
-    let half_w = math::tan(h_fov.to_radians() / 2.0);
-    let [w, h] = SIZE.map(f64::from);
-    let pixel = |x: u32, y: u32| {
-        let right = (2.0 * (f64::from(x) + 0.5) / w - 1.0) * half_w;
-        let up = (2.0 * (f64::from(y) + 0.5) / h - 1.0) * half_w * h / w;
-        through(pos, pos + c2w * Vec3::new(right, up, -1.0))
-    };
-    (0..SIZE[1])
-        .flat_map(|y| (0..SIZE[0]).map(move |x| (x, y)))
-        .map(|(x, y)| pixel(x, y))
-        .collect()
 }
 
 /// A torus around the y axis with `around` x `across` facets and its true normals at the vertices.

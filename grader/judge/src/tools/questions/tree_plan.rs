@@ -1,7 +1,11 @@
 //! Trees for traversals, written by hand or built along a Morton curve.
 
-use kit::{Aabb, Vec3};
-use wire::work::{Node, NodeKind, Tree};
+use crate::tools::packed_truth;
+use kit::Aabb;
+// BEGIN SOLUTION(part2.task1)
+use kit::Vec3;
+// END SOLUTION(part2.task1)
+use wire::work::{Node, NodeKind, Tree, Xyz};
 
 /// The shape of a tree: which primitives are in which leaf.
 pub(crate) enum TreePlan {
@@ -39,13 +43,23 @@ impl TreePlan {
 
 /// A balanced tree over boxes that are sorted along a Morton curve, so that neighbours in the list
 /// are close in space (Morton 1966; Lauterbach and others, "Fast BVH construction on GPUs", 2009).
+/// How to find such an order is what `part2.task1` is about, so a handout has it as numbers.
 pub(crate) fn along_morton_curve(bounds: &[Aabb], max_leaf_size: usize) -> Tree {
+    let corners: Vec<[Xyz; 2]> = bounds
+        .iter()
+        .map(|b| [b.min.into(), b.max.into()])
+        .collect();
+    // BEGIN SOLUTION(part2.task1)
     let all = bounds.iter().fold(Aabb::EMPTY, |all, &b| all.union(b));
     let mut ids: Vec<u32> = (0..bounds.len() as u32).collect();
     ids.sort_by_key(|&id| morton_code(&all, bounds[id as usize].centroid()));
+    let ids = packed_truth::record("part2.task1", "order along the curve", &corners, ids);
+    // STUB: let ids: Vec<u32> = packed_truth::find("part2.task1", "order along the curve", &corners);
+    // END SOLUTION(part2.task1)
     TreePlan::halves(&ids, max_leaf_size).tree(bounds)
 }
 
+// BEGIN SOLUTION(part2.task1)
 /// The Morton code of a point: the interleaved bits of its cell's three coordinates.
 fn morton_code(all: &Aabb, p: Vec3) -> u32 {
     const BITS: u32 = 10;
@@ -54,6 +68,7 @@ fn morton_code(all: &Aabb, p: Vec3) -> u32 {
     let bits = (0..BITS).rev().flat_map(|bit| cell.map(|c| c >> bit & 1));
     bits.fold(0, |code, bit| code << 1 | bit)
 }
+// END SOLUTION(part2.task1)
 
 /// A placeholder for a node whose subtree is not built yet.
 fn placeholder() -> Node {

@@ -1,7 +1,8 @@
 //! The picture among the cases, traced pixel by pixel.
 
 use super::heap_case;
-use crate::tools::questions::picture_shapes::{SIZE, octahedron, picture_rays, ring};
+use crate::tools::questions::eye::{SIZE, picture_rays};
+use crate::tools::questions::picture_shapes::{octahedron, ring};
 use crate::tools::questions::probes::brute_force;
 use crate::tools::spec::Spec;
 use kit::Vec3;

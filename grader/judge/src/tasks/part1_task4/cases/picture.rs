@@ -1,7 +1,8 @@
 //! The picture among the cases, traced pixel by pixel.
 
 use super::heap_case;
-use crate::tools::questions::picture_shapes::{SIZE, picture_rays, spheres_in_a_pile};
+use crate::tools::questions::eye::{SIZE, picture_rays};
+use crate::tools::questions::picture_shapes::spheres_in_a_pile;
 use crate::tools::questions::probes::brute_force;
 use crate::tools::spec::Spec;
 use kit::Vec3;

@@ -5,4 +5,5 @@ mod handouts;
 mod mistake_pictures;
 mod mutants;
 mod new_stage;
+mod pasted;
 mod repro;

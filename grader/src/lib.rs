@@ -12,13 +12,14 @@
 //! - [`report`]: the output; [`progress`]: what is known from earlier runs
 //!
 //! [`cli`] is the command line. [`watch`] grades whenever a file is saved; [`check`] prints what is
-//! wrong for editors. [`explain`] draws what a
+//! wrong for editors. [`book`] is the rendered book, which reports link to. [`explain`] draws what a
 //! case tests. What does not depend on the course's tasks is in the crate `base`.
 //!
 //! The tools for instructors are separate crates beside this one: `authoring` (handouts, the course
 //! check, mutants), `submission` (grading what students hand in), `review` (reviewing and accepting
 //! goldens), `cost` (time against accuracy).
 
+pub mod book;
 pub mod build;
 pub mod check;
 pub mod cli;

@@ -20,6 +20,8 @@ const MAY_DEPEND_ON: &[(&str, &[&str])] = &[
     ("simd_bvh", &["kit", "lanes"]),
     ("simd_paths", &["kit", "lanes"]),
     ("book", &["base", "kit"]),
+    // It links mdBook. Nothing depends on it.
+    ("book_site", &["base", "book"]),
     ("meshes", &["kit"]),
     ("scenes", &["kit", "meshes"]),
     ("showcase", &["base", "kit", "meshes", "bvh"]),

@@ -376,6 +376,7 @@ fn the_readme_greets_in_three_lines() {
     );
     assert!(greeting[1].contains("`cargo grader`"), "{readme}");
     assert!(greeting[2].contains("`cargo grader look`"), "{readme}");
+    assert!(greeting[2].contains("`cargo grader book`"), "{readme}");
     assert_eq!(greeting[3], "");
 }
 
@@ -394,4 +395,78 @@ fn the_error_for_an_unknown_part_lists_the_parts() {
     let error = Handout::carve(&workspace(), 9).unwrap_err().to_string();
     assert!(error.contains("no part 9"), "{error}");
     assert!(error.contains("1, 2"), "{error}");
+}
+
+/// The largest size of a handout with its rendered book, in bytes.
+const LARGEST_WITH_BOOK: usize = 8_000_000;
+
+/// The handout of part 1 with the rendered book of this checkout.
+#[test]
+#[ignore = "compiles mdBook: minutes"]
+fn the_rendered_book_of_a_handout_is_small_and_holds_no_solution() {
+    let workspace = workspace();
+    let site = grader::book::make_current(&workspace).expect("the book can be rendered");
+    let mut handout = handout(1).clone();
+    handout.add_book(&site).expect("it can be packed");
+    let bytes: usize = handout.files.values().map(Vec::len).sum();
+    assert!(bytes <= LARGEST_WITH_BOOK, "{bytes} bytes");
+    let pack = handout.files.remove(Path::new(grader::book::PACK));
+    let pages = packed::unpack(&pack.expect("the pack")).expect("it can be unpacked");
+    let mut texts = 0;
+    for (path, contents) in pages {
+        let is_text = path.extension().is_some_and(|e| e == "html" || e == "js");
+        let is_of_mdbook =
+            path.components().count() == 1 && path.extension().is_some_and(|e| e == "js");
+        if is_text && !is_of_mdbook {
+            // Below the folder of the chapters, so that half a statement is found.
+            let text = text_of_page(&String::from_utf8_lossy(&contents));
+            let path = Path::new("stages/book/src").join(path);
+            handout.files.insert(path, text.into_bytes());
+            texts += 1;
+        }
+    }
+    assert!(texts > 25, "found {texts} pages");
+    assert_eq!(authoring::check::solution_copies::find(&handout), [""; 0]);
+}
+
+/// A page without its tags.
+fn text_of_page(html: &str) -> String {
+    let mut text = String::new();
+    for part in html.split('<') {
+        text.push_str(part.split_once('>').map_or(part, |(_, text)| text));
+    }
+    text.replace("&lt;", "<")
+        .replace("&gt;", ">")
+        .replace("&quot;", "\"")
+        .replace("&amp;", "&")
+}
+
+/// A packed book is unpacked as it was, and is one of the given files that decide no points.
+#[test]
+fn the_book_of_a_handout_is_packed_and_given() {
+    let site = tempfile::tempdir().expect("a temporary folder");
+    std::fs::create_dir_all(site.path().join("part1")).expect("a folder");
+    for (path, text) in [
+        ("index.html", "i"),
+        ("part1/task1.html", "t"),
+        (".made-of", "0"),
+    ] {
+        std::fs::write(site.path().join(path), text).expect("a file");
+    }
+    let mut handout = handout(1).clone();
+    handout.add_book(site.path()).expect("it can be packed");
+    let pack = &handout.files[Path::new(grader::book::PACK)];
+    let names: Vec<_> = packed::unpack(pack)
+        .expect("a pack")
+        .into_iter()
+        .map(|(name, _)| name)
+        .collect();
+    assert_eq!(
+        names,
+        [Path::new("index.html"), Path::new("part1/task1.html")]
+    );
+    let given = GivenFiles::parse(text(&handout, given::LIST));
+    let path = Path::new(grader::book::PACK);
+    assert_eq!(given.is_original(path, pack), Some(true));
+    assert!(!given.decides(path));
 }

@@ -1,12 +1,12 @@
 //! Opens pages and pictures outside the terminal.
 
-use std::path::Path;
+use std::ffi::OsStr;
 use std::process::{Command, Stdio};
 
-/// Opens the file in the user's browser, or in the program for files of its kind. Returns whether
-/// there is one: a machine without a screen has none.
-pub fn open(page: &Path) -> bool {
-    let Some(mut command) = command(page) else {
+/// Opens the file or the address in the user's browser, or in the program for files of its kind.
+/// Returns whether there is one: a machine without a screen has none.
+pub fn open(page: impl AsRef<OsStr>) -> bool {
+    let Some(mut command) = command(page.as_ref()) else {
         return false;
     };
     let quiet = command
@@ -18,7 +18,7 @@ pub fn open(page: &Path) -> bool {
 
 /// Whether files can be opened: on a machine with a screen, and on Linux only with `xdg-open`.
 pub fn is_there() -> bool {
-    let Some(command) = command(Path::new("")) else {
+    let Some(command) = command(OsStr::new("")) else {
         return false;
     };
     let program = command.get_program();
@@ -26,7 +26,7 @@ pub fn is_there() -> bool {
     cfg!(windows) || std::env::split_paths(&folders).any(|folder| folder.join(program).is_file())
 }
 
-fn command(page: &Path) -> Option<Command> {
+fn command(page: &OsStr) -> Option<Command> {
     if cfg!(windows) {
         let mut command = Command::new("cmd");
         command.args(["/C", "start", ""]).arg(page);

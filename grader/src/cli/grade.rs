@@ -10,7 +10,7 @@ use crate::progress::next_task;
 use crate::progress::results::{self, Results};
 use crate::report::screen::{self, Context};
 use crate::report::terminal::Page;
-use crate::report::{self, HintLevel, Report, Reveal, TaskReport, worst_test};
+use crate::report::{self, HintLevel, Report, Reveal, TaskReport, links, worst_test};
 use crate::workers::printed;
 use base::program::{Exit, path_argument, whole_number};
 use base::{GraderError, Workspace, errln, out, outln};
@@ -176,7 +176,8 @@ pub(super) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
         Format::Table => {
             let context = run.context(&workspace, &request.what)?;
             let page = Page::of_stdout();
-            out!("{}", screen::format_screen(report, &context, reveal, page));
+            let text = screen::format_screen(report, &context, reveal, page);
+            out!("{}", links::for_stdout(text, &workspace));
         }
     }
     Ok(if report.is_full() {

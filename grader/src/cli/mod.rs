@@ -1,11 +1,12 @@
 //! The command line of `grader`.
 //!
 //! This program does what students do all day: `grader part1` ([`grade`]; `case` for a single
-//! case), `grader watch`, `grader check`, `grader status`, `grader explain`, `grader picture`. Each other command
+//! case), `grader watch`, `grader check`, `grader status`, `grader explain`, `grader picture`, `grader book`. Each other command
 //! is a separate program (`subprogram`), so that a student who only grades does not have to compile
 //! it. This module contains what they all share: the [`Exit`], the exit codes
 //! ([`run_to_exit_code`]) and common options.
 
+mod book;
 mod case;
 mod check;
 mod completions;
@@ -120,6 +121,7 @@ fn command() -> Command {
             check::command(),
             explain::command(),
             picture::command(),
+            book::command(),
             doctor::command(),
             offline::command(),
             completions::command(),
@@ -148,6 +150,7 @@ fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
                 "doctor" => doctor::run(),
                 "offline" => offline::run(),
                 "completions" => completions::run(rest),
+                book::NAME => book::run(rest),
                 help::NAME => help::run(rest),
                 _ => explain::run(rest),
             };

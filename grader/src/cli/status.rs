@@ -2,6 +2,7 @@
 
 use crate::course::Course;
 use crate::progress::next_task::{self, Known};
+use crate::report::links;
 use crate::report::screen;
 use crate::report::table::number;
 use crate::report::terminal::{GREEN, Page};
@@ -21,7 +22,8 @@ pub(super) fn run() -> Result<Exit, GraderError> {
     let workspace = Workspace::above(Path::new("."))?;
     let course = Course::read(&workspace)?;
     let known = next_task::known(&workspace, &course)?;
-    out!("{}", format_status(&known, Page::of_stdout()));
+    let text = format_status(&known, Page::of_stdout());
+    out!("{}", links::for_stdout(text, &workspace));
     Ok(Exit::Passed)
 }
 
@@ -63,6 +65,11 @@ fn format_status(all: &[Known], page: Page) -> String {
         None => "Every task is complete.".into(),
     };
     lines.extend(wrap_to(&next, 2, page.width, 2));
+    if let Some(place) = next_task::first_open(all, &[]) {
+        let chapter = links::book_command(&place.key, "");
+        let line = format!("Its chapter: {chapter}");
+        lines.extend(wrap_to(&line, 2, page.width, 2));
+    }
     lines
         .iter()
         .flat_map(|line| [line.as_str(), "\n"])
@@ -163,6 +170,10 @@ mod tests {
             "{text}"
         );
         assert!(text.contains("Next: part1.task2"), "{text}");
+        assert!(
+            text.contains("\nIts chapter: cargo grader book part1.task2\n"),
+            "{text}"
+        );
         assert!(lines.iter().all(|line| columns(line) <= 80), "{text}");
     }
 

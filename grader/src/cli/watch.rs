@@ -2,12 +2,13 @@
 //! folders.
 
 use super::grade::{GradedRun, hint, hint_argument};
+use crate::book;
 use crate::course::{Course, Task, is_selected};
 use crate::grade::GradeRequest;
 use crate::progress::next_task::{self, Known};
 use crate::report::screen::Context;
 use crate::report::terminal::Page;
-use crate::report::{HintLevel, Report};
+use crate::report::{HintLevel, Report, links};
 use crate::watch::files::WatchedFiles;
 use crate::watch::{self, Desk, Event};
 use base::keys::SingleKeys;
@@ -151,7 +152,8 @@ impl Desk for Terminal {
     }
 
     fn open(&mut self, file: &Path) -> bool {
-        browser::open(&self.workspace.root().join(file))
+        let page = book::page_of(&self.workspace, file);
+        browser::open(page.unwrap_or_else(|| self.workspace.root().join(file)))
     }
 
     fn show(&mut self, text: &str) {
@@ -159,6 +161,7 @@ impl Desk for Terminal {
             true => "\x1b[2J\x1b[3J\x1b[H",
             false => "",
         };
+        let text = links::for_stdout(text.to_owned(), &self.workspace);
         out!("{clear}{text}");
     }
 }

@@ -32,6 +32,12 @@ pub fn chapter(key: &str) -> Option<String> {
     Some(format!("stages/book/src/{part}/{task}.md"))
 }
 
+/// The page of that chapter in the rendered book, such as `part2/task1.html`.
+pub fn page(key: &str) -> Option<String> {
+    let (part, task) = key.split_once('.')?;
+    Some(format!("{part}/{task}.html"))
+}
+
 /// A section of the chapter about a task, such as `stages/book/src/part2/task1.md#mistakes`.
 pub fn section(key: &str, section: Section) -> Option<String> {
     Some(format!("{}#{}", chapter(key)?, section.anchor()))

@@ -73,10 +73,21 @@ pub fn read_snapshot(
 
 /// Finds the text `path` in a pack.
 fn find(packed: &[u8], path: &Path) -> Result<Option<String>, String> {
+    let files = unpack(packed)?;
+    let found = files.into_iter().find(|(name, _)| name == path);
+    let text = found.map(|(name, contents)| {
+        String::from_utf8(contents).map_err(|_| format!("{} is not UTF-8 text", name.display()))
+    });
+    text.transpose()
+}
+
+/// The files of a pack: their paths in it, and their contents.
+pub fn unpack(packed: &[u8]) -> Result<Vec<(PathBuf, Vec<u8>)>, String> {
     let all = decompress_to_vec_zlib_with_limit(packed, MAX_UNPACKED);
     let all = all.map_err(|e| format!("it is damaged: {e}. Restore it from the handout"))?;
     let damaged =
         || "it is damaged: expected `BYTES NAME`. Restore it from the handout".to_string();
+    let mut files = Vec::new();
     let mut rest = all.as_slice();
     while !rest.is_empty() {
         let end = rest.iter().position(|byte| *byte == b'\n');
@@ -85,13 +96,10 @@ fn find(packed: &[u8], path: &Path) -> Result<Option<String>, String> {
         let (length, name) = line.split_once(' ').ok_or_else(damaged)?;
         let length: usize = length.parse().map_err(|_| damaged())?;
         let (contents, next) = after[1..].split_at_checked(length).ok_or_else(damaged)?;
-        if Path::new(name) == path {
-            let text = str::from_utf8(contents).map_err(|_| format!("{name} is not UTF-8 text"))?;
-            return Ok(Some(text.to_string()));
-        }
+        files.push((PathBuf::from(name), contents.to_vec()));
         rest = next;
     }
-    Ok(None)
+    Ok(files)
 }
 
 #[cfg(test)]

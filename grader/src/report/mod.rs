@@ -2,6 +2,7 @@
 //! as one [`screen`] or a long [`table`] for people, or as JSON for programs.
 
 mod functions;
+pub mod links;
 pub(crate) mod message;
 pub mod screen;
 mod speedups;

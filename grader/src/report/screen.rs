@@ -5,12 +5,12 @@ mod detail;
 #[cfg(test)]
 mod tests;
 
+use super::links::book_command;
 use super::message;
 use super::table::{number, summary};
 use super::terminal::{GREEN, Page, style_of};
 use super::wrap::{columns, one_line, wrap_to};
 use super::{Report, Reveal, TaskReport};
-use crate::course::chapter::chapter;
 use crate::course::given;
 use crate::course::sources::Place;
 use crate::score::{CaseResult, Status, TaskResult};
@@ -306,9 +306,8 @@ fn success(report: &Report, context: &Context, page: Page) -> Vec<Block> {
     }
     if let Some(next) = &context.next {
         blocks.push(block(1, format!("Next: {}", heading(next))));
-        if let Some(chapter) = chapter(&next.key) {
-            blocks.push(block(1, format!("Its chapter: {chapter}")));
-        }
+        let chapter = book_command(&next.key, "");
+        blocks.push(block(1, format!("Its chapter: {chapter}")));
     }
     if report.robust_score < report.robust_max_score {
         let text = format!(

@@ -1,12 +1,12 @@
 //! The book of the course.
 //!
 //! The text is Markdown in `src`, one chapter for each part and each task. It reads well as it is;
-//! this crate makes its figures, checks it, and renders it as HTML:
+//! this crate makes its figures, checks it, and prepares it for mdBook:
 //!
 //! - [`drawing`]: a figure as SVG. [`figures`]: the figures, drawn by code that calls `kit`.
 //! - [`chapter`]: a chapter's sections, formulas, links and code blocks, as the tests read them.
-//! - [`maths`]: formulas as MathML. [`preprocess`]: the preprocessor of mdBook that uses it.
-//! - [`html`]: the whole book as HTML pages, without mdBook.
+//! - [`maths`]: formulas as MathML. [`source`]: what mdBook renders, prepared. [`page`]: what mdBook
+//!   rendered, completed. The program in `site` does both, with mdBook in between.
 //!
 //! The tests in `tests` compare the text with the course: titles, points, signatures, mistakes,
 //! numbers, links. The code blocks of the chapters are compiled as documentation tests.
@@ -14,9 +14,10 @@
 pub mod chapter;
 pub mod drawing;
 pub mod figures;
-pub mod html;
 pub mod maths;
-pub mod preprocess;
+pub mod page;
+pub mod paths;
+pub mod source;
 
 /// The folder of this crate, which contains `book.toml` and `src`.
 pub fn folder() -> &'static std::path::Path {

@@ -59,37 +59,53 @@ pub fn mathml(latex: &str, display: bool) -> Result<String, String> {
     let parser = Parser::new(latex, &storage);
     push_mathml(&mut markup, parser, config)
         .map_err(|error| format!("cannot write the formula `{latex}` as MathML: {error}"))?;
-    // What version 0.8 of the library forgets: it writes operators as they are, and no space
-    // before one attribute.
-    Ok(markup
+    // What version 0.8 of the library forgets: it writes operators as they are, no space before one
+    // attribute, and the space before `\sin^2` as the base of the exponent.
+    let mut markup = markup
         .replace("><</", ">&lt;</")
         .replace(">></", ">&gt;</")
-        .replace("\"minsize", "\" minsize"))
+        .replace("\"minsize", "\" minsize");
+    for script in ["<msub>", "<msup>", "<msubsup>"] {
+        markup = markup.replace(
+            &format!("{script}{SPACE_OF_FUNCTION}"),
+            &format!("{SPACE_OF_FUNCTION}{script}"),
+        );
+    }
+    Ok(markup)
 }
 
-/// `markdown` with MathML in place of its formulas.
-pub fn with_mathml(markdown: &str) -> Result<String, String> {
-    let mut text = String::with_capacity(2 * markdown.len());
-    let mut done = 0;
-    for formula in formulas(markdown) {
-        text.push_str(&markdown[done..formula.range.start]);
-        text.push_str(&mathml(&formula.latex, formula.display)?);
-        done = formula.range.end;
-    }
-    text.push_str(&markdown[done..]);
-    Ok(text)
-}
+/// The space that the library writes before the name of a function.
+const SPACE_OF_FUNCTION: &str = "<mspace width=\"0.1667em\" />";
+
+/// The elements of MathML that have a fixed number of children, and that number.
+pub const CHILDREN: [(&str, usize); 8] = [
+    ("mfrac", 2),
+    ("mroot", 2),
+    ("msub", 2),
+    ("msup", 2),
+    ("munder", 2),
+    ("mover", 2),
+    ("msubsup", 3),
+    ("munderover", 3),
+];
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
-    fn formulas_become_mathml_and_code_stays() {
-        let text = with_mathml("Let $x_1 = 2$; `$y$` is code.").unwrap();
-        assert!(text.starts_with("Let <math"), "{text}");
-        assert!(text.contains("<msub><mi>x</mi><mn>1</mn></msub>"), "{text}");
-        assert!(text.ends_with("</math>; `$y$` is code."), "{text}");
+    fn formulas_are_found_and_code_stays() {
+        let found = formulas("Let $x_1 = 2$; `$y$` is code.");
+        assert_eq!(found.len(), 1);
+        assert_eq!(
+            (found[0].latex.as_str(), found[0].range.clone()),
+            ("x_1 = 2", 4..13)
+        );
+        let markup = mathml("x_1 = 2", false).unwrap();
+        assert!(
+            markup.contains("<msub><mi>x</mi><mn>1</mn></msub>"),
+            "{markup}"
+        );
     }
 
     #[test]
@@ -103,8 +119,17 @@ mod tests {
     }
 
     #[test]
+    fn the_exponent_of_a_function_has_its_name_as_base() {
+        let markup = mathml(r"\eta^2 \sin^2 \theta_o", false).unwrap();
+        assert!(
+            markup.contains("<msup><mi>sin</mi><mn>2</mn></msup>"),
+            "{markup}"
+        );
+    }
+
+    #[test]
     fn an_unknown_command_is_an_error() {
-        let error = with_mathml(r"$$\nonsense x$$").unwrap_err();
+        let error = mathml(r"\nonsense x", true).unwrap_err();
         assert!(error.contains(r"\nonsense"), "{error}");
     }
 }

@@ -5,7 +5,7 @@ use authoring::mutants::corpus::Corpus;
 use authoring::mutants::table::Table;
 use base::Workspace;
 use book::chapter::{self, Chapter};
-use book::html;
+use book::paths;
 use grader::course::chapter::{self as place, Section};
 use grader::course::{Course, Task};
 use judge::Tier;
@@ -388,7 +388,7 @@ fn the_sections_that_the_grader_links_to_exist() {
             assert_eq!(Path::new(path), below);
             let mut titles = chapter.sections.iter().map(|section| &section.title);
             assert!(
-                titles.any(|title| html::anchor(title) == anchor),
+                titles.any(|title| paths::anchor(title) == anchor),
                 "{link} names no section"
             );
         }

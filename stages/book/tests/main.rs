@@ -1,8 +1,7 @@
-//! All tests of the text, its numbers and its pages.
+//! All tests of the text and its numbers.
 
 mod course;
 mod explore;
 mod hard_cases;
 mod numbers;
-mod pages;
 mod text;

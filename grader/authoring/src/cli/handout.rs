@@ -4,6 +4,7 @@ use authoring::handout::{Handout, output_folder, vendored};
 use base::program::{Exit, path_argument};
 use base::{GraderError, Workspace, outln};
 use clap::{Arg, ArgAction, ArgMatches, Command};
+use grader::book;
 use std::path::{Path, PathBuf};
 
 pub(crate) fn command() -> Command {
@@ -42,10 +43,12 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     let workspace = Workspace::above(Path::new("."))?;
     output_folder::check(&workspace, out)?;
     let vendor = matches.get_flag("vendor");
+    let site = book::make_current(&workspace)?;
     let mut handout = Handout::carve(&workspace, part)?;
     if vendor {
         handout.use_vendored_libraries(&workspace)?;
     }
+    handout.add_book(&site)?;
     handout.write(out, vendor)?;
     outln!(
         "{}: {} files written, {} solutions removed. Students start with README.md",

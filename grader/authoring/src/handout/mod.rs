@@ -16,6 +16,7 @@ pub mod vendored;
 use base::{GraderError, Workspace, folder_of};
 use carve::Carver;
 use file_selection::FileSelection;
+use grader::book;
 use grader::course::given::{self, GivenFiles};
 use grader::course::packed;
 use grader::course::{Course, stages_of};
@@ -108,6 +109,30 @@ impl Handout {
         let members = members::read(workspace.root())?;
         self.files.remove(Path::new(given::LIST));
         self.list_given(&FileSelection::new(&members), &Course::read(workspace)?);
+        Ok(())
+    }
+
+    /// Adds the rendered book, whose site is in the folder `site`, as one packed file.
+    pub fn add_book(&mut self, site: &Path) -> Result<(), GraderError> {
+        let mut files = Vec::new();
+        for file in book::files_below(site)? {
+            let path = file.strip_prefix(site).unwrap_or(&file);
+            // The site of a handout says itself what it was made of.
+            let is_hidden = path.to_string_lossy().starts_with('.');
+            if !is_hidden {
+                let contents = std::fs::read(&file);
+                let contents = contents.map_err(|e| GraderError::file("read", &file, e))?;
+                files.push((path.to_path_buf(), contents));
+            }
+        }
+        files.sort();
+        let pack = packed::pack(&files);
+        if let Some(list) = self.files.get_mut(Path::new(given::LIST)) {
+            let mut given = GivenFiles::parse(&String::from_utf8_lossy(list));
+            given.add(Path::new(book::PACK), &pack, false);
+            *list = given.to_text().into_bytes();
+        }
+        self.files.insert(book::PACK.into(), pack);
         Ok(())
     }
 

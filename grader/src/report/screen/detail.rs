@@ -2,8 +2,9 @@
 
 use super::{Block, Context};
 use crate::build::compile_errors;
-use crate::course::chapter::{Section, chapter, section};
+use crate::course::chapter::Section;
 use crate::diagnosis::simplest::SimplestCall;
+use crate::report::links::book_command;
 use crate::report::table::status_text;
 use crate::report::terminal::Page;
 use crate::report::worst_test;
@@ -85,9 +86,8 @@ fn not_written(out: &mut Lines, task: &TaskResult, context: &Context) {
     };
     out.add(0, 3, &format!("{} {}", task.key, task.title));
     out.add(0, SENTENCES, &format!("  {what}"));
-    if let Some(chapter) = chapter(&task.key) {
-        out.add(1, 2, &format!("  Its chapter: {chapter}"));
-    }
+    let chapter = book_command(&task.key, "");
+    out.add(1, 2, &format!("  Its chapter: {chapter}"));
     let run = format!(
         "  Then run `cargo grader {}`, or keep `cargo grader watch` running.",
         task.key
@@ -294,9 +294,8 @@ fn explanation(out: &mut Lines, report: &TaskReport, reveal: Reveal) {
 
 /// Adds the place in the book about what went wrong.
 fn read_more(out: &mut Lines, key: &str, about: Section) {
-    if let Some(place) = section(key, about) {
-        out.add(2, 2, &format!("  More in the book: {place}"));
-    }
+    let place = book_command(key, about.anchor());
+    out.add(2, 2, &format!("  More in the book: {place}"));
 }
 
 /// A task none of whose cases failed by itself: it lacks points because of another task.

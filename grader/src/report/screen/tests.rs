@@ -227,7 +227,7 @@ fn each_level_reveals_more() {
         [false, false, false, true]
     );
     assert_eq!(
-        levels("More in the book: stages/book/src/part1/task3.md#mistakes"),
+        levels("More in the book: cargo grader book part1.task3#mistakes"),
         [false, false, false, true]
     );
     assert_eq!(levels("for more ("), [true, true, true, false]);
@@ -245,8 +245,8 @@ fn without_a_known_mistake_the_book_is_opened_where_it_helps() {
         };
         screen(vec![wrong], &context("part1.task3"), reveal).contains(word)
     };
-    assert!(shows(Tier::Core, false, "part1/task3.md#the-contract"));
-    let limits = "part1/task3.md#where-the-formulas-break";
+    assert!(shows(Tier::Core, false, "part1.task3#the-contract"));
+    let limits = "part1.task3#where-the-formulas-break";
     assert!(shows(Tier::Robust, true, limits));
 }
 
@@ -273,7 +273,7 @@ fn full_marks_are_a_success() {
         "Part 1 is complete.\n",
         "picture: target/first-light/ring.png\n",
         "Next: part2.task1 Constructing the BVH, in stages/bvh/src/construct.rs",
-        "Its chapter: stages/book/src/part2/task1.md\n",
+        "Its chapter: cargo grader book part2.task1\n",
         "extra credit 3 of 15: `cargo grader part1 --extra`\n",
     ] {
         assert!(text.contains(line), "no {line:?} in\n{text}");

@@ -55,7 +55,8 @@
     const r = z * (C[0] + z * (C[1] + z * C[2])) + w * w * (C[3] + z * (C[4] + z * C[5]));
     const half = 0.5 * z;
     const first = 1 - half;
-    return first + (1 - first - half + (z * r - x * y));
+    const rest = z * r - x * y;
+    return first + (1 - first - half + rest);
   }
 
   const T = [

@@ -41,11 +41,11 @@
 
   // A pixel whose samples are 1/p with the probability p and 0 else, so that the right mean is 1.
   // Its mean after each batch; the last one is where it stops.
-  function pixel([x, y], seed, p, tolerance, rule) {
+  function pixel([x, y], seed, p, tolerance, rule, limit = LIMIT) {
     const sampler = new Explore.parts.sampler.PixelSampler(x, y, seed);
     const tally = new Tally();
     const means = [];
-    while (tally.n < LIMIT) {
+    while (tally.n < limit) {
       for (let k = 0; k < BATCH; k++) {
         sampler.getSample();
         tally.push(sampler.next1d() < p ? 1 / p : 0);
@@ -53,7 +53,7 @@
       means.push(tally.mean);
       if (RULES[rule](tally, tolerance)) break;
     }
-    return { means, stopped: means.length * BATCH < LIMIT };
+    return { means, stopped: means.length * BATCH < limit };
   }
 
   function start(ui) {

@@ -117,7 +117,7 @@ const RESULTS = {
     return [byDirection(lamp, u).value, byPoint(lamp, u).value];
   },
   stopping([x, y, seed, p, tolerance, isSure]) {
-    const { means } = kernel("stopping").pixel([x, y], seed, p, tolerance, isSure ? "sure" : "plain");
+    const { means } = kernel("stopping").pixel([x, y], seed, p, tolerance, isSure ? "sure" : "plain", 512);
     return [32 * means.length, means.at(-1)];
   },
   sampler: samples,

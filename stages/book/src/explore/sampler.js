@@ -9,7 +9,7 @@
 
   function plus(a, b) {
     const low = (a[1] >>> 0) + (b[1] >>> 0);
-    return [(a[0] + b[0] + (low > 0xffffffff ? 1 : 0)) | 0, low | 0];
+    return [(a[0] + b[0] + Math.floor(low / 4294967296)) | 0, low | 0];
   }
 
   function times(a, b) {

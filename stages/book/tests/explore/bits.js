@@ -135,6 +135,12 @@ function same(a, b) {
   return words[0] === words[1] || (a !== a && b !== b);
 }
 
+// Halves are rounded to the even float; no random fraction is one.
+for (const [odd, rounded] of [[1, 0], [3, 4]]) {
+  const sum = Fraction.of(2 ** 53).add(Fraction.of(odd));
+  if (sum.number() !== 2 ** 53 + rounded) throw new Error(`2^53 + ${odd} is rounded to ${sum.number()}`);
+}
+
 let failures = 0;
 const folder = process.argv[2];
 const files = readdirSync(folder).filter((file) => file.endsWith(".bin"));

@@ -20,20 +20,31 @@ fn main() -> ExitCode {
 fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     check_folders_of(matches, &["html", "svg"])?;
     let mesh: &String = matches.get_one("mesh").expect("a default value");
-    let ladder = measure(&LadderRequest {
+    let request = LadderRequest {
         mesh: mesh.parse().map_err(|why: String| GraderError::new(why))?,
         largest: *matches.get_one("largest").expect("a default value"),
         seed: seed_of(matches),
-    });
-    if let Some(path) = matches.get_one::<PathBuf>("html") {
-        base::write_whole(path, page::page(&ladder)?.as_bytes())?;
+    };
+    let format = Format::of(matches);
+    if format == Format::Table {
+        out!("{}", table::head(request.mesh));
     }
-    if let Some(path) = matches.get_one::<PathBuf>("svg") {
-        base::write_whole(path, page::plot(&ladder)?.as_bytes())?;
-    }
-    match Format::of(matches) {
+    // After each size, so that a run that is stopped has printed and written what it measured.
+    let ladder = measure(&request, &mut |ladder| {
+        if format == Format::Table {
+            out!("{}", table::latest_rows(ladder));
+        }
+        if let Some(path) = matches.get_one::<PathBuf>("html") {
+            base::write_whole(path, page::page(ladder)?.as_bytes())?;
+        }
+        if let Some(path) = matches.get_one::<PathBuf>("svg") {
+            base::write_whole(path, page::plot(ladder)?.as_bytes())?;
+        }
+        Ok(())
+    })?;
+    match format {
         Format::Json => outln!("{}", report::json(&ladder)?),
-        Format::Table => out!("{}", table::show(&ladder)),
+        Format::Table => out!("\n{}", table::summary(&ladder)),
     }
     Ok(Exit::Passed)
 }

@@ -3,6 +3,7 @@
 use crate::clock::processor_time;
 use crate::rays::{RayKind, RaySets};
 use crate::rung::{Rung, RungKind};
+use base::GraderError;
 use grader::grade::speedup::slope;
 use kit::hole::Hole;
 use kit::{PrimId, Ray, Triangle};
@@ -84,8 +85,16 @@ const PASS: Duration = Duration::from_millis(60);
 /// The fewest rays of a pass.
 const MIN_RAYS: usize = 8;
 
-/// Measures all steps on the meshes of all sizes.
-pub fn measure(request: &LadderRequest) -> Ladder {
+/// Measures all steps on the meshes of all sizes. Calls `report` with the results so far whenever a
+/// size is measured, with its rows at the end: whoever stops the program keeps them.
+///
+/// # Errors
+///
+/// The error of `report`, after which nothing is measured.
+pub fn measure(
+    request: &LadderRequest,
+    report: &mut dyn FnMut(&Ladder) -> Result<(), GraderError>,
+) -> Result<Ladder, GraderError> {
     let mut ladder = Ladder {
         mesh: request.mesh.name().into(),
         rows: Vec::new(),
@@ -93,9 +102,13 @@ pub fn measure(request: &LadderRequest) -> Ladder {
     };
     let sizes = (3..).map(|exponent| 10_usize.pow(exponent));
     for size in sizes.take_while(|&size| size <= request.largest) {
+        let known = ladder.rows.len();
         measure_size(request, size, &mut ladder);
+        if ladder.rows.len() > known {
+            report(&ladder)?;
+        }
     }
-    ladder
+    Ok(ladder)
 }
 
 fn measure_size(request: &LadderRequest, size: usize, ladder: &mut Ladder) {
@@ -328,11 +341,12 @@ mod tests {
 
     #[test]
     fn every_step_finds_the_hits_of_brute_force_with_fewer_tests() {
-        let ladder = measure(&LadderRequest {
+        let request = LadderRequest {
             mesh: MeshKind::Smooth,
             largest: 1000,
             seed: 0,
-        });
+        };
+        let ladder = measure(&request, &mut |_| Ok(())).expect("the report succeeds");
         assert!(ladder.missing.is_empty(), "{:?}", ladder.missing);
         assert_eq!(ladder.rows.len(), RungKind::ALL.len());
         for row in &ladder.rows {
@@ -349,5 +363,21 @@ mod tests {
                 assert!(row.bytes > 10 * row.triangles, "{row:?}");
             }
         }
+    }
+
+    #[test]
+    fn each_size_is_reported_before_the_next_is_measured() {
+        let request = LadderRequest {
+            mesh: MeshKind::Terrain,
+            largest: 10_000_000,
+            seed: 0,
+        };
+        let mut reported = Vec::new();
+        let stopped = measure(&request, &mut |ladder| {
+            reported.extend(ladder.rows.iter().map(|row| row.triangles));
+            Err(GraderError::new("stop"))
+        });
+        assert_eq!(stopped.expect_err("it is stopped").to_string(), "stop");
+        assert_eq!(reported, [1000; RungKind::ALL.len()]);
     }
 }

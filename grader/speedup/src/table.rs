@@ -4,7 +4,7 @@ use crate::measure::{Ladder, RungCost};
 use crate::plot;
 use crate::rays::RayKind;
 use crate::rung::RungKind;
-use comfy_table::{Cell, CellAlignment, Table, presets};
+use meshes::MeshKind;
 use std::fmt::Write;
 
 /// Explains the columns.
@@ -15,10 +15,9 @@ are those of a bounce ray. Bytes are those of the tree, for each triangle.
 * is your code: `bvh` and `simd_bvh`; both use your tests of boxes and triangles.
 ";
 
-/// Formats the table, the plot, and how the time of a ray grows.
-pub fn show(ladder: &Ladder) -> String {
-    let mut text = format!("The {} mesh, one thread\n{}\n", ladder.mesh, table(ladder));
-    text.push_str(&plot::show(ladder));
+/// What follows the rows: the plot, how the time of a ray grows, and what the columns are.
+pub fn summary(ladder: &Ladder) -> String {
+    let mut text = plot::show(ladder);
     text.push_str(&growth(ladder));
     let _ = writeln!(text, "{}", ladder.agreement());
     for why in &ladder.missing {
@@ -28,52 +27,72 @@ pub fn show(ladder: &Ladder) -> String {
     text
 }
 
-fn table(ladder: &Ladder) -> Table {
-    let mut table = Table::new();
-    table.load_style(presets::NOTHING);
-    table.set_header([
-        "triangles",
-        "step",
-        "build\nms",
-        "bytes",
-        "camera\nMrays/s",
-        "bounce",
-        "shadow",
-        "box\ntests",
-        "triangle\ntests",
-    ]);
-    for (i, column) in table.column_iter_mut().enumerate() {
-        column.set_padding((1, 0));
-        if i > 1 {
-            column.set_cell_alignment(CellAlignment::Right);
-        }
-    }
-    let mut last = 0;
-    for row in &ladder.rows {
-        let size = if row.triangles == last {
-            String::new()
-        } else {
-            row.triangles.to_string()
-        };
-        last = row.triangles;
-        table.add_row(cells(row, size));
-    }
-    table
+/// The columns: their widths are fixed, because rows are printed before the next ones are known.
+const COLUMNS: [(&str, &str, usize); 9] = [
+    ("triangles", "", 9),
+    ("step", "", 11),
+    ("build", "ms", 8),
+    ("bytes", "", 6),
+    ("camera", "Mrays/s", 8),
+    ("bounce", "", 7),
+    ("shadow", "", 7),
+    ("box", "tests", 7),
+    ("triangle", "tests", 10),
+];
+
+/// The lines above the rows.
+pub fn head(mesh: MeshKind) -> String {
+    let first = line(COLUMNS.map(|(name, _, _)| name.into()));
+    let second = line(COLUMNS.map(|(_, unit, _)| unit.into()));
+    format!("The {} mesh, one thread\n{first}{second}", mesh.name())
 }
 
-fn cells(row: &RungCost, size: String) -> Vec<Cell> {
-    let bounce = &row.rays[RayKind::Bounce as usize];
+/// The rows of the largest mesh so far.
+pub fn latest_rows(ladder: &Ladder) -> String {
+    let largest = ladder.rows.last().map_or(0, |row| row.triangles);
+    let rows = ladder.rows.iter().filter(|row| row.triangles == largest);
+    let mut text = String::new();
+    for (i, row) in rows.enumerate() {
+        let size = if i == 0 {
+            largest.to_string()
+        } else {
+            String::new()
+        };
+        text.push_str(&line(cells(row, size)));
+    }
+    text
+}
+
+/// Numbers are at the right of their columns, names at the left.
+fn line(cells: [String; COLUMNS.len()]) -> String {
+    let mut text = String::new();
+    for (i, (cell, (_, _, width))) in cells.into_iter().zip(COLUMNS).enumerate() {
+        let _ = match i {
+            0 | 1 => write!(text, " {cell:<width$}"),
+            _ => write!(text, " {cell:>width$}"),
+        };
+    }
+    text.truncate(text.trim_end().len());
+    text.push('\n');
+    text
+}
+
+fn cells(row: &RungCost, size: String) -> [String; COLUMNS.len()] {
+    let [camera, bounce, shadow] = row.rays.map(|rays| figures(1e-6 / rays.seconds));
+    let tests = &row.rays[RayKind::Bounce as usize];
     let has_tree = row.kind != RungKind::BruteForce;
-    let tree = |text: String| if has_tree { text } else { String::new() };
-    let mut cells = vec![
+    let of_tree = |text: String| if has_tree { text } else { String::new() };
+    [
         size,
         row.kind.name().into(),
-        tree(format!("{:.1}", 1e3 * row.build_s)),
-        tree(format!("{:.0}", row.bytes as f64 / row.triangles as f64)),
-    ];
-    cells.extend(row.rays.iter().map(|rays| figures(1e-6 / rays.seconds)));
-    cells.extend([tree(figures(bounce.box_tests)), figures(bounce.prim_tests)]);
-    cells.into_iter().map(Cell::new).collect()
+        of_tree(format!("{:.1}", 1e3 * row.build_s)),
+        of_tree(format!("{:.0}", row.bytes as f64 / row.triangles as f64)),
+        camera,
+        bounce,
+        shadow,
+        of_tree(figures(tests.box_tests)),
+        figures(tests.prim_tests),
+    ]
 }
 
 /// Two or three significant figures.

@@ -83,71 +83,78 @@ const MIN_COSINE: f64 = 0.1;
 impl Beam {
     /// The beam around `rays`: along the axis on which the first ray advances most, every ray is
     /// between two slopes on each of the other axes. `None` if the rays go apart too far.
-    #[inline(always)]
+    #[inline(never)]
     pub(crate) fn around<S: Simd>(simd: S, rays: &RayBundle<'_>) -> Option<Beam> {
-        let first = [0, 1, 2].map(|axis| rays.d[axis][0]);
-        let size = first.map(f64::abs);
-        let w = if size[2] >= size[0] && size[2] >= size[1] {
-            2
-        } else {
-            usize::from(size[1] >= size[0])
-        };
-        let sides = [(w + 1) % 3, (w + 2) % 3];
-        let sign = 1.0_f64.copysign(first[w]);
-        let slopes = slopes(simd, rays, w, sides, sign)?;
+        simd.vectorize(
+            #[inline(always)]
+            || {
+                let first = [0, 1, 2].map(|axis| rays.d[axis][0]);
+                let size = first.map(f64::abs);
+                let w = if size[2] >= size[0] && size[2] >= size[1] {
+                    2
+                } else {
+                    usize::from(size[1] >= size[0])
+                };
+                let sides = [(w + 1) % 3, (w + 2) % 3];
+                let sign = 1.0_f64.copysign(first[w]);
+                let slopes = slopes(simd, rays, w, sides, sign)?;
 
-        let (low, high) = (
-            f64x8::splat(simd, f64::INFINITY),
-            f64x8::splat(simd, -f64::INFINITY),
-        );
-        let (mut starts, mut ends) = ([low; 2], [high; 2]);
-        let (mut near, mut far, mut reach) = (low, high, high);
-        for i in (0..rays.count).step_by(LANES) {
-            let here = first_lanes(simd, rays.count - i);
-            let ow = load(simd, rays.o[w], i) * sign;
-            let dw = load(simd, rays.d[w], i) * sign;
-            let max_t = rays.max_t.load(simd, i);
-            let (start, end) = (ow + dw * rays.min_t, ow + dw * max_t);
-            near = here.select(near.min_precise(start), near);
-            far = here.select(far.max_precise(end), far);
-            let mut sum = ow.abs() * MAX_SLOPE;
-            for side in 0..2 {
-                let o = load(simd, rays.o[sides[side]], i);
-                let [least, greatest] = slopes[side];
-                starts[side] = here.select(starts[side].min_precise(o - ow * least), starts[side]);
-                ends[side] = here.select(ends[side].max_precise(o - ow * greatest), ends[side]);
-                sum += o.abs();
-            }
-            reach = here.select(reach.max_precise(sum), reach);
-        }
-        let margin = MARGIN * greatest_of(reach);
-        let along_w = axis_vector(w) * sign;
-        let mut half_spaces = [HalfSpace {
-            normal: Vec3::ZERO,
-            offset: 0.0,
-        }; HALF_SPACES];
-        for side in 0..2 {
-            let across = axis_vector(sides[side]);
-            let [least, greatest] = slopes[side];
-            half_spaces[2 * side] = HalfSpace {
-                normal: across - along_w * greatest,
-                offset: greatest_of(ends[side]) + margin,
-            };
-            half_spaces[2 * side + 1] = HalfSpace {
-                normal: along_w * least - across,
-                offset: greatest_of(-starts[side]) + margin,
-            };
-        }
-        let (near, far) = (-greatest_of(-near), greatest_of(far));
-        half_spaces[4] = HalfSpace {
-            normal: along_w,
-            offset: far + MARGIN * far.abs() + margin,
-        };
-        half_spaces[5] = HalfSpace {
-            normal: -along_w,
-            offset: MARGIN * near.abs() - near + margin,
-        };
-        Some(Beam { half_spaces })
+                let (low, high) = (
+                    f64x8::splat(simd, f64::INFINITY),
+                    f64x8::splat(simd, -f64::INFINITY),
+                );
+                let (mut starts, mut ends) = ([low; 2], [high; 2]);
+                let (mut near, mut far, mut reach) = (low, high, high);
+                for i in (0..rays.count).step_by(LANES) {
+                    let here = first_lanes(simd, rays.count - i);
+                    let ow = load(simd, rays.o[w], i) * sign;
+                    let dw = load(simd, rays.d[w], i) * sign;
+                    let max_t = rays.max_t.load(simd, i);
+                    let (start, end) = (ow + dw * rays.min_t, ow + dw * max_t);
+                    near = here.select(near.min_precise(start), near);
+                    far = here.select(far.max_precise(end), far);
+                    let mut sum = ow.abs() * MAX_SLOPE;
+                    for side in 0..2 {
+                        let o = load(simd, rays.o[sides[side]], i);
+                        let [least, greatest] = slopes[side];
+                        starts[side] =
+                            here.select(starts[side].min_precise(o - ow * least), starts[side]);
+                        ends[side] =
+                            here.select(ends[side].max_precise(o - ow * greatest), ends[side]);
+                        sum += o.abs();
+                    }
+                    reach = here.select(reach.max_precise(sum), reach);
+                }
+                let margin = MARGIN * greatest_of(reach);
+                let along_w = axis_vector(w) * sign;
+                let mut half_spaces = [HalfSpace {
+                    normal: Vec3::ZERO,
+                    offset: 0.0,
+                }; HALF_SPACES];
+                for side in 0..2 {
+                    let across = axis_vector(sides[side]);
+                    let [least, greatest] = slopes[side];
+                    half_spaces[2 * side] = HalfSpace {
+                        normal: across - along_w * greatest,
+                        offset: greatest_of(ends[side]) + margin,
+                    };
+                    half_spaces[2 * side + 1] = HalfSpace {
+                        normal: along_w * least - across,
+                        offset: greatest_of(-starts[side]) + margin,
+                    };
+                }
+                let (near, far) = (-greatest_of(-near), greatest_of(far));
+                half_spaces[4] = HalfSpace {
+                    normal: along_w,
+                    offset: far + MARGIN * far.abs() + margin,
+                };
+                half_spaces[5] = HalfSpace {
+                    normal: -along_w,
+                    offset: MARGIN * near.abs() - near + margin,
+                };
+                Some(Beam { half_spaces })
+            },
+        )
     }
 
     /// The beam around all camera rays through the pixels of `starts`, in a view without a lens:

@@ -54,7 +54,7 @@ struct BsdfRay<S: Simd> {
 impl<S: Simd> PathPacket<'_, S> {
     /// Samples the BSDF of the surfaces in the lanes of `diffuse`, as often as each area light, and
     /// adds the rays that may find light.
-    #[inline(always)]
+    #[inline(never)]
     pub(crate) fn sample_bsdf(
         &mut self,
         surfaces: &SurfacePacket<S>,
@@ -64,38 +64,45 @@ impl<S: Simd> PathPacket<'_, S> {
         shadows: &mut ShadowQueue,
         fallback: &dyn ScalarFallback,
     ) {
-        let simd = self.simd;
-        let mask = mask64x8::from_bitmask(simd, diffuse);
-        let exists = (mask & wo_z.simd_ne(f64x8::splat(simd, 0.0))).to_bitmask();
-        for _ in 0..self.settings.light_samples {
-            let DiffuseSample { wi, pdf, weight } = self.sample_diffuse(surfaces.color, wo_z);
-            let sample = shadows.push_undecided(simd);
-            memory.counts.rays += u64::from(exists.count_ones());
-            memory.counts.light_rays += u64::from(exists.count_ones());
-            let d = Frame::around(surfaces.n).to_world(wi);
-            let (o, skip) = surfaces.leave(simd, d);
-            let mut open = exists;
-            if let Some(lamps) = &self.scene.lamps {
-                let rays = unlimited(simd, o, d);
-                let scratch = &mut memory.scratch;
-                let tests;
-                (open, tests) = lamps.occluded(simd, &rays, exists, skip, scratch, fallback);
-                memory.counts.prim_tests += tests;
-            }
-            if open != 0 {
-                let rays = BsdfRay {
-                    o,
-                    d,
-                    p: surfaces.departure.p,
-                    weight,
-                    pdf,
-                    skip,
-                    sample,
-                };
-                let mask = mask64x8::from_bitmask(simd, open);
-                shadows.bsdf_rays.0.push(rays.columns(), mask);
-            }
-        }
+        self.simd.vectorize(
+            #[inline(always)]
+            || {
+                let simd = self.simd;
+                let mask = mask64x8::from_bitmask(simd, diffuse);
+                let exists = (mask & wo_z.simd_ne(f64x8::splat(simd, 0.0))).to_bitmask();
+                for _ in 0..self.settings.light_samples {
+                    let DiffuseSample { wi, pdf, weight } =
+                        self.sample_diffuse(surfaces.color, wo_z);
+                    let sample = shadows.push_undecided(simd);
+                    memory.counts.rays += u64::from(exists.count_ones());
+                    memory.counts.light_rays += u64::from(exists.count_ones());
+                    let d = Frame::around(surfaces.n).to_world(wi);
+                    let (o, skip) = surfaces.leave(simd, d);
+                    let mut open = exists;
+                    if let Some(lamps) = &self.scene.lamps {
+                        let rays = unlimited(simd, o, d);
+                        let scratch = &mut memory.scratch;
+                        let tests;
+                        (open, tests) =
+                            lamps.occluded(simd, &rays, exists, skip, scratch, fallback);
+                        memory.counts.prim_tests += tests;
+                    }
+                    if open != 0 {
+                        let rays = BsdfRay {
+                            o,
+                            d,
+                            p: surfaces.departure.p,
+                            weight,
+                            pdf,
+                            skip,
+                            sample,
+                        };
+                        let mask = mask64x8::from_bitmask(simd, open);
+                        shadows.bsdf_rays.0.push(rays.columns(), mask);
+                    }
+                }
+            },
+        )
     }
 }
 
@@ -222,7 +229,7 @@ impl<S: Simd> BsdfRay<S> {
 
     /// The emission at `hits` in the lanes of `hit`, with the weight against light sampling, and
     /// the lanes where there is any.
-    #[inline(always)]
+    #[inline(never)]
     fn emission(
         &self,
         simd: S,
@@ -232,42 +239,49 @@ impl<S: Simd> BsdfRay<S> {
         hit: u64,
         fallback: &dyn ScalarFallback,
     ) -> (Vec3x8<S>, u64) {
-        let ids: [usize; LANES] = std::array::from_fn(|lane| hits.prim[lane].max(0.0) as usize);
-        let mut emissive = 0;
-        for lane in lanes(hit) {
-            let is_emissive = scene.material_of(ids[lane]).0 == MaterialClass::Emission;
-            emissive |= u64::from(is_emissive) << lane;
-        }
-        if emissive == 0 {
-            return (self.weight, 0);
-        }
-        let color = Vec3x8::gather(simd, |lane| scene.material_of(ids[lane]).1.to_array());
-        let surfaces = SurfacePacket::at(simd, scene, rays, hits, &ids, emissive, color, fallback);
-        let ng = surfaces.departure.ng;
-        let in_front = f64x8::splat(simd, 0.0).simd_lt((-self.d).dot(ng));
-        let lit = emissive & in_front.to_bitmask();
+        simd.vectorize(
+            #[inline(always)]
+            || {
+                let ids: [usize; LANES] =
+                    std::array::from_fn(|lane| hits.prim[lane].max(0.0) as usize);
+                let mut emissive = 0;
+                for lane in lanes(hit) {
+                    let is_emissive = scene.material_of(ids[lane]).0 == MaterialClass::Emission;
+                    emissive |= u64::from(is_emissive) << lane;
+                }
+                if emissive == 0 {
+                    return (self.weight, 0);
+                }
+                let color = Vec3x8::gather(simd, |lane| scene.material_of(ids[lane]).1.to_array());
+                let surfaces =
+                    SurfacePacket::at(simd, scene, rays, hits, &ids, emissive, color, fallback);
+                let ng = surfaces.departure.ng;
+                let in_front = f64x8::splat(simd, 0.0).simd_lt((-self.d).dot(ng));
+                let lit = emissive & in_front.to_bitmask();
 
-        // The density of the emitter that a surface belongs to: 0 if it belongs to none.
-        let mut areas = [0.0; LANES];
-        let mut others = [0.0; LANES];
-        let mut is_mesh = 0;
-        for lane in lanes(lit) {
-            match scene.lit.emitter_of(PrimId(ids[lane] as u32)) {
-                Some(Emitter::Mesh(mesh)) => {
-                    areas[lane] = mesh.area();
-                    is_mesh |= 1 << lane;
+                // The density of the emitter that a surface belongs to: 0 if it belongs to none.
+                let mut areas = [0.0; LANES];
+                let mut others = [0.0; LANES];
+                let mut is_mesh = 0;
+                for lane in lanes(lit) {
+                    match scene.lit.emitter_of(PrimId(ids[lane] as u32)) {
+                        Some(Emitter::Mesh(mesh)) => {
+                            areas[lane] = mesh.area();
+                            is_mesh |= 1 << lane;
+                        }
+                        Some(emitter) => {
+                            let (p, d) = (self.p.lane(lane), self.d.lane(lane));
+                            others[lane] = emitter.pdf(p, d, hits.t[lane], ng.lane(lane));
+                        }
+                        None => {}
+                    }
                 }
-                Some(emitter) => {
-                    let (p, d) = (self.p.lane(lane), self.d.lane(lane));
-                    others[lane] = emitter.pdf(p, d, hits.t[lane], ng.lane(lane));
-                }
-                None => {}
-            }
-        }
-        let of_meshes = mesh_pdf(f64x8::load_array(simd, areas), self.d, hits.t, ng);
-        let other = mask64x8::from_bitmask(simd, is_mesh)
-            .select(of_meshes, f64x8::load_array(simd, others));
-        (surfaces.color * power_heuristic(self.pdf, other), lit)
+                let of_meshes = mesh_pdf(f64x8::load_array(simd, areas), self.d, hits.t, ng);
+                let other = mask64x8::from_bitmask(simd, is_mesh)
+                    .select(of_meshes, f64x8::load_array(simd, others));
+                (surfaces.color * power_heuristic(self.pdf, other), lit)
+            },
+        )
     }
 }
 

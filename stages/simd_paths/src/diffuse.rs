@@ -5,6 +5,7 @@ use crate::PathMemory;
 use crate::light;
 use crate::packet::PathPacket;
 use crate::ray_packet::RayPacket;
+use crate::samplers::{next_1d, next_2d};
 use crate::shadow_queue::{ShadowQueue, sample_count};
 use crate::sin_cos::sin_cos;
 use crate::surface_packet::SurfacePacket;
@@ -20,7 +21,7 @@ use std::f64::consts::TAU;
 impl<S: Simd> PathPacket<'_, S> {
     /// Samples the lights at the surfaces in the lanes of `diffuse`, and adds the shadow rays and
     /// the light to `shadows`. `wo_z` is the cosine of the angle between the normal and the viewer.
-    #[inline(always)]
+    #[inline(never)]
     pub(crate) fn sample_lights(
         &mut self,
         surfaces: &SurfacePacket<S>,
@@ -28,42 +29,53 @@ impl<S: Simd> PathPacket<'_, S> {
         diffuse: u64,
         shadows: &mut ShadowQueue,
     ) {
-        let simd = self.simd;
-        let zero = f64x8::splat(simd, 0.0);
-        let f = lambert_f(surfaces.color);
-        let is_black = f.x.simd_eq(zero) & f.y.simd_eq(zero) & f.z.simd_eq(zero);
-        let scatters = mask64x8::from_bitmask(simd, diffuse) & !is_black;
-        for (number, emitter) in self.scene.lit.emitters.iter().enumerate() {
-            for _ in 0..sample_count(emitter, self.settings) {
-                let p = surfaces.departure.p;
-                let light = light::sample_light(simd, emitter, p, self.next_2d(), diffuse);
-                let wi_z = light.wi.dot(surfaces.n);
-                let same_side = on_same_side(wo_z, wi_z);
-                let active = (scatters & light.exists & same_side).to_bitmask();
-                if active == 0 {
-                    shadows.push_unlit();
-                    continue;
+        self.simd.vectorize(
+            #[inline(always)]
+            || {
+                let simd = self.simd;
+                let zero = f64x8::splat(simd, 0.0);
+                let f = lambert_f(surfaces.color);
+                let is_black = f.x.simd_eq(zero) & f.y.simd_eq(zero) & f.z.simd_eq(zero);
+                let scatters = mask64x8::from_bitmask(simd, diffuse) & !is_black;
+                for (number, emitter) in self.scene.lit.emitters.iter().enumerate() {
+                    for _ in 0..sample_count(emitter, self.settings) {
+                        let p = surfaces.departure.p;
+                        let light = light::sample_light(
+                            simd,
+                            emitter,
+                            p,
+                            next_2d(simd, &mut self.samplers),
+                            diffuse,
+                        );
+                        let wi_z = light.wi.dot(surfaces.n);
+                        let same_side = on_same_side(wo_z, wi_z);
+                        let active = (scatters & light.exists & same_side).to_bitmask();
+                        if active == 0 {
+                            shadows.push_unlit();
+                            continue;
+                        }
+                        let (o, skip) = surfaces.leave(simd, light.wi);
+                        let rays = RayPacket {
+                            o,
+                            d: light.wi,
+                            min_t: zero,
+                            max_t: light.distance * (1.0 - SHADOW_GAP),
+                        };
+                        let mut weight = f64x8::splat(simd, 1.0);
+                        if self.settings.samples_bsdf && !emitter.is_delta() {
+                            weight = power_heuristic(light.pdf, lambert_pdf(wo_z, wi_z));
+                        }
+                        let light = light.scattered(f, wi_z, weight);
+                        shadows.push(number, &rays, skip, active, light);
+                    }
                 }
-                let (o, skip) = surfaces.leave(simd, light.wi);
-                let rays = RayPacket {
-                    o,
-                    d: light.wi,
-                    min_t: zero,
-                    max_t: light.distance * (1.0 - SHADOW_GAP),
-                };
-                let mut weight = f64x8::splat(simd, 1.0);
-                if self.settings.samples_bsdf && !emitter.is_delta() {
-                    weight = power_heuristic(light.pdf, lambert_pdf(wo_z, wi_z));
-                }
-                let light = light.scattered(f, wi_z, weight);
-                shadows.push(number, &rays, skip, active, light);
-            }
-        }
+            },
+        )
     }
 
     /// Samples the next ray of the paths in the lanes of `diffuse`. Returns the lanes whose paths
     /// continue.
-    #[inline(always)]
+    #[inline(never)]
     pub(crate) fn scatter(
         &mut self,
         bounce: u32,
@@ -72,36 +84,46 @@ impl<S: Simd> PathPacket<'_, S> {
         diffuse: u64,
         memory: &mut PathMemory,
     ) -> u64 {
-        let simd = self.simd;
-        let zero = f64x8::splat(simd, 0.0);
-        let DiffuseSample { wi, weight, .. } = self.sample_diffuse(surfaces.color, wo_z);
-        // No light is scattered towards a viewer in the plane of the surface.
-        let mask = mask64x8::from_bitmask(simd, diffuse);
-        let continues = mask & wo_z.simd_ne(zero);
-        memory.counts.bounces += u64::from(continues.to_bitmask().count_ones());
-        let (throughput, survivors) = self.roulette(bounce, self.paths.throughput * weight);
-        let d = Frame::around(surfaces.n).to_world(wi);
-        let (o, skip) = surfaces.leave(simd, d);
-        self.paths.o = o.masked_or(mask, self.paths.o);
-        self.paths.d = d.masked_or(mask, self.paths.d);
-        self.paths.skip = mask.select(skip, self.paths.skip);
-        self.paths.throughput = throughput.masked_or(mask, self.paths.throughput);
-        self.paths.emission_counts = mask.select(zero, self.paths.emission_counts);
-        (continues & survivors).to_bitmask()
+        self.simd.vectorize(
+            #[inline(always)]
+            || {
+                let simd = self.simd;
+                let zero = f64x8::splat(simd, 0.0);
+                let DiffuseSample { wi, weight, .. } = self.sample_diffuse(surfaces.color, wo_z);
+                // No light is scattered towards a viewer in the plane of the surface.
+                let mask = mask64x8::from_bitmask(simd, diffuse);
+                let continues = mask & wo_z.simd_ne(zero);
+                memory.counts.bounces += u64::from(continues.to_bitmask().count_ones());
+                let (throughput, survivors) = self.roulette(bounce, self.paths.throughput * weight);
+                let d = Frame::around(surfaces.n).to_world(wi);
+                let (o, skip) = surfaces.leave(simd, d);
+                self.paths.o = o.masked_or(mask, self.paths.o);
+                self.paths.d = d.masked_or(mask, self.paths.d);
+                self.paths.skip = mask.select(skip, self.paths.skip);
+                self.paths.throughput = throughput.masked_or(mask, self.paths.throughput);
+                self.paths.emission_counts = mask.select(zero, self.paths.emission_counts);
+                (continues & survivors).to_bitmask()
+            },
+        )
     }
 
     /// Samples a direction at diffuse surfaces of this `color`.
-    #[inline(always)]
+    #[inline(never)]
     pub(crate) fn sample_diffuse(
         &mut self,
         color: Vec3x8<S>,
         wo_z: f64x8<S>,
     ) -> DiffuseSample<f64x8<S>> {
-        let u = self.next_2d();
-        // The plain path tracer uses this number to choose between reflection and refraction. A
-        // diffuse surface does not need it.
-        self.samplers.skip_1d();
-        lambert_sample(color, wo_z, u[0], sin_cos(u[1] * TAU))
+        self.simd.vectorize(
+            #[inline(always)]
+            || {
+                let u = next_2d(self.simd, &mut self.samplers);
+                // The plain path tracer uses this number to choose between reflection and refraction. A
+                // diffuse surface does not need it.
+                self.samplers.skip_1d();
+                lambert_sample(color, wo_z, u[0], sin_cos(u[1] * TAU))
+            },
+        )
     }
 
     /// Plays Russian roulette, unless it is switched off. Returns the new throughputs and the
@@ -123,18 +145,9 @@ impl<S: Simd> PathPacket<'_, S> {
             self.samplers.skip_1d();
             return (throughput, is_positive);
         }
-        let u = f64x8::load_array(simd, self.samplers.next_1d());
+        let u = next_1d(simd, &mut self.samplers);
         let (throughput, survives) = roulette::play(throughput, q, u);
         (throughput, is_positive & survives)
-    }
-
-    #[inline(always)]
-    fn next_2d(&mut self) -> [f64x8<S>; 2] {
-        let [first, second] = self.samplers.next_2d();
-        [
-            f64x8::load_array(self.simd, first),
-            f64x8::load_array(self.simd, second),
-        ]
     }
 }
 // END SOLUTION(part6.task2)

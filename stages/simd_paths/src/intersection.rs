@@ -37,7 +37,7 @@ pub(crate) struct TracedRays {
 
 impl TracedRays {
     /// Finds the closest hits of `bundle`.
-    #[inline(always)]
+    #[inline(never)]
     pub(crate) fn trace<S: Simd>(
         &mut self,
         simd: S,
@@ -47,39 +47,44 @@ impl TracedRays {
         counts: &mut Counts,
         fallback: &mut dyn ScalarFallback,
     ) {
-        self.hits.clear();
-        self.clear_rays();
-        for first in (0..bundle.count).step_by(LANES) {
-            let (rays, skip) = bundle.packet(simd, first);
-            let active = bundle.active(first);
-            let Some(large) = &scene.large else {
-                self.collect(&rays, skip, active, first);
-                continue;
-            };
-            counts.prim_tests += u64::from(active.count_ones()) * large.list.len() as u64;
-            let hits = large
-                .list
-                .closest(simd, &rays, active, skip, scratch, fallback);
-            let rays = RayPacket {
-                max_t: hits.t,
-                ..rays
-            };
-            let active = active & large.may_hit_others(simd, &rays);
-            self.collect(&rays, skip, active, first);
-            let all = mask64x8::splat(simd, true);
-            self.hits.push(hits.columns(), all);
-        }
-        fallback.closest_each(&self.rays, &mut self.found);
-        if self.hits.count() == 0 {
-            return;
-        }
-        for (&number, found) in self.numbers.iter().zip(&self.found) {
-            if let Some((id, hit)) = *found
-                && self.is_first(number, id, hit.t)
-            {
-                self.hits.set(number, hit_columns(id, hit));
-            }
-        }
+        simd.vectorize(
+            #[inline(always)]
+            || {
+                self.hits.clear();
+                self.clear_rays();
+                for first in (0..bundle.count).step_by(LANES) {
+                    let (rays, skip) = bundle.packet(simd, first);
+                    let active = bundle.active(first);
+                    let Some(large) = &scene.large else {
+                        self.collect(&rays, skip, active, first);
+                        continue;
+                    };
+                    counts.prim_tests += u64::from(active.count_ones()) * large.list.len() as u64;
+                    let hits = large
+                        .list
+                        .closest(simd, &rays, active, skip, scratch, fallback);
+                    let rays = RayPacket {
+                        max_t: hits.t,
+                        ..rays
+                    };
+                    let active = active & large.may_hit_others(simd, &rays);
+                    self.collect(&rays, skip, active, first);
+                    let all = mask64x8::splat(simd, true);
+                    self.hits.push(hits.columns(), all);
+                }
+                fallback.closest_each(&self.rays, &mut self.found);
+                if self.hits.count() == 0 {
+                    return;
+                }
+                for (&number, found) in self.numbers.iter().zip(&self.found) {
+                    if let Some((id, hit)) = *found
+                        && self.is_first(number, id, hit.t)
+                    {
+                        self.hits.set(number, hit_columns(id, hit));
+                    }
+                }
+            },
+        )
     }
 
     /// The closest hits of eight rays from number `first`, after [`TracedRays::trace`]. `max_t` are
@@ -100,7 +105,7 @@ impl TracedRays {
     }
 
     /// Calls `block` with the number of each of the rays in `bundle` that hits anything.
-    #[inline(always)]
+    #[inline(never)]
     #[expect(clippy::too_many_arguments, reason = "inlined where it is used")]
     pub(crate) fn occluded<S: Simd>(
         &mut self,
@@ -112,28 +117,33 @@ impl TracedRays {
         fallback: &mut dyn ScalarFallback,
         mut block: impl FnMut(usize),
     ) {
-        self.clear_rays();
-        for first in (0..bundle.count).step_by(LANES) {
-            let (rays, skip) = bundle.packet(simd, first);
-            let mut active = bundle.active(first);
-            if let Some(large) = &scene.large {
-                let (blocked, tests) = large
-                    .list
-                    .occluded(simd, &rays, active, skip, scratch, fallback);
-                counts.prim_tests += tests;
-                for lane in lanes(blocked) {
-                    block(first + lane);
+        simd.vectorize(
+            #[inline(always)]
+            || {
+                self.clear_rays();
+                for first in (0..bundle.count).step_by(LANES) {
+                    let (rays, skip) = bundle.packet(simd, first);
+                    let mut active = bundle.active(first);
+                    if let Some(large) = &scene.large {
+                        let (blocked, tests) = large
+                            .list
+                            .occluded(simd, &rays, active, skip, scratch, fallback);
+                        counts.prim_tests += tests;
+                        for lane in lanes(blocked) {
+                            block(first + lane);
+                        }
+                        active &= !blocked & large.may_hit_others(simd, &rays);
+                    }
+                    self.collect(&rays, skip, active, first);
                 }
-                active &= !blocked & large.may_hit_others(simd, &rays);
-            }
-            self.collect(&rays, skip, active, first);
-        }
-        fallback.occluded_each(&self.rays, &mut self.occluded);
-        for (&number, &occluded) in self.numbers.iter().zip(&self.occluded) {
-            if occluded {
-                block(number);
-            }
-        }
+                fallback.occluded_each(&self.rays, &mut self.occluded);
+                for (&number, &occluded) in self.numbers.iter().zip(&self.occluded) {
+                    if occluded {
+                        block(number);
+                    }
+                }
+            },
+        )
     }
 
     /// Whether a hit with primitive `id` at `t`, at most that of the hit of ray `number` so far,

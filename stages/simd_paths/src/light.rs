@@ -13,7 +13,7 @@ use std::f64::consts::TAU;
 const MAX_TRIANGLES: usize = 4;
 
 /// Calls [`Emitter::sample`] for the points in the lanes of `active`.
-#[inline(always)]
+#[inline(never)]
 pub(crate) fn sample_light<S: Simd>(
     simd: S,
     emitter: &Emitter,
@@ -21,14 +21,17 @@ pub(crate) fn sample_light<S: Simd>(
     u: [f64x8<S>; 2],
     active: u64,
 ) -> LightSample<f64x8<S>> {
-    match emitter {
-        Emitter::Mesh(mesh) if mesh.len() <= MAX_TRIANGLES => light::sample_mesh(mesh, p, u),
-        Emitter::Sky { radiance } => {
-            let radiance = radiance.to_array().into();
-            light::sample_sky(radiance, u[0], sin_cos(u[1] * TAU))
-        }
-        _ => sample_each(simd, emitter, p, u, active),
-    }
+    simd.vectorize(
+        #[inline(always)]
+        || match emitter {
+            Emitter::Mesh(mesh) if mesh.len() <= MAX_TRIANGLES => light::sample_mesh(mesh, p, u),
+            Emitter::Sky { radiance } => {
+                let radiance = radiance.to_array().into();
+                light::sample_sky(radiance, u[0], sin_cos(u[1] * TAU))
+            }
+            _ => sample_each(simd, emitter, p, u, active),
+        },
+    )
 }
 
 #[inline(always)]

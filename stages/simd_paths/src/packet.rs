@@ -35,7 +35,7 @@ impl<S: Simd> PathPacket<'_, S> {
     /// Traces ray number `bounce` of each path, counted from 1, in `range`; adds the radiance at
     /// its hit to `radiance`, except the direct light at diffuse surfaces, whose shadow rays it
     /// adds to `shadows`; and samples the next ray. Returns the lanes whose paths continue.
-    #[inline(always)]
+    #[inline(never)]
     pub(crate) fn bounce(
         &mut self,
         bounce: u32,
@@ -45,74 +45,82 @@ impl<S: Simd> PathPacket<'_, S> {
         fallback: &mut dyn ScalarFallback,
         radiance: &mut [Spectrum],
     ) -> u64 {
-        let simd = self.simd;
-        let zero = f64x8::splat(simd, 0.0);
-        let rays = RayPacket {
-            o: self.paths.o,
-            d: self.paths.d,
-            min_t: f64x8::splat(simd, range[0]),
-            max_t: f64x8::splat(simd, range[1]),
-        };
-        memory.counts.rays += u64::from(self.alive.count_ones());
-        let (alive, skip) = (self.alive, self.paths.skip);
-        let hits = intersection::closest(simd, self.hits, &rays, alive, skip, memory, fallback);
-        let hit = self.alive & !hits.is_none().to_bitmask();
-        if self.scene.has_background && hit != self.alive {
-            self.add_background(self.alive & !hit, memory, radiance);
-        }
-        if hit == 0 {
-            return 0;
-        }
-        let ids: [usize; LANES] = std::array::from_fn(|lane| hits.prim[lane].max(0.0) as usize);
-        let materials = std::array::from_fn(|lane| self.scene.material_of(ids[lane]));
-        let [diffuse, emissive, mut specular, mut other] = lanes_by_class(&materials, hit);
-        if specular.count_ones() < MIN_SPECULAR {
-            other |= mem::take(&mut specular);
-        }
-        let color = Vec3x8::gather(simd, |lane| materials[lane].1.to_array());
-        let mut surfaces =
-            SurfacePacket::at(simd, self.scene, &rays, &hits, &ids, hit, color, fallback);
-        if self.settings.has_textures {
-            // A texture changes only diffuse surfaces, but it is looked up on every surface.
-            for lane in lanes(diffuse | emissive | specular) {
-                let tint = fallback.texture_color(&surfaces.hit(lane, &hits));
-                if diffuse >> lane & 1 == 1 {
-                    let color = surfaces.color.lane(lane) * Vec3::from(tint.to_array());
-                    surfaces.color.set(lane, color.to_array());
+        self.simd.vectorize(
+            #[inline(always)]
+            || {
+                let simd = self.simd;
+                let zero = f64x8::splat(simd, 0.0);
+                let rays = RayPacket {
+                    o: self.paths.o,
+                    d: self.paths.d,
+                    min_t: f64x8::splat(simd, range[0]),
+                    max_t: f64x8::splat(simd, range[1]),
+                };
+                memory.counts.rays += u64::from(self.alive.count_ones());
+                let (alive, skip) = (self.alive, self.paths.skip);
+                let hits =
+                    intersection::closest(simd, self.hits, &rays, alive, skip, memory, fallback);
+                let hit = self.alive & !hits.is_none().to_bitmask();
+                if self.scene.has_background && hit != self.alive {
+                    self.add_background(self.alive & !hit, memory, radiance);
                 }
-            }
-        }
-        // Before the other lanes draw random numbers: these paths draw their own.
-        let scattered = (other != 0)
-            .then(|| self.scatter_others(other, bounce, &surfaces, &hits, fallback, radiance));
-        let by_mirrors = (specular != 0 && bounce < self.settings.max_depth)
-            .then(|| self.scatter_specular(bounce, &surfaces, &ids, specular, memory));
-        let wo = -self.paths.d;
-        if emissive != 0 {
-            let counts = f64x8::splat(simd, 0.5).simd_lt(self.paths.emission_counts);
-            let in_front = zero.simd_lt(wo.dot(surfaces.departure.ng));
-            let visible = mask64x8::from_bitmask(simd, emissive) & counts & in_front;
-            let light = self.paths.throughput * surfaces.color;
-            for lane in lanes(visible.to_bitmask()) {
-                self.add(lane, light.lane(lane), radiance);
-            }
-        }
-        let mut survivors = 0;
-        if diffuse != 0 {
-            let wo_z = wo.dot(surfaces.n);
-            shadows.push_packet(self.paths.throughput, self.paths.index, diffuse);
-            self.sample_lights(&surfaces, wo_z, diffuse, shadows);
-            if self.scene.samples_bsdf(self.settings) {
-                self.sample_bsdf(&surfaces, wo_z, diffuse, memory, shadows, fallback);
-            }
-            if bounce < self.settings.max_depth {
-                survivors = self.scatter(bounce, &surfaces, wo_z, diffuse, memory);
-            }
-        }
-        if let Some(scattered) = by_mirrors {
-            survivors |= self.merge_specular(&surfaces, &scattered);
-        }
-        survivors | scattered.map_or(0, |scattered| self.merge(scattered))
+                if hit == 0 {
+                    return 0;
+                }
+                let ids: [usize; LANES] =
+                    std::array::from_fn(|lane| hits.prim[lane].max(0.0) as usize);
+                let materials = std::array::from_fn(|lane| self.scene.material_of(ids[lane]));
+                let [diffuse, emissive, mut specular, mut other] = lanes_by_class(&materials, hit);
+                if specular.count_ones() < MIN_SPECULAR {
+                    other |= mem::take(&mut specular);
+                }
+                let color = Vec3x8::gather(simd, |lane| materials[lane].1.to_array());
+                let mut surfaces =
+                    SurfacePacket::at(simd, self.scene, &rays, &hits, &ids, hit, color, fallback);
+                if self.settings.has_textures {
+                    // A texture changes only diffuse surfaces, but it is looked up on every surface.
+                    for lane in lanes(diffuse | emissive | specular) {
+                        let tint = fallback.texture_color(&surfaces.hit(lane, &hits));
+                        if diffuse >> lane & 1 == 1 {
+                            let color = surfaces.color.lane(lane) * Vec3::from(tint.to_array());
+                            surfaces.color.set(lane, color.to_array());
+                        }
+                    }
+                }
+                // Before the other lanes draw random numbers: these paths draw their own.
+                let scattered = (other != 0).then(|| {
+                    self.scatter_others(other, bounce, &surfaces, &hits, fallback, radiance)
+                });
+                let by_mirrors = (specular != 0 && bounce < self.settings.max_depth)
+                    .then(|| self.scatter_specular(bounce, &surfaces, &ids, specular, memory));
+                let wo = -self.paths.d;
+                if emissive != 0 {
+                    let counts = f64x8::splat(simd, 0.5).simd_lt(self.paths.emission_counts);
+                    let in_front = zero.simd_lt(wo.dot(surfaces.departure.ng));
+                    let visible = mask64x8::from_bitmask(simd, emissive) & counts & in_front;
+                    let light = self.paths.throughput * surfaces.color;
+                    for lane in lanes(visible.to_bitmask()) {
+                        self.add(lane, light.lane(lane), radiance);
+                    }
+                }
+                let mut survivors = 0;
+                if diffuse != 0 {
+                    let wo_z = wo.dot(surfaces.n);
+                    shadows.push_packet(self.paths.throughput, self.paths.index, diffuse);
+                    self.sample_lights(&surfaces, wo_z, diffuse, shadows);
+                    if self.scene.samples_bsdf(self.settings) {
+                        self.sample_bsdf(&surfaces, wo_z, diffuse, memory, shadows, fallback);
+                    }
+                    if bounce < self.settings.max_depth {
+                        survivors = self.scatter(bounce, &surfaces, wo_z, diffuse, memory);
+                    }
+                }
+                if let Some(scattered) = by_mirrors {
+                    survivors |= self.merge_specular(&surfaces, &scattered);
+                }
+                survivors | scattered.map_or(0, |scattered| self.merge(scattered))
+            },
+        )
     }
 
     /// Adds the background to the lanes in `missed`, unless direct light has counted it.

@@ -152,7 +152,7 @@ impl ShadowQueue {
 
     /// Traces all shadow rays. If `are_coherent`, rays to one emitter are likely to be close to
     /// each other.
-    #[inline(always)]
+    #[inline(never)]
     #[expect(clippy::too_many_arguments, reason = "inlined where it is used")]
     pub(crate) fn trace<S: Simd>(
         &mut self,
@@ -164,44 +164,49 @@ impl ShadowQueue {
         memory: &mut PathMemory,
         fallback: &mut dyn ScalarFallback,
     ) {
-        for queue in &self.rays {
-            memory.counts.rays += queue.count as u64;
-            memory.counts.light_rays += queue.count as u64;
-            let chunk = if are_coherent {
-                BEAM_SIZE
-            } else {
-                queue.count.max(1)
-            };
-            for start in (0..queue.count).step_by(chunk) {
-                let bundle = queue.bundle(start, chunk);
-                let mut list = scene.list.as_ref();
-                if are_coherent {
-                    list = nearby.find(simd, scene, &bundle, fallback).or(list);
-                }
-                let Some(list) = list else {
-                    let (scratch, counts) = (&mut memory.scratch, &mut memory.counts);
-                    let samples = &mut self.samples;
-                    let block = |ray: usize| block(samples, queue.sample[start + ray]);
-                    traced.occluded(simd, scene, &bundle, scratch, counts, fallback, block);
-                    continue;
-                };
-                for first in (0..bundle.count).step_by(LANES) {
-                    let active = bundle.active(first);
-                    let (rays, skip) = bundle.packet(simd, first);
-                    let scratch = &mut memory.scratch;
-                    let (blocked, tests) =
-                        list.occluded(simd, &rays, active, skip, scratch, fallback);
-                    memory.counts.prim_tests += tests;
-                    for lane in lanes(blocked) {
-                        block(&mut self.samples, queue.sample[start + first + lane]);
+        simd.vectorize(
+            #[inline(always)]
+            || {
+                for queue in &self.rays {
+                    memory.counts.rays += queue.count as u64;
+                    memory.counts.light_rays += queue.count as u64;
+                    let chunk = if are_coherent {
+                        BEAM_SIZE
+                    } else {
+                        queue.count.max(1)
+                    };
+                    for start in (0..queue.count).step_by(chunk) {
+                        let bundle = queue.bundle(start, chunk);
+                        let mut list = scene.list.as_ref();
+                        if are_coherent {
+                            list = nearby.find(simd, scene, &bundle, fallback).or(list);
+                        }
+                        let Some(list) = list else {
+                            let (scratch, counts) = (&mut memory.scratch, &mut memory.counts);
+                            let samples = &mut self.samples;
+                            let block = |ray: usize| block(samples, queue.sample[start + ray]);
+                            traced.occluded(simd, scene, &bundle, scratch, counts, fallback, block);
+                            continue;
+                        };
+                        for first in (0..bundle.count).step_by(LANES) {
+                            let active = bundle.active(first);
+                            let (rays, skip) = bundle.packet(simd, first);
+                            let scratch = &mut memory.scratch;
+                            let (blocked, tests) =
+                                list.occluded(simd, &rays, active, skip, scratch, fallback);
+                            memory.counts.prim_tests += tests;
+                            for lane in lanes(blocked) {
+                                block(&mut self.samples, queue.sample[start + first + lane]);
+                            }
+                        }
                     }
                 }
-            }
-        }
+            },
+        )
     }
 
     /// Traces all rays of BSDF samples.
-    #[inline(always)]
+    #[inline(never)]
     pub(crate) fn trace_bsdf<S: Simd>(
         &mut self,
         simd: S,
@@ -210,20 +215,25 @@ impl ShadowQueue {
         memory: &mut PathMemory,
         fallback: &mut dyn ScalarFallback,
     ) {
-        let samples = &mut self.samples;
-        let add = |sample: usize, light: Spectrum| {
-            let (packet, lane) = (&mut samples[sample / LANES], sample % LANES);
-            packet.lit |= 1 << lane;
-            for (field, channel) in packet.light.iter_mut().zip(light.to_array()) {
-                field[lane] = channel;
-            }
-        };
-        self.bsdf_rays
-            .trace(simd, scene, traced, memory, fallback, add);
+        simd.vectorize(
+            #[inline(always)]
+            || {
+                let samples = &mut self.samples;
+                let add = |sample: usize, light: Spectrum| {
+                    let (packet, lane) = (&mut samples[sample / LANES], sample % LANES);
+                    packet.lit |= 1 << lane;
+                    for (field, channel) in packet.light.iter_mut().zip(light.to_array()) {
+                        field[lane] = channel;
+                    }
+                };
+                self.bsdf_rays
+                    .trace(simd, scene, traced, memory, fallback, add);
+            },
+        )
     }
 
     /// Adds the light of all samples to `radiance`, in the order of the stage `direct`.
-    #[inline(always)]
+    #[inline(never)]
     pub(crate) fn add_light<S: Simd>(
         &self,
         simd: S,
@@ -231,31 +241,37 @@ impl ShadowQueue {
         settings: &PathSettings,
         radiance: &mut [Spectrum],
     ) {
-        let black = Vec3x8::splat(simd, Vec3::ZERO);
-        let mut samples = self.samples.iter();
-        for packet in &self.packets {
-            let mut direct = black;
-            let of_lights = scene.lit.emitters.iter();
-            let of_bsdf = scene
-                .samples_bsdf(settings)
-                .then_some(settings.light_samples);
-            for count in of_lights
-                .map(|emitter| sample_count(emitter, settings))
-                .chain(of_bsdf)
-            {
-                let mut sum = black;
-                for sample in samples.by_ref().take(count as usize) {
-                    let with_sample = sum + load_vector(simd, &sample.light);
-                    sum = with_sample.masked_or(mask64x8::from_bitmask(simd, sample.lit), sum);
+        simd.vectorize(
+            #[inline(always)]
+            || {
+                let black = Vec3x8::splat(simd, Vec3::ZERO);
+                let mut samples = self.samples.iter();
+                for packet in &self.packets {
+                    let mut direct = black;
+                    let of_lights = scene.lit.emitters.iter();
+                    let of_bsdf = scene
+                        .samples_bsdf(settings)
+                        .then_some(settings.light_samples);
+                    for count in of_lights
+                        .map(|emitter| sample_count(emitter, settings))
+                        .chain(of_bsdf)
+                    {
+                        let mut sum = black;
+                        for sample in samples.by_ref().take(count as usize) {
+                            let with_sample = sum + load_vector(simd, &sample.light);
+                            sum = with_sample
+                                .masked_or(mask64x8::from_bitmask(simd, sample.lit), sum);
+                        }
+                        direct = direct + sum / f64x8::splat(simd, f64::from(count.max(1)));
+                    }
+                    let light = load_vector(simd, &packet.throughput) * direct;
+                    for lane in lanes(packet.diffuse) {
+                        let light = Spectrum::from(light.lane(lane).to_array());
+                        radiance[packet.index[lane] as usize] += light;
+                    }
                 }
-                direct = direct + sum / f64x8::splat(simd, f64::from(count.max(1)));
-            }
-            let light = load_vector(simd, &packet.throughput) * direct;
-            for lane in lanes(packet.diffuse) {
-                let light = Spectrum::from(light.lane(lane).to_array());
-                radiance[packet.index[lane] as usize] += light;
-            }
-        }
+            },
+        )
     }
 }
 

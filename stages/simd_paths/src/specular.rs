@@ -4,6 +4,7 @@
 use crate::PathMemory;
 use crate::lane_mask::lanes;
 use crate::packet::PathPacket;
+use crate::samplers::{next_1d, next_2d};
 use crate::surface_packet::SurfacePacket;
 use crate::vec3x8::{LANES, Vec3x8};
 use fearless_simd::{Simd, f64x8, mask64x8, prelude::*};
@@ -69,7 +70,7 @@ pub(crate) struct SpecularScatter<S: Simd> {
 impl<S: Simd> PathPacket<'_, S> {
     /// Samples the next ray of the paths in the lanes of `specular`, which have hit the primitives
     /// `ids`. The other lanes draw no random numbers.
-    #[inline(always)]
+    #[inline(never)]
     pub(crate) fn scatter_specular(
         &mut self,
         bounce: u32,
@@ -78,58 +79,69 @@ impl<S: Simd> PathPacket<'_, S> {
         specular: u64,
         memory: &mut PathMemory,
     ) -> SpecularScatter<S> {
-        let simd = self.simd;
-        let of_others = self.samplers.clone();
-        // Rough surfaces use these numbers.
-        self.samplers.next_2d();
-        let choice = f64x8::load_array(simd, self.samplers.next_1d());
-        // Lanes of other materials compute something that is not used.
-        let mut materials = [NO_MATERIAL; LANES];
-        for lane in 0..LANES {
-            if let Some(material) = self.scene.specular_of(ids[lane]) {
-                materials[lane] = *material;
-            }
-            let counted = u64::from(specular >> lane & 1 == 1);
-            match materials[lane].reflection {
-                Reflection::All => memory.counts.mirrors += counted,
-                Reflection::None => memory.counts.refractions += counted,
-                Reflection::Fresnel => memory.counts.fresnel += counted,
-            }
-        }
-        let frame = Frame::around(surfaces.n);
-        let wo = frame.to_local(-self.paths.d);
-        let sample = in_lanes(simd, &materials).sample(wo, choice);
-        let continues = mask64x8::from_bitmask(simd, specular) & sample.exists;
-        memory.counts.bounces += u64::from(continues.to_bitmask().count_ones());
-        let (throughput, survivors) = self.roulette(bounce, self.paths.throughput * sample.weight);
-        SpecularScatter {
-            samplers: mem::replace(&mut self.samplers, of_others),
-            wi: frame.to_world(sample.wi),
-            throughput,
-            survivors: (continues & survivors).to_bitmask(),
-        }
+        self.simd.vectorize(
+            #[inline(always)]
+            || {
+                let simd = self.simd;
+                let of_others = self.samplers.clone();
+                // Rough surfaces use these numbers.
+                next_2d(simd, &mut self.samplers);
+                let choice = next_1d(simd, &mut self.samplers);
+                // Lanes of other materials compute something that is not used.
+                let mut materials = [NO_MATERIAL; LANES];
+                for lane in 0..LANES {
+                    if let Some(material) = self.scene.specular_of(ids[lane]) {
+                        materials[lane] = *material;
+                    }
+                    let counted = u64::from(specular >> lane & 1 == 1);
+                    match materials[lane].reflection {
+                        Reflection::All => memory.counts.mirrors += counted,
+                        Reflection::None => memory.counts.refractions += counted,
+                        Reflection::Fresnel => memory.counts.fresnel += counted,
+                    }
+                }
+                let frame = Frame::around(surfaces.n);
+                let wo = frame.to_local(-self.paths.d);
+                let sample = in_lanes(simd, &materials).sample(wo, choice);
+                let continues = mask64x8::from_bitmask(simd, specular) & sample.exists;
+                memory.counts.bounces += u64::from(continues.to_bitmask().count_ones());
+                let (throughput, survivors) =
+                    self.roulette(bounce, self.paths.throughput * sample.weight);
+                SpecularScatter {
+                    samplers: mem::replace(&mut self.samplers, of_others),
+                    wi: frame.to_world(sample.wi),
+                    throughput,
+                    survivors: (continues & survivors).to_bitmask(),
+                }
+            },
+        )
     }
 
     /// Stores the specular paths in their lanes. Returns the lanes whose paths continue.
-    #[inline(always)]
+    #[inline(never)]
     pub(crate) fn merge_specular(
         &mut self,
         surfaces: &SurfacePacket<S>,
         scattered: &SpecularScatter<S>,
     ) -> u64 {
-        let simd = self.simd;
-        let mask = mask64x8::from_bitmask(simd, scattered.survivors);
-        let (o, skip) = surfaces.leave(simd, scattered.wi);
-        self.paths.o = o.masked_or(mask, self.paths.o);
-        self.paths.d = scattered.wi.masked_or(mask, self.paths.d);
-        self.paths.skip = mask.select(skip, self.paths.skip);
-        self.paths.throughput = scattered.throughput.masked_or(mask, self.paths.throughput);
-        let one = f64x8::splat(simd, 1.0);
-        self.paths.emission_counts = mask.select(one, self.paths.emission_counts);
-        for lane in lanes(scattered.survivors) {
-            self.samplers.set(lane, &scattered.samplers.get(lane));
-        }
-        scattered.survivors
+        self.simd.vectorize(
+            #[inline(always)]
+            || {
+                let simd = self.simd;
+                let mask = mask64x8::from_bitmask(simd, scattered.survivors);
+                let (o, skip) = surfaces.leave(simd, scattered.wi);
+                self.paths.o = o.masked_or(mask, self.paths.o);
+                self.paths.d = scattered.wi.masked_or(mask, self.paths.d);
+                self.paths.skip = mask.select(skip, self.paths.skip);
+                self.paths.throughput = scattered.throughput.masked_or(mask, self.paths.throughput);
+                let one = f64x8::splat(simd, 1.0);
+                self.paths.emission_counts = mask.select(one, self.paths.emission_counts);
+                for lane in lanes(scattered.survivors) {
+                    self.samplers.set(lane, &scattered.samplers.get(lane));
+                }
+                scattered.survivors
+            },
+        )
     }
 }
 

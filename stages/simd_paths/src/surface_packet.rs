@@ -28,7 +28,7 @@ pub(crate) struct SurfacePacket<S: Simd> {
 
 impl<S: Simd> SurfacePacket<S> {
     /// The surfaces at `hits`, in the lanes of `hit`. `ids` are the primitives.
-    #[inline(always)]
+    #[inline(never)]
     #[expect(clippy::too_many_arguments, reason = "inlined where it is used")]
     pub(crate) fn at(
         simd: S,
@@ -40,34 +40,39 @@ impl<S: Simd> SurfacePacket<S> {
         color: Vec3x8<S>,
         fallback: &dyn ScalarFallback,
     ) -> SurfacePacket<S> {
-        let count = scene.lit.scene.triangles.len();
-        let mut surfaces = SurfacePacket {
-            prim: hits.prim,
-            departure: Departure {
-                p: rays.o,
-                ng: rays.d,
-                distance: hits.t,
+        simd.vectorize(
+            #[inline(always)]
+            || {
+                let count = scene.lit.scene.triangles.len();
+                let mut surfaces = SurfacePacket {
+                    prim: hits.prim,
+                    departure: Departure {
+                        p: rays.o,
+                        ng: rays.d,
+                        distance: hits.t,
+                    },
+                    n: rays.d,
+                    hit_ng: rays.d,
+                    uv: hits.weights(),
+                    color,
+                    is_flat: hits.prim.simd_lt(f64x8::splat(simd, count as f64)),
+                };
+                let flat = surfaces.is_flat.to_bitmask();
+                let mut sound = 0;
+                if count > 0 {
+                    sound = flat & surfaces.fill_triangles(simd, scene, ids);
+                }
+                if hit & !flat != 0 {
+                    sound |= !flat & surfaces.fill_spheres(simd, scene, rays, hits, ids);
+                }
+                for lane in lanes(hit & !sound) {
+                    let hit = hits.lane(lane, &surfaces.uv);
+                    let id = PrimId(ids[lane] as u32);
+                    surfaces.set(lane, scene, &fallback.record(id, &rays.lane(lane), hit));
+                }
+                surfaces
             },
-            n: rays.d,
-            hit_ng: rays.d,
-            uv: hits.weights(),
-            color,
-            is_flat: hits.prim.simd_lt(f64x8::splat(simd, count as f64)),
-        };
-        let flat = surfaces.is_flat.to_bitmask();
-        let mut sound = 0;
-        if count > 0 {
-            sound = flat & surfaces.fill_triangles(simd, scene, ids);
-        }
-        if hit & !flat != 0 {
-            sound |= !flat & surfaces.fill_spheres(simd, scene, rays, hits, ids);
-        }
-        for lane in lanes(hit & !sound) {
-            let hit = hits.lane(lane, &surfaces.uv);
-            let id = PrimId(ids[lane] as u32);
-            surfaces.set(lane, scene, &fallback.record(id, &rays.lane(lane), hit));
-        }
-        surfaces
+        )
     }
 
     /// Sets one lane to the surface at `hit`.

@@ -29,7 +29,7 @@ impl VisiblePixels {
     ///
     /// First all pixels together, then one half and the other. Stops at so few pixels that their
     /// rays are a single beam.
-    #[inline(always)]
+    #[inline(never)]
     #[expect(clippy::too_many_arguments, reason = "inlined where it is used")]
     pub(crate) fn find<S: Simd>(
         &mut self,
@@ -41,26 +41,32 @@ impl VisiblePixels {
         memory: &mut PathMemory,
         fallback: &mut dyn ScalarFallback,
     ) {
-        self.pixels.clear();
-        let may_be_empty = !scene.has_background && !view.has_lens;
-        self.pending.push(0..starts.len());
-        while let Some(range) = self.pending.pop() {
-            if may_be_empty && let Some(beam) = Beam::through(view, &starts[range.clone()]) {
-                let nearby = &mut memory.nearby;
-                let list = nearby.find_in(simd, scene, &beam, MAX_FOUND, fallback);
-                if list.is_some_and(|list| list.len() == 0) {
-                    memory.counts.rays += (range.len() * samples) as u64;
-                    continue;
+        simd.vectorize(
+            #[inline(always)]
+            || {
+                self.pixels.clear();
+                let may_be_empty = !scene.has_background && !view.has_lens;
+                self.pending.push(0..starts.len());
+                while let Some(range) = self.pending.pop() {
+                    if may_be_empty && let Some(beam) = Beam::through(view, &starts[range.clone()])
+                    {
+                        let nearby = &mut memory.nearby;
+                        let list = nearby.find_in(simd, scene, &beam, MAX_FOUND, fallback);
+                        if list.is_some_and(|list| list.len() == 0) {
+                            memory.counts.rays += (range.len() * samples) as u64;
+                            continue;
+                        }
+                    }
+                    if !may_be_empty || range.len() * samples <= BEAM_SIZE || range.len() == 1 {
+                        self.pixels.extend(range.start as u32..range.end as u32);
+                        continue;
+                    }
+                    let middle = range.start + range.len() / 2;
+                    self.pending.push(middle..range.end);
+                    self.pending.push(range.start..middle);
                 }
-            }
-            if !may_be_empty || range.len() * samples <= BEAM_SIZE || range.len() == 1 {
-                self.pixels.extend(range.start as u32..range.end as u32);
-                continue;
-            }
-            let middle = range.start + range.len() / 2;
-            self.pending.push(middle..range.end);
-            self.pending.push(range.start..middle);
-        }
+            },
+        )
     }
 }
 // END SOLUTION(part6.task2)

@@ -122,7 +122,7 @@ impl PrimitiveList {
 
     /// The closest hits in the lanes of `active` with any primitive but `skip`; at equal `t` the
     /// one with the lowest number.
-    #[inline(always)]
+    #[inline(never)]
     pub(crate) fn closest<S: Simd>(
         &self,
         simd: S,
@@ -132,31 +132,36 @@ impl PrimitiveList {
         scratch: &mut Scratch,
         fallback: &dyn ScalarFallback,
     ) -> HitPacket<S> {
-        let mut hits = HitPacket::none(simd, rays.max_t);
-        if self.len() == 0 {
-            return hits;
-        }
-        let permuted = AxisPermutedRays::new(rays);
-        permuted.project(simd, &self.vertices, &mut scratch.0);
-        for &ListedTriangle { id, vertices } in &self.triangles {
-            let active = active & may_hit(id, skip);
-            let vertices = vertices.map(|i| &scratch.0[i as usize]);
-            if let Some(test) = permuted.test(simd, vertices, rays, hits.t, active) {
-                hits.keep_closer(id, &test, rays, fallback);
-            }
-        }
-        for (id, sphere) in &self.spheres {
-            let active = active & may_hit(*id, skip);
-            if let Some(test) = sphere::test(simd, sphere, rays, hits.t, active) {
-                hits.keep_closer(*id, &test, rays, fallback);
-            }
-        }
-        hits
+        simd.vectorize(
+            #[inline(always)]
+            || {
+                let mut hits = HitPacket::none(simd, rays.max_t);
+                if self.len() == 0 {
+                    return hits;
+                }
+                let permuted = AxisPermutedRays::new(rays);
+                permuted.project(simd, &self.vertices, &mut scratch.0);
+                for &ListedTriangle { id, vertices } in &self.triangles {
+                    let active = active & may_hit(id, skip);
+                    let vertices = vertices.map(|i| &scratch.0[i as usize]);
+                    if let Some(test) = permuted.test(simd, vertices, rays, hits.t, active) {
+                        hits.keep_closer(id, &test, rays, fallback);
+                    }
+                }
+                for (id, sphere) in &self.spheres {
+                    let active = active & may_hit(*id, skip);
+                    if let Some(test) = sphere::test(simd, sphere, rays, hits.t, active) {
+                        hits.keep_closer(*id, &test, rays, fallback);
+                    }
+                }
+                hits
+            },
+        )
     }
 
     /// The lanes of `active`, one bit each, that hit any primitive but `skip`; and the number of
     /// tests.
-    #[inline(always)]
+    #[inline(never)]
     pub(crate) fn occluded<S: Simd>(
         &self,
         simd: S,
@@ -166,34 +171,39 @@ impl PrimitiveList {
         scratch: &mut Scratch,
         fallback: &dyn ScalarFallback,
     ) -> (u64, u64) {
-        if self.len() == 0 {
-            return (0, 0);
-        }
-        let permuted = AxisPermutedRays::new(rays);
-        permuted.project(simd, &self.vertices, &mut scratch.0);
-        let (mut open, mut tests) = (active, 0);
-        for &ListedTriangle { id, vertices } in &self.triangles {
-            if open == 0 {
-                break;
-            }
-            tests += u64::from(open.count_ones());
-            let active = open & may_hit(id, skip);
-            let vertices = vertices.map(|i| &scratch.0[i as usize]);
-            if let Some(test) = permuted.test(simd, vertices, rays, rays.max_t, active) {
-                open &= !test.blocked(id, rays, fallback);
-            }
-        }
-        for (id, sphere) in &self.spheres {
-            if open == 0 {
-                break;
-            }
-            tests += u64::from(open.count_ones());
-            let active = open & may_hit(*id, skip);
-            if let Some(test) = sphere::test(simd, sphere, rays, rays.max_t, active) {
-                open &= !test.blocked(*id, rays, fallback);
-            }
-        }
-        (active & !open, tests)
+        simd.vectorize(
+            #[inline(always)]
+            || {
+                if self.len() == 0 {
+                    return (0, 0);
+                }
+                let permuted = AxisPermutedRays::new(rays);
+                permuted.project(simd, &self.vertices, &mut scratch.0);
+                let (mut open, mut tests) = (active, 0);
+                for &ListedTriangle { id, vertices } in &self.triangles {
+                    if open == 0 {
+                        break;
+                    }
+                    tests += u64::from(open.count_ones());
+                    let active = open & may_hit(id, skip);
+                    let vertices = vertices.map(|i| &scratch.0[i as usize]);
+                    if let Some(test) = permuted.test(simd, vertices, rays, rays.max_t, active) {
+                        open &= !test.blocked(id, rays, fallback);
+                    }
+                }
+                for (id, sphere) in &self.spheres {
+                    if open == 0 {
+                        break;
+                    }
+                    tests += u64::from(open.count_ones());
+                    let active = open & may_hit(*id, skip);
+                    if let Some(test) = sphere::test(simd, sphere, rays, rays.max_t, active) {
+                        open &= !test.blocked(*id, rays, fallback);
+                    }
+                }
+                (active & !open, tests)
+            },
+        )
     }
 }
 

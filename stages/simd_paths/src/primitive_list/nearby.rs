@@ -44,7 +44,7 @@ impl NearbyPrimitives {
 
     /// All primitives of which a part is in `beam`, and few others. `None` if there are more than
     /// `most`, including those that are only near, or too many for a list.
-    #[inline(always)]
+    #[inline(never)]
     pub(crate) fn find_in<S: Simd>(
         &mut self,
         simd: S,
@@ -53,52 +53,57 @@ impl NearbyPrimitives {
         most: usize,
         fallback: &mut dyn ScalarFallback,
     ) -> Option<&PrimitiveList> {
-        let lanes = BeamLanes::new(simd, beam);
-        self.list.clear();
-        if let Some(all) = &scene.list {
-            self.keep_of(all, &lanes);
-            return Some(&self.list);
-        }
-        self.ids.clear();
-        if !fallback.primitives_in(beam, most, &mut self.ids) {
-            return None;
-        }
-        self.ids.sort_unstable();
-        self.ids.dedup();
-        if let Some(large) = &scene.large {
-            self.keep_of(&large.list, &lanes);
-        }
-        for &id in &self.ids {
-            if scene.large.as_ref().is_some_and(|large| large.has(id)) {
-                continue;
-            }
-            match scene.lit.scene.primitive(id) {
-                Primitive::Triangle(t) => {
-                    let vertices = [t.p0, t.p1, t.p2];
-                    let mut outside = lanes.outside(t.p0);
-                    outside &= lanes.outside(t.p1);
-                    outside &= lanes.outside(t.p2);
-                    if outside == 0 {
-                        let first = self.list.vertices.len() as u32;
-                        self.list.vertices.extend(vertices);
-                        self.list.triangles.push(ListedTriangle {
-                            id: id.0,
-                            vertices: [first, first + 1, first + 2],
-                        });
+        simd.vectorize(
+            #[inline(always)]
+            || {
+                let lanes = BeamLanes::new(simd, beam);
+                self.list.clear();
+                if let Some(all) = &scene.list {
+                    self.keep_of(all, &lanes);
+                    return Some(&self.list);
+                }
+                self.ids.clear();
+                if !fallback.primitives_in(beam, most, &mut self.ids) {
+                    return None;
+                }
+                self.ids.sort_unstable();
+                self.ids.dedup();
+                if let Some(large) = &scene.large {
+                    self.keep_of(&large.list, &lanes);
+                }
+                for &id in &self.ids {
+                    if scene.large.as_ref().is_some_and(|large| large.has(id)) {
+                        continue;
+                    }
+                    match scene.lit.scene.primitive(id) {
+                        Primitive::Triangle(t) => {
+                            let vertices = [t.p0, t.p1, t.p2];
+                            let mut outside = lanes.outside(t.p0);
+                            outside &= lanes.outside(t.p1);
+                            outside &= lanes.outside(t.p2);
+                            if outside == 0 {
+                                let first = self.list.vertices.len() as u32;
+                                self.list.vertices.extend(vertices);
+                                self.list.triangles.push(ListedTriangle {
+                                    id: id.0,
+                                    vertices: [first, first + 1, first + 2],
+                                });
+                            }
+                        }
+                        Primitive::Sphere(sphere) => {
+                            if !lanes.is_outside(sphere) {
+                                self.list.spheres.push((id.0, *sphere));
+                            }
+                        }
+                    }
+                    if self.list.len() > MAX_LISTED {
+                        return None;
                     }
                 }
-                Primitive::Sphere(sphere) => {
-                    if !lanes.is_outside(sphere) {
-                        self.list.spheres.push((id.0, *sphere));
-                    }
-                }
-            }
-            if self.list.len() > MAX_LISTED {
-                return None;
-            }
-        }
-        self.list.sort();
-        Some(&self.list)
+                self.list.sort();
+                Some(&self.list)
+            },
+        )
     }
 
     /// Adds the primitives of `all` of which a part is in the beam.

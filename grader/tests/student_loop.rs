@@ -261,6 +261,14 @@ fn a_student_writes_a_task() {
         first.last().map(|last| &last["reason"]),
         Some(&"build-finished".into())
     );
+    // A person reads the same.
+    let (text, output) = run(&course, &check[..2]);
+    assert_eq!(output.status.code(), Some(1), "{output:?}");
+    assert!(text.starts_with("warning[part1.task1]: "), "{text}");
+    assert!(text.contains("  = note: simplest case: "), "{text}");
+    let stderr = String::from_utf8_lossy(&output.stderr);
+    assert!(stderr.contains("unused variable: `unused`"), "{stderr}");
+
     // What did not change is not graded again, and still told.
     let report = course.join("report.json");
     fs::remove_file(&report).unwrap();
@@ -302,6 +310,43 @@ fn a_student_writes_a_task() {
     let told = "error: stages/raygen/src/pixel.rs: `raytrace_pixel` must have the signature\n    pub fn raytrace_pixel(";
     assert_eq!(stderr.matches(told).count(), 1, "{stderr}");
     assert!(!stderr.contains("grader/worker/src"), "{stderr}");
+    the_report_of_the_readme(&course);
+}
+
+/// Triangles as a student writes them, with one of the conditions on the weights forgotten.
+const ENDLESS_STRIPS: &str = "{
+    let (e1, e2) = (tri.p1 - tri.p0, tri.p2 - tri.p0);
+    let p = ray.d.cross(e2);
+    let det = e1.dot(p);
+    if det == 0.0 {
+        return None;
+    }
+    let s = ray.o - tri.p0;
+    let q = s.cross(e1);
+    let (b1, b2) = (s.dot(p) / det, ray.d.dot(q) / det);
+    let t = e2.dot(q) / det;
+    let inside = b1 >= 0.0 && b2 >= 0.0 && b1 <= 1.0;
+    (inside && t >= ray.min_t && t <= ray.max_t).then_some(TriangleHit { t, b1, b2 })";
+
+/// README shows what the program prints.
+fn the_report_of_the_readme(course: &Path) {
+    let file = course.join("stages/intersect/src/triangle.rs");
+    let text = fs::read_to_string(&file).unwrap();
+    let head = "-> Option<TriangleHit> {";
+    let start = text.find(head).expect("the function") + head.len() - 1;
+    let end = start + text[start..].find("\n}").expect("its end");
+    fs::write(
+        &file,
+        format!("{}{ENDLESS_STRIPS}{}", &text[..start], &text[end..]),
+    )
+    .unwrap();
+    let (report, _) = run(course, &["part1.task3"]);
+    let readme = fs::read_to_string(root().join("README.md")).unwrap();
+    let (_, shown) = readme
+        .split_once("$ cargo grader part1.task3\n")
+        .expect("a report");
+    let (shown, _) = shown.split_once("```").expect("its end");
+    assert_eq!(shown, report, "README shows another report");
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! Runs `cargo check` for the stages. Its messages go to the editor unchanged.
 
 use super::rustc_message::CrateName;
-use base::{GraderError, child_processes, outln};
+use base::{GraderError, child_processes, err, outln};
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::io::{BufRead, BufReader};
@@ -17,29 +17,40 @@ pub struct Checked {
     pub compiles: bool,
 }
 
-/// Checks `packages` of the workspace `root`, in the folder `target` if one is given. With a
-/// `format`, cargo prints JSON, which this function copies to stdout line by line, but for the last
-/// one: more messages may follow. Otherwise cargo prints for people.
+/// Who reads the messages.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Reader {
+    /// An editor: cargo's JSON goes to stdout, line by line, but for the last one, because more
+    /// messages may follow.
+    Editor,
+    /// A person: the compiler's text goes to stderr.
+    Person,
+}
+
+/// Checks `packages` of the workspace `root`, in the folder `target` if one is given. `colours`
+/// colours the compiler's text.
 pub fn run(
     root: &Path,
     target: Option<&Path>,
     packages: &[&str],
-    format: Option<&str>,
+    reader: Reader,
+    colours: bool,
 ) -> Result<Checked, GraderError> {
     let mut command = Command::new(child_processes::cargo());
     command
         .current_dir(root)
-        .args(["check", "--all-targets", "--keep-going"])
-        .stdin(Stdio::null());
+        .args(["check", "--all-targets", "--keep-going", "--message-format"])
+        .arg(match colours {
+            true => "json-diagnostic-rendered-ansi",
+            false => "json",
+        })
+        .stdin(Stdio::null())
+        .stdout(Stdio::piped());
     for package in packages {
         command.args(["--package", package]);
     }
     if let Some(target) = target {
         command.arg("--target-dir").arg(target);
-    }
-    if let Some(format) = format {
-        let format = format!("--message-format={format}");
-        command.arg(format).stdout(Stdio::piped());
     }
     let (mut child, _running) = child_processes::start(&mut command)
         .map_err(|e| GraderError::new(format!("cannot run cargo: {e}")))?;
@@ -48,8 +59,11 @@ pub fn run(
         for line in BufReader::new(stdout).lines() {
             let line =
                 line.map_err(|e| GraderError::new(format!("cannot read cargo's messages: {e}")))?;
-            if checked.read(&line) {
-                outln!("{line}");
+            let is_shown = checked.read(&line);
+            match reader {
+                Reader::Editor if is_shown => outln!("{line}"),
+                Reader::Editor => {}
+                Reader::Person => err!("{}", rendered(&line).unwrap_or_default()),
             }
         }
     }
@@ -73,6 +87,13 @@ impl Checked {
         }
         reason != Some("build-finished")
     }
+}
+
+/// The text of a message of the compiler, as a terminal shows it.
+fn rendered(line: &str) -> Option<String> {
+    let message: Value = serde_json::from_str(line).ok()?;
+    let rendered = message.get("message")?.get("rendered")?;
+    rendered.as_str().map(str::to_owned)
 }
 
 /// The library that a message about an artifact is about.
@@ -102,6 +123,9 @@ mod tests {
             .replace("\"name\":\"bvh\"", "\"name\":\"worst\"");
         assert!(checked.read(artifact) && checked.read(&test));
         assert!(checked.read("no JSON"));
+        let warning = r#"{"reason":"compiler-message","message":{"rendered":"warning: x\n"}}"#;
+        assert_eq!(rendered(warning).as_deref(), Some("warning: x\n"));
+        assert_eq!(rendered(artifact), None);
         assert!(!checked.read(r#"{"reason":"build-finished","success":true}"#));
         assert_eq!(checked.crates.keys().collect::<Vec<_>>(), ["bvh"]);
         assert_eq!(

@@ -2,7 +2,7 @@
 
 use super::grade::{GradedRun, hint, hint_argument};
 use crate::build;
-use crate::check::cargo_check::{self, Checked};
+use crate::check::cargo_check::{self, Checked, Reader};
 use crate::check::finding::Finding;
 use crate::check::messages;
 use crate::check::rustc_message::{Diagnostic, Envelope};
@@ -80,7 +80,12 @@ pub(super) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     let tasks = course.select(what)?;
     let target = build::stages_target(workspace.root());
     let stages = grade::stages(&tasks);
-    let checked = cargo_check::run(workspace.root(), target.as_deref(), &stages, format)?;
+    let reader = match format {
+        Some(_) => Reader::Editor,
+        None => Reader::Person,
+    };
+    let root = workspace.root();
+    let checked = cargo_check::run(root, target.as_deref(), &stages, reader, request.colours)?;
     let nothing_wrong = report(&workspace, &course, &tasks, &checked, &request)?;
     if format.is_some() {
         let last = json!({"reason": "build-finished", "success": checked.compiles});

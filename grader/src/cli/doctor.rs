@@ -1,6 +1,8 @@
 //! The command `grader doctor`: what this machine lacks, and how to get it.
 
 use super::offline;
+use crate::report::terminal::Page;
+use crate::report::wrap::wrap;
 use base::program::Exit;
 use base::{GraderError, Workspace, browser, interrupt, outln};
 use clap::Command as CommandLine;
@@ -36,6 +38,9 @@ impl Finding {
     }
 }
 
+/// Columns before the sentences: 8 for the mark and 11 for what it is about.
+const INDENT: usize = 19;
+
 pub(super) fn run() -> Result<Exit, GraderError> {
     let workspace = Workspace::above(Path::new("."))?;
     let findings = [
@@ -46,13 +51,18 @@ pub(super) fn run() -> Result<Exit, GraderError> {
         browser(),
         editor(workspace.root()),
     ];
+    let page = Page::of_stdout();
     for Finding { what, state, says } in &findings {
         let mark = match state {
             State::Good => "ok",
             State::Optional => "note",
             State::Missing => "missing",
         };
-        outln!("{mark:<8} {what:<10} {says}");
+        let lines = wrap(says, 0, page.width.saturating_sub(INDENT));
+        for (at, line) in lines.iter().enumerate() {
+            let [mark, what] = if at == 0 { [mark, *what] } else { [""; 2] };
+            outln!("{mark:<8}{what:<11}{line}");
+        }
     }
     let is_missing = findings
         .iter()

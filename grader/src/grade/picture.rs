@@ -124,9 +124,9 @@ pub fn rendered_by(
     })
 }
 
-/// Renders and writes the pictures of `tasks`. Returns the keys and paths of those that show
-/// something: the others are not written yet, or end in a panic. Grading does not depend on
-/// pictures, so a task without a golden one is left out.
+/// Renders and writes the pictures of `tasks`. Returns the keys of those that show something, and
+/// their paths below the workspace's root folder: the others are not written yet, or end in a panic.
+/// Grading does not depend on pictures, so a task without a golden one is left out.
 pub fn write_all(
     workspace: &Workspace,
     course: &Course,
@@ -140,7 +140,9 @@ pub fn write_all(
         }
         let rendered = render(workspace, course, task, workers)?;
         if let Some(rendered) = rendered.filter(|rendered| rendered.yours.is_ok()) {
-            written.push((task.key.clone(), rendered.write(workspace)?));
+            let path = rendered.write(workspace)?;
+            let inside = path.strip_prefix(workspace.root()).unwrap_or(&path);
+            written.push((task.key.clone(), inside.to_path_buf()));
         }
     }
     Ok(written)

@@ -19,7 +19,8 @@ function figures() {
       const text = readFileSync(join(source, part, file), "utf8");
       for (const [, name, body] of text.matchAll(/<figure class="explore" data-explore="(\w+)">(.*?)<\/figure>/gs)) {
         const html = body.replace(/!\[(.*?)\]\((.*?)\)/, (_, alt, image) => {
-          return `<p><img alt="${alt}" src="${pathToFileURL(join(source, part, image))}"></p>`;
+          // mdBook puts each picture into the label of a checkbox.
+          return `<p><label><img alt="${alt}" src="${pathToFileURL(join(source, part, image))}"></label></p>`;
         });
         found.set(name, html);
       }

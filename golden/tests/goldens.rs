@@ -10,7 +10,7 @@ use grader::course::{Course, Task};
 use judge::cases::{self, Spec};
 use judge::pictures;
 use judge::plural;
-use review::bless::{Change, Proposal, SNAPSHOT_HEADER};
+use review::bless::{Change, ChangeKind, Proposal, SNAPSHOT_HEADER};
 use std::path::Path;
 use wire::work::{NodeKind, SceneWork, VisitsWork};
 use wire::{Answer, Outcome, Work};
@@ -117,6 +117,16 @@ fn answer(spec: &Spec) -> Result<Answer, String> {
     }
 }
 
+/// The first line of a text, with its reason: what it says before the result and the input of a
+/// call, and of those as much as there is room for.
+fn in_one_line(text: &str) -> String {
+    let first = text.lines().next().unwrap_or_default();
+    let first = first.replace("the exact oracle refutes it: ", "");
+    let short: String = first.chars().take(WIDTH).collect();
+    let cut = if short.len() < first.len() { "…" } else { "" };
+    format!("{short}{cut}")
+}
+
 /// What differs, on one screen.
 fn summary(workspace: &Workspace, proposal: &Proposal) -> String {
     let Proposal { changes, refused } = proposal;
@@ -144,18 +154,17 @@ fn summary(workspace: &Workspace, proposal: &Proposal) -> String {
         .map(|change| format!("{}: {}", path(change), change.meaning));
     let lines: Vec<String> = refused.iter().cloned().chain(changes).collect();
     for line in lines.iter().take(LINES) {
-        let first = line.lines().next().unwrap_or_default();
-        let short: String = first.chars().take(WIDTH).collect();
-        let cut = if short.len() < first.len() { "…" } else { "" };
-        text.push_str(&format!("\n  {short}{cut}"));
+        text.push_str(&format!("\n  {}", in_one_line(line)));
     }
     if lines.len() > LINES {
         text.push_str(&format!("\n  and {} more", lines.len() - LINES));
     }
     let keys = tasks.join(" ");
-    text + &format!(
-        "\nSee every difference: cargo grader review {keys}\nAccept them:          cargo grader bless {keys}"
-    )
+    let next = match refused.is_empty() {
+        true => format!("Accept them:          cargo grader bless {keys}"),
+        false => "Mend what is wrong:   cargo grader bless accepts no golden before".into(),
+    };
+    text + &format!("\nSee every difference: cargo grader review {keys}\n{next}")
 }
 
 #[test]
@@ -167,12 +176,20 @@ fn a_summary_fits_a_screen() {
         content: Vec::new(),
         meaning: "long ".repeat(100),
         not_judged: Vec::new(),
+        kind: ChangeKind::Answers,
     };
+    let wrong = "part1.task4/head_on: the exact oracle refutes it: hit or miss wrong on 3 of 8: your result";
     let proposal = Proposal {
         changes: vec![change; 300],
-        refused: vec!["part1.task4/head_on: a\nb".into(); 300],
+        refused: vec![format!("{wrong}{}", " 1.5".repeat(100)); 300],
     };
     let text = summary(&workspace, &proposal);
+    assert!(
+        text.contains("part1.task4/head_on: hit or miss wrong on 3 of 8: your result"),
+        "{text}"
+    );
+    // `bless` accepts nothing while something is wrong.
+    assert!(!text.contains("Accept"), "{text}");
     assert!(text.lines().count() <= 18, "{text}");
     assert!(
         text.lines().all(|line| line.chars().count() < 120),

@@ -299,10 +299,7 @@ fn the_parameters_of_a_sphere_are_judged() {
         }
     });
     let Some(whole) = whole else { return };
-    assert_eq!(
-        whole.verdict(0),
-        Verdict::Refused(vec![Aspect::Barycentrics])
-    );
+    assert_eq!(whole.verdict(0), Verdict::Refused(vec![Aspect::Parameters]));
     assert_eq!(whole.verdict(1), Verdict::Confirmed);
 }
 

@@ -21,6 +21,15 @@ pub const SLACK: f64 = 16.0 * U;
 /// Largest relative error of an end of the interval: 7 roundings and widenings, doubled.
 pub const END_ERROR: f64 = 16.0 * U;
 
+/// Error of a slab's planes that textbook code may make, relative to the sum of the sizes of both
+/// planes and of the origin on its axis.
+///
+/// `(plane - o) · (1/d)` makes none beyond [`END_ERROR`]. A test with the centre and half the
+/// extent computes `((min + max)/2 - o) ∓ (max - min)/2`, and another one `plane · (1/d) - o · (1/d)`:
+/// each term rounds by up to 2 U of its own size, and their difference may be much smaller. At most
+/// 4 roundings of the whole sum, doubled.
+const PLANE_ERROR: f64 = 8.0 * U;
+
 /// The largest number, 2^1000, for which differences of positions do not overflow and the
 /// reciprocal is not denormal.
 const LARGEST: f64 = f64::from_bits((1023 + 1000) << 52);
@@ -53,12 +62,15 @@ pub struct BoxVerdict {
     pub miss_scores: PerKernel<bool>,
     /// Whether "hit" scores. A box test for tree traversal may hit although the ray misses by a few
     /// ulp, but never miss although the ray hits.
-    pub hit_scores: bool,
+    pub hit_scores: PerKernel<bool>,
     /// Whether every answer scores, because the numbers are out of the range of `f64` arithmetic.
     pub any_scores: PerKernel<bool>,
     /// Near and far end of the interval by the slabs, also if the far end is smaller; `None` if the
     /// ray clearly misses.
     pub ends: Option<(End, End)>,
+    /// The least and the largest near end, and those of the far end, that textbook code may compute,
+    /// before the rounding that [`END_ERROR`] allows.
+    pub textbook_ends: [[f64; 2]; 2],
 }
 
 /// A closed interval with exact ends.
@@ -125,9 +137,10 @@ impl BoxVerdict {
             touches: false,
             gap: f64::INFINITY,
             miss_scores: PerKernel::each(|_| true),
-            hit_scores: any_scores,
+            hit_scores: PerKernel::each(|_| any_scores),
             any_scores: PerKernel::each(|_| any_scores),
             ends: None,
+            textbook_ends: [[f64::NEG_INFINITY, f64::INFINITY]; 2],
         }
     }
 
@@ -138,7 +151,8 @@ impl BoxVerdict {
 
     /// Whether correct code of this class may return a hit or a miss.
     pub fn undecidable(&self, kernel: KernelClass) -> bool {
-        *self.any_scores.get(kernel) || (self.hit_scores && *self.miss_scores.get(kernel))
+        *self.any_scores.get(kernel)
+            || (*self.hit_scores.get(kernel) && *self.miss_scores.get(kernel))
     }
 
     /// Judges an answer: the interval, or `None` for a miss.
@@ -156,26 +170,34 @@ impl BoxVerdict {
                 false => BoxJudgement::FalseMiss,
             };
         };
-        if !self.hit_scores {
+        if !self.hit_scores.get(kernel) {
             return BoxJudgement::FalseHit;
         }
         let Some((near, far)) = self.ends else {
             return right;
         };
-        if !is_end(answer.min, near) {
+        let [may_start, may_end] = match kernel {
+            KernelClass::Textbook => self.textbook_ends,
+            KernelClass::Robust => [near, far].map(|end| [end.to_f64(); 2]),
+        };
+        if !is_end(answer.min, near, may_start) {
             return BoxJudgement::WrongStart(near.to_f64());
         }
-        if !is_end(answer.max, far) {
+        if !is_end(answer.max, far, may_end) {
             return BoxJudgement::WrongEnd(far.to_f64());
         }
         right
     }
 }
 
-/// Whether an end of the answered interval is correct, up to [`END_ERROR`].
-fn is_end(answer: f64, truth: End) -> bool {
+/// Whether an end of the answered interval is correct, up to [`END_ERROR`], or between the `least`
+/// and the `largest` that code of its class computes.
+fn is_end(answer: f64, truth: End, [least, largest]: [f64; 2]) -> bool {
     let truth = truth.to_f64();
-    answer == truth || (answer - truth).abs() <= (END_ERROR * truth.abs()).max(f64::MIN_POSITIVE)
+    let rounding = (END_ERROR * truth.abs()).max(f64::MIN_POSITIVE);
+    answer == truth
+        || (answer - truth).abs() <= rounding
+        || truth.is_finite() && least - rounding <= answer && answer <= largest + rounding
 }
 
 /// Decides exactly where `ray` is inside `b`, and which answers in `f64` score.
@@ -205,8 +227,9 @@ fn decide(b: &Aabb, ray: &Ray) -> BoxVerdict {
             continue;
         }
         let (enter, leave) = if d > 0.0 { (min, max) } else { (max, min) };
-        near.push(Limit::slab(axis, enter, o, d));
-        far.push(Limit::slab(axis, leave, o, d));
+        let blur = blur([min, max, o], d);
+        near.push(Limit::slab(axis, enter, o, d, blur));
+        far.push(Limit::slab(axis, leave, o, d, blur));
     }
     if misses_a_slab {
         // Division by 0 puts the ends of this slab at infinity. If no other limit makes the
@@ -214,14 +237,36 @@ fn decide(b: &Aabb, ray: &Ray) -> BoxVerdict {
         let never_leaves = far.iter().all(|limit| limit.t == f64::INFINITY);
         let never_enters = near.iter().all(|limit| limit.t == f64::NEG_INFINITY);
         return BoxVerdict {
-            hit_scores: never_leaves || never_enters,
+            hit_scores: PerKernel::each(|_| never_leaves || never_enters),
             ..BoxVerdict::miss(Miss::LineMisses)
         };
     }
+    let textbook_ends = textbook_ends(&near, &far);
     match filter(&mut near, &mut far) {
         Some(miss) => miss,
-        None => ExactLimits::new(&near, &far).verdict(),
+        None => BoxVerdict {
+            textbook_ends,
+            ..ExactLimits::new(&near, &far).verdict()
+        },
     }
+}
+
+/// How far textbook code may move the limits of a slab along the ray; see [`PLANE_ERROR`]. An
+/// infinite plane has no rounding errors.
+fn blur(planes_and_origin: [f64; 3], d: f64) -> f64 {
+    let size = |x: f64| if x.is_finite() { x.abs() } else { 0.0 };
+    let sizes: f64 = planes_and_origin.map(size).iter().sum();
+    let blur = PLANE_ERROR * sizes / d.abs();
+    if blur.is_finite() { blur } else { 0.0 }
+}
+
+/// The least and the largest near end, and those of the far end, that textbook code may compute.
+fn textbook_ends(near: &[Limit], far: &[Limit]) -> [[f64; 2]; 2] {
+    let last = |of: fn(&Limit) -> f64| near.iter().map(of).fold(f64::NEG_INFINITY, f64::max);
+    let first = |of: fn(&Limit) -> f64| far.iter().map(of).fold(f64::INFINITY, f64::min);
+    let least = |limit: &Limit| limit.t - limit.blur;
+    let largest = |limit: &Limit| limit.t + limit.blur;
+    [[last(least), last(largest)], [first(least), first(largest)]]
 }
 
 /// Whether no difference of positions overflows and `1/d` is a normal number. A robust test must
@@ -264,6 +309,8 @@ struct Limit {
     d: f64,
     /// The ray's `t` at the limit, `(plane - o) / d`, rounded.
     t: f64,
+    /// How far textbook code may move it; see [`blur`].
+    blur: f64,
 }
 
 impl Limit {
@@ -274,16 +321,18 @@ impl Limit {
             o: 0.0,
             d: 1.0,
             t: end,
+            blur: 0.0,
         }
     }
 
-    fn slab(axis: usize, plane: f64, o: f64, d: f64) -> Limit {
+    fn slab(axis: usize, plane: f64, o: f64, d: f64, blur: f64) -> Limit {
         Limit {
             axis: Some(axis),
             plane,
             o,
             d,
             t: (plane - o) / d,
+            blur,
         }
     }
 }
@@ -294,6 +343,8 @@ impl Limit {
 /// A rounded `t` has a relative error of 2 U, unless it is so small or so large that it may have
 /// lost bits; then nothing is removed. Ten times the slack keeps every limit that can matter.
 fn filter(near: &mut Vec<Limit>, far: &mut Vec<Limit>) -> Option<BoxVerdict> {
+    let widest = near.iter().chain(&*far);
+    let blur = widest.map(|limit| limit.blur).fold(0.0, f64::max);
     let last = near
         .iter()
         .map(|limit| limit.t)
@@ -304,7 +355,7 @@ fn filter(near: &mut Vec<Limit>, far: &mut Vec<Limit>) -> Option<BoxVerdict> {
         .fold(f64::INFINITY, f64::min);
     let is_before = |a: f64, b: f64| {
         let size = a.abs().max(b.abs());
-        (1e-290..1e290).contains(&size) && b - a > 10.0 * SLACK * size
+        (1e-290..1e290).contains(&size) && b - a > 10.0 * SLACK * size + 2.0 * blur
     };
     if is_before(first, last) {
         return Some(BoxVerdict {
@@ -326,6 +377,8 @@ struct ExactLimit {
     quotient: Option<(Dyadic, Dyadic)>,
     /// Whether a plain slab test computes this end without rounding.
     is_exact: bool,
+    /// How far textbook code may move it; see [`blur`].
+    blur: f64,
 }
 
 impl ExactLimit {
@@ -340,6 +393,7 @@ impl ExactLimit {
                 },
                 quotient: None,
                 is_exact: true,
+                blur: 0.0,
             };
         }
         let distance = &Dyadic::new(limit.plane) - &Dyadic::new(limit.o);
@@ -356,6 +410,7 @@ impl ExactLimit {
             end: End::At(t),
             quotient: Some(quotient),
             is_exact,
+            blur: limit.blur,
         }
     }
 
@@ -390,6 +445,7 @@ impl ExactLimits {
         };
         let order = near.compare(far);
         let gap = relative_gap(near, far);
+        let overlap_by_blur = is_within_blur(near, far);
         let (near, far) = (near.end, far.end);
         let hits = order.is_le();
         let beyond_f64 = |end: End| matches!(end, End::At(t) if t.to_f64().is_infinite());
@@ -410,9 +466,13 @@ impl ExactLimits {
                 textbook: !hits || lost || self.corner_may_round(),
                 robust: !hits || lost,
             },
-            hit_scores: hits || lost || gap <= SLACK,
+            hit_scores: PerKernel {
+                textbook: hits || lost || gap <= SLACK || overlap_by_blur,
+                robust: hits || lost || gap <= SLACK,
+            },
             any_scores: PerKernel::default(),
             ends: Some((near, far)),
+            textbook_ends: [near, far].map(|end| [end.to_f64(); 2]),
         }
     }
 
@@ -422,10 +482,18 @@ impl ExactLimits {
         self.near.iter().any(|near| {
             self.far.iter().any(|far| {
                 let alike = near.axis == far.axis || (near.is_exact && far.is_exact);
-                !alike && relative_gap(near, far) >= -SLACK
+                let is_close = relative_gap(near, far) >= -SLACK || is_within_blur(near, far);
+                !alike && is_close
             })
         })
     }
+}
+
+/// Whether textbook code may compute two limits of different axes in the other order. Both limits of
+/// one axis move in the same way.
+fn is_within_blur(near: &ExactLimit, far: &ExactLimit) -> bool {
+    let gap = (near.end.to_f64() - far.end.to_f64()).abs();
+    near.axis != far.axis && gap <= near.blur + far.blur
 }
 
 /// Returns `near - far`, relative to the larger of the two in size; positive if the interval is

@@ -90,8 +90,8 @@ impl TriangleVerdict {
             class: TriangleClass::Miss(why),
             at_range_end: false,
             crossing: None,
-            answers: PerKernel::each(|_| match why {
-                Miss::NotFinite => Answers::ANY,
+            answers: PerKernel::each(|kernel| match (why, kernel) {
+                (Miss::NotFinite, KernelClass::Textbook) => Answers::ANY,
                 _ => Answers::MISS,
             }),
         }

@@ -54,7 +54,8 @@ impl<T> PerKernel<T> {
 pub enum Miss {
     /// A number of the ray or the shape is NaN: a miss by convention.
     NotANumber,
-    /// A position or direction is infinite. The result of such rays is not specified.
+    /// A position or direction is infinite: a miss by convention for a triangle, which textbook code
+    /// does not see; not specified for other shapes.
     NotFinite,
     /// The direction is 0: a miss by convention.
     ZeroDirection,

@@ -332,21 +332,37 @@ fn two_at_once(
         });
     let (first, second, together) = pairs
         .filter(|(.., together)| {
-            let is_made =
-                |alone: &Alone| alone.shown > 0 && alone.shown as f64 >= MADE * alone.of as f64;
+            let is_made = |alone: &Alone| {
+                alone.shown >= FEWEST_CALLS && alone.shown as f64 >= MADE * alone.of as f64
+            };
             together.alone.iter().all(is_made)
         })
         .max_by(|a, b| a.2.likeness().total_cmp(&b.2.likeness()))?;
     let likeness = together.likeness();
     let explains = likeness >= TOGETHER && 1.0 - likeness <= LEFT * (1.0 - alone);
     (explains && likeness > alone).then(|| {
+        let explained_by = |known: &Known| {
+            let agreement = student.agreement(&known.signature);
+            agreement.equal.min(together.equal)
+        };
+        // The one that explains more comes first.
+        let (first, second) = match explained_by(first) >= explained_by(second) {
+            true => (first, second),
+            false => (second, first),
+        };
+        let by_first = explained_by(first);
         let [mut first, second] = [first, second].map(|known| with_twins(ranked, known));
         first.mistakes.extend(second.mistakes);
         Diagnosis {
             mistakes: first.mistakes,
             says: format!(
-                "two mistakes at once: your answers look like those of code that {}, and that {}: together they explain {} of {} wrong values{}{}",
-                first.says, second.says, together.equal, together.either, first.others, second.others,
+                "two mistakes at once: your answers look like those of code that {}, and that {}: the first explains {by_first} of {} wrong values, the second {} more{}{}",
+                first.says,
+                second.says,
+                together.either,
+                together.equal - by_first,
+                first.others,
+                second.others,
             ),
             description: format!("{}, and that {}", first.says, second.says),
             hint: format!("{} {}", first.hint, second.hint),

@@ -23,17 +23,22 @@ const CIRCUMSTANCES: usize = 2;
 pub(crate) const FEW_DIGITS: &str =
     "the precision of f32 (`as f32`, `f32` literals), or of a constant typed with few digits";
 
+/// What errors of the size of rounding come from where only robust cases show them, in which
+/// textbook formulas cancel.
+const CANCELLATION: &str =
+    "digits lost by cancellation, as the textbook formula loses them, or by single precision";
+
 /// Sentences without a full stop, the most helpful first; none if nothing is regular.
-pub fn of(task: &str, cases: &[CaseResult], specs: &[Spec]) -> Vec<String> {
-    let cases = that_count(cases);
+pub fn of(task: &str, all: &[CaseResult], specs: &[Spec]) -> Vec<String> {
+    let cases = that_count(all);
     let mut sentences = Vec::new();
-    sentences.extend(fields(&cases));
+    sentences.extend(fields(&cases, all));
     let Some(aspect) = main_aspect(&cases) else {
         return sentences;
     };
     let only = only_function(&cases);
     sentences.extend(only.map(|name| format!("only the answers of {name} are wrong")));
-    sentences.extend(manner(&cases, aspect));
+    sentences.extend(manner(task, &cases, aspect));
     sentences.extend(where_wrong(task, &cases, aspect, specs, only));
     sentences
 }
@@ -41,6 +46,8 @@ pub fn of(task: &str, cases: &[CaseResult], specs: &[Spec]) -> Vec<String> {
 /// The core cases, or the robust ones if all core cases are right, that have answers and do not use
 /// other tasks.
 fn that_count(cases: &[CaseResult]) -> Vec<&CaseResult> {
+    let crashed = |case: &CaseResult| case.tier == Tier::Core && case.crash.is_some();
+    let core_crashed = cases.iter().any(crashed);
     let of_tier = |tier: Tier| -> Vec<&CaseResult> {
         let cases = cases.iter();
         let cases = cases.filter(|case| case.tier == tier && !case.with_neighbours);
@@ -48,7 +55,7 @@ fn that_count(cases: &[CaseResult]) -> Vec<&CaseResult> {
     };
     let core = of_tier(Tier::Core);
     let is_right = |case: &&CaseResult| case.findings.iter().all(Finding::passed);
-    match core.iter().all(is_right) {
+    match core.iter().all(is_right) && !core_crashed {
         true => of_tier(Tier::Robust),
         false => core,
     }
@@ -67,9 +74,9 @@ fn about<'a>(
 }
 
 /// For each aspect, on how many calls it is wrong.
-fn wrong_by_aspect(cases: &[&CaseResult]) -> BTreeMap<Aspect, u32> {
+fn wrong_by_aspect<'a>(cases: impl IntoIterator<Item = &'a CaseResult>) -> BTreeMap<Aspect, u32> {
     let mut wrong = BTreeMap::new();
-    for finding in cases.iter().flat_map(|case| &case.findings) {
+    for finding in cases.into_iter().flat_map(|case| &case.findings) {
         if finding.judged > 0 {
             *wrong.entry(finding.aspect).or_default() += finding.wrong;
         }
@@ -80,7 +87,7 @@ fn wrong_by_aspect(cases: &[&CaseResult]) -> BTreeMap<Aspect, u32> {
 /// The aspect that explains most: hits and misses come first, because nothing else is judged where
 /// they are wrong.
 fn main_aspect(cases: &[&CaseResult]) -> Option<Aspect> {
-    let wrong = wrong_by_aspect(cases);
+    let wrong = wrong_by_aspect(cases.iter().copied());
     let most = wrong.values().copied().max()?;
     if most == 0 {
         return None;
@@ -92,9 +99,15 @@ fn main_aspect(cases: &[&CaseResult]) -> Option<Aspect> {
     of_most.next().map(|(aspect, _)| aspect)
 }
 
-/// Which fields are always right, where some are.
-fn fields(cases: &[&CaseResult]) -> Option<String> {
-    let wrong = wrong_by_aspect(cases);
+/// Which fields are always right, where some are; `all` are the cases that may show another one
+/// wrong. Nobody knows what is right in answers that a crash took away.
+fn fields(cases: &[&CaseResult], all: &[CaseResult]) -> Option<String> {
+    if all.iter().any(|case| case.crash.is_some()) {
+        return None;
+    }
+    let mut wrong = wrong_by_aspect(cases.iter().copied());
+    let elsewhere = wrong_by_aspect(all);
+    wrong.retain(|aspect, wrong| *wrong > 0 || elsewhere.get(aspect) == Some(&0));
     let labels = |is_wrong: bool| -> Vec<&str> {
         let some = wrong.iter().filter(|(_, wrong)| (**wrong > 0) == is_wrong);
         some.map(|(aspect, _)| aspect.label()).collect()
@@ -119,7 +132,7 @@ fn only_function<'a>(cases: &[&'a CaseResult]) -> Option<&'a str> {
 }
 
 /// How the aspect is wrong, if it is nearly always wrong in the same way.
-fn manner(cases: &[&CaseResult], aspect: Aspect) -> Option<String> {
+fn manner(task: &str, cases: &[&CaseResult], aspect: Aspect) -> Option<String> {
     let mut classes: BTreeMap<Class, usize> = BTreeMap::new();
     let faults = about(cases, aspect).flat_map(|(_, finding)| &finding.faults);
     for Fault { class, .. } in faults {
@@ -137,8 +150,7 @@ fn manner(cases: &[&CaseResult], aspect: Aspect) -> Option<String> {
     let label = aspect.label();
     let manner = match class {
         _ if !regular => return None,
-        Class::FalseHit => "where hit or miss is wrong, there is a hit instead of a miss".into(),
-        Class::FalseMiss => "where hit or miss is wrong, there is a miss instead of a hit".into(),
+        Class::FalseHit | Class::FalseMiss => instead(task, aspect, class),
         Class::NotANumber => format!("{label}: every wrong answer is NaN"),
         Class::Infinite => format!("{label}: every wrong answer is infinite"),
         Class::Zero => format!("{label}: every wrong answer is 0"),
@@ -150,11 +162,57 @@ fn manner(cases: &[&CaseResult], aspect: Aspect) -> Option<String> {
             "{label}: about {} times the right number",
             2.0_f64.powi(power.into())
         ),
-        Class::Rounded => format!("{label}: off by less than 1 part in 100,000: {FEW_DIGITS}"),
+        Class::Rounded => {
+            let is_robust = |case: &&CaseResult| case.tier == Tier::Robust;
+            let cause = match cases.iter().all(is_robust) {
+                true => CANCELLATION,
+                false => FEW_DIGITS,
+            };
+            format!("{label}: off by less than 1 part in 100,000: {cause}")
+        }
         _ => return None,
     };
     Some(manner)
 }
+
+/// The sentence about answers of a `task` that have something where nothing is right
+/// ([`Class::FalseHit`]), or the reverse.
+fn instead(task: &str, aspect: Aspect, class: Class) -> String {
+    let [too_much, too_little] = match aspect {
+        Aspect::HitOrMiss if TASKS_OF_SAMPLES.contains(&task) => [
+            "where it is wrong whether there is a sample, there is one instead of None",
+            "where it is wrong whether there is a sample, there is None instead of one",
+        ],
+        Aspect::HitOrMiss => [
+            "where hit or miss is wrong, there is a hit instead of a miss",
+            "where hit or miss is wrong, there is a miss instead of a hit",
+        ],
+        Aspect::Survival => [
+            "where it is wrong whether a path continues, it continues instead of ending",
+            "where it is wrong whether a path continues, it ends instead of continuing",
+        ],
+        Aspect::Stop => [
+            "every wrong result is true instead of false",
+            "every wrong result is false instead of true",
+        ],
+        _ => [
+            "not black where black is right",
+            "black where black is wrong",
+        ],
+    };
+    let sentence = if class == Class::FalseHit {
+        too_much
+    } else {
+        too_little
+    };
+    match aspect {
+        Aspect::HitOrMiss | Aspect::Survival | Aspect::Stop => sentence.into(),
+        _ => format!("{}: {sentence}", aspect.label()),
+    }
+}
+
+/// The tasks in which "hit or miss" is whether a direction is sampled.
+const TASKS_OF_SAMPLES: [&str; 2] = ["part3.task1", "part4.task1"];
 
 /// The aspects whose class [`Class::Off`] gives the size of the error, in units of the answer.
 const HAS_A_SIZE: [Aspect; 6] = [
@@ -215,6 +273,7 @@ fn where_wrong(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::workers::crash::{Crash, CrashKind};
     use judge::tally::Tally;
 
     const TASK: &str = "part1.task4";
@@ -261,6 +320,58 @@ mod tests {
                 "wrong only where the ray starts inside the sphere",
             ]
         );
+    }
+
+    #[test]
+    fn tasks_without_hits_are_told_in_their_own_words() {
+        let says = |task, aspect| instead(task, aspect, Class::FalseHit);
+        assert!(says("part1.task3", Aspect::HitOrMiss).contains("a hit instead of a miss"));
+        for (task, aspect) in [
+            ("part3.task1", Aspect::HitOrMiss),
+            ("part3.task2", Aspect::Radiance),
+            ("part4.task1", Aspect::HitOrMiss),
+            ("part4.task3", Aspect::Survival),
+            ("part5.task1", Aspect::Stop),
+        ] {
+            let says = says(task, aspect);
+            assert!(!says.contains("hit") && !says.contains("miss"), "{says}");
+        }
+    }
+
+    /// Nobody knows what would be right in the answers that a panic took away.
+    #[test]
+    fn after_a_crash_no_field_is_called_right() {
+        let wrong = |name: &str, tier| {
+            let mut tally = Tally::default();
+            for call in 0..9 {
+                tally.judge_class(Aspect::T, call, Some(Class::Rounded), 1.0, String::new);
+                tally.judge_class(Aspect::HitOrMiss, call, None, 0.0, String::new);
+                tally.judge_class(Aspect::Normal, call, None, 0.0, String::new);
+            }
+            CaseResult {
+                tier,
+                ..CaseResult::failed(name, tally.into_findings())
+            }
+        };
+        let crashed = CaseResult {
+            crash: Some(Crash {
+                kind: CrashKind::Panic,
+                call: Some(0),
+            }),
+            ..CaseResult::failed("head_on", Vec::new())
+        };
+        let core = [wrong("abreast", Tier::Core)];
+        assert!(of(TASK, &core, &[])[0].contains("all other fields are right"));
+        let both = [wrong("abreast", Tier::Core), crashed.clone()];
+        assert!(!of(TASK, &both, &[])[0].contains("all other fields are right"));
+        // What only robust cases show says nothing of f32, and nothing at all if core ones died.
+        let robust = [wrong("far_away", Tier::Robust)];
+        let says = of(TASK, &robust, &[]).join("; ");
+        assert!(
+            says.contains("cancellation") && !says.contains("f32"),
+            "{says}"
+        );
+        assert!(of(TASK, &[wrong("far_away", Tier::Robust), crashed], &[]).is_empty());
     }
 
     #[test]

@@ -33,7 +33,8 @@ pub fn zero_bounce_radiance(surface: &Surface, wo: Vec3) -> Spectrum {
 /// Random directions never hit delta lights (point, spot and directional lights): with these lights
 /// alone the result is black. Mirrors and smooth glass
 /// ([`Material::is_delta`](kit::Material::is_delta)) are black too, and trace no rays, because a
-/// random direction is never their reflected or refracted direction. 0 samples give black.
+/// random direction is never their reflected or refracted direction. 0 samples give black. The
+/// emission of `surface` itself is no direct light: it is that of [`zero_bounce_radiance`].
 ///
 /// See it: `cargo grader picture part3.task2`.
 pub fn estimate_direct_lighting_hemisphere(

@@ -18,7 +18,8 @@ use kit::{LitScene, PixelSampler, Ray, Scattering, Spectrum, Surface, Vec3};
 /// A sample without light (`None`) or without scattering (`f` black) counts as 0 in the mean, and
 /// no shadow ray is traced for it. Mirrors and smooth glass
 /// ([`Material::is_delta`](kit::Material::is_delta)) trace none at all; rough glass is lit like a
-/// diffuse surface. With `ns_area_light` 0, lights with an area contribute nothing.
+/// diffuse surface. With `ns_area_light` 0, lights with an area contribute nothing. The emission of
+/// `surface` itself is no direct light.
 ///
 /// See it: `cargo grader picture part3.task3`.
 pub fn estimate_direct_lighting_importance(

@@ -10,6 +10,8 @@ use kit::{Hit, LitScene, PixelSampler, Ray, Scattering, Spectrum, Surface, Vec3}
 /// Lo = Le + ∫ f · Li · |cos θi| dwi        where Li is the Lo of the surface that is hit along wi
 /// ```
 ///
+/// `ray` is a camera ray: its direction is a unit vector.
+///
 /// Light is traced backwards: at each surface [`Scattering::sample`] samples one direction, `trace`
 /// finds the next surface, and its radiance is multiplied by the product of all weights
 /// `f · |cos θi| / pdf` so far, the *throughput*.

@@ -8,7 +8,7 @@ use authoring::mutants::mistake_pictures;
 use authoring::mutants::run;
 use authoring::mutants::seeds::{self, Seeded};
 use authoring::mutants::simplest::{self, Simplest};
-use authoring::mutants::table::Table;
+use authoring::mutants::table::{self, Table};
 use base::program::{Exit, path_argument, whole_number};
 use base::{GraderError, Workspace, out, outln};
 use clap::{Arg, ArgAction, ArgMatches, Command};
@@ -160,7 +160,18 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
             show_diagnosis(name, graded, &known);
         }
         let none_is_blessed = show_blessings(&task.key, &graded, against_bless);
-        if !marked_down.is_empty() || !table.survivors().is_empty() || !none_is_blessed {
+        let rewarded = table::rewarded(&graded);
+        for (name, cases) in &rewarded {
+            outln!(
+                "  REWARDED: {name} earns more than the correct code that it is made from, in {}",
+                cases.join(", ")
+            );
+        }
+        if !marked_down.is_empty()
+            || !table.survivors().is_empty()
+            || !none_is_blessed
+            || !rewarded.is_empty()
+        {
             verdict = Exit::Failed;
         }
         if bless {

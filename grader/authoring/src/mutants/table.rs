@@ -147,6 +147,31 @@ impl Table {
     }
 }
 
+/// The mutants that earn more in a case than the correct code that they are made from, with these
+/// cases: a case that rewards a mistake is a defect of the grader.
+pub fn rewarded(graded: &[Graded]) -> Vec<(&str, Vec<&str>)> {
+    let correct: BTreeMap<&str, &[CaseResult]> = graded
+        .iter()
+        .filter(|graded| matches!(graded.kind, Kind::Correct))
+        .map(|graded| (graded.name.as_str(), graded.result.cases.as_slice()))
+        .collect();
+    let rewarded = graded.iter().filter_map(|graded| {
+        let Kind::Mutant(mutant) = &graded.kind else {
+            return None;
+        };
+        // Code that is not an edit of a version is compared with the reference, which earns all.
+        let base = correct.get(mutant.on.as_str())?;
+        let more = graded.result.cases.iter().filter(|case| {
+            let mut base = base.iter();
+            let base = base.find(|other| other.name == case.name);
+            base.is_some_and(|base| case.earned > base.earned)
+        });
+        let more: Vec<&str> = more.map(|case| case.name.as_str()).collect();
+        (!more.is_empty()).then_some((graded.name.as_str(), more))
+    });
+    rewarded.collect()
+}
+
 /// A line for each version: the points that correct code loses, the cases in which a mutant does,
 /// and the mistakes that it is named as.
 impl fmt::Display for Table {

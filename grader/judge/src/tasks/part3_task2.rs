@@ -1,8 +1,8 @@
 //! Cases of emission, and of direct light by uniform hemisphere sampling.
 
 use crate::tools::kinds::direct_light::worlds::{
-    ceiling, floor, floor_of, lamp, of_panels, random_lamp, random_point, room, smooth_point, wall,
-    work,
+    ceiling, floor, floor_of, lamp, lamps_and_floor, of_panels, random_lamp, random_point, room,
+    smooth_point, wall, with_dark_ones, work,
 };
 use crate::tools::questions::probes::ProbeRng;
 use crate::tools::spec::Spec;
@@ -63,8 +63,12 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
             "sum_of_what_is_seen",
             "Given the traced rays, the sum of f · L · |cos θ| · 2π over their number is known \
              exactly: L is what the front of the hit surface emits, or the background where the \
-             ray misses.",
-            hemisphere("sum", room(), 60, 8),
+             ray misses. Faint light counts, too: some surfaces are nearly black. Pitfall: \
+             dropping contributions below a threshold.",
+            DirectWork {
+                points: with_dark_ones(hemisphere("sum", room(), 60, 8).points),
+                ..hemisphere("sum", room(), 0, 8)
+            },
         )
         .only(&[Radiance]),
         case(
@@ -85,6 +89,19 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
             "lamp_that_faces_away",
             "A lamp emits on one side; seen from its back, or behind a wall, it adds no light.",
             facing_away(),
+        )
+        .only(&[Radiance]),
+        case(
+            "surface_that_emits",
+            "A lamp emits and scatters nothing, so its direct light is black. Pitfall: its own \
+             emission is the light of zero bounces; added here, it counts twice.",
+            work(
+                Strategy::Hemisphere,
+                uniform_environment(1.0),
+                lamps_and_floor(),
+                4,
+                0,
+            ),
         )
         .only(&[Radiance]),
         case(

@@ -1,8 +1,8 @@
 //! Cases of direct light by sampling the lights.
 
 use crate::tools::kinds::direct_light::worlds::{
-    ceiling, floor, floor_of, lamp, of_panels, random_lamp, random_point, smooth_point, unit, wall,
-    work,
+    ceiling, floor, floor_of, lamp, lamps_and_floor, of_panels, random_lamp, random_point,
+    smooth_point, unit, wall, with_dark_ones, with_grazed_ones, work,
 };
 use crate::tools::questions::probes::ProbeRng;
 use crate::tools::spec::Spec;
@@ -20,8 +20,9 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         case(
             "point_light",
             "A point light arrives with its intensity divided by the squared distance, times f \
-             and the cosine: the result is exact.",
-            random_points_lit(vec![point()], Vec::new(), 1),
+             and the cosine: the result is exact, however dark the surface is and however small \
+             the cosine. Pitfall: dropping contributions below a threshold.",
+            faint(random_points_lit(vec![point()], Vec::new(), 1)),
         )
         .only(&[Radiance]),
         case(
@@ -122,6 +123,19 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         )
         .only(&[Rays, Radiance]),
         case(
+            "surface_that_emits",
+            "A lamp emits and scatters nothing, so its direct light is black. Pitfall: its own \
+             emission is the light of zero bounces; added here, it counts twice.",
+            work(
+                Strategy::Lights,
+                world(vec![point()], vec![lamp(3.0, [2.0; 3])]),
+                lamps_and_floor(),
+                4,
+                0,
+            ),
+        )
+        .only(&[Radiance, Rays]),
+        case(
             "mirrors_ask_for_nothing",
             "A mirror or glass scatters no light from a sampled direction: black, and no shadow \
              ray is traced.",
@@ -191,6 +205,17 @@ fn random_points_lit(lights: Vec<Light>, panels: Vec<Panel>, samples: u32) -> Di
     let mut rng = ProbeRng::new("points under lights", 0);
     let points = (0..80).map(|_| random_point(&mut rng)).collect();
     work(Strategy::Lights, world(lights, panels), points, samples, 0)
+}
+
+/// The same work, with points that are nearly black and points that [`point`] only grazes.
+fn faint(work: DirectWork) -> DirectWork {
+    let Light::Point { position, .. } = point() else {
+        unreachable!("it is a point light")
+    };
+    DirectWork {
+        points: with_grazed_ones(with_dark_ones(work.points), position.into()),
+        ..work
+    }
 }
 
 /// Points of smooth meshes near the origin, under lights of every kind.

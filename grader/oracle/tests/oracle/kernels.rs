@@ -278,10 +278,12 @@ fn haines(s: &Sphere, ray: &Ray) -> Option<f64> {
     first_in_range(ray, [t0.min(t1), t0.max(t1)])
 }
 
-pub(crate) const TEXTBOOK_BOXES: [(&str, BoxKernel); 3] = [
+pub(crate) const TEXTBOOK_BOXES: [(&str, BoxKernel); 5] = [
     ("Kay-Kajiya slabs", kay_kajiya),
     ("Williams", williams),
     ("minima and maxima", min_max),
+    ("centre and half extent", center_and_half),
+    ("planes and origin times 1/d", scaled_planes),
 ];
 
 pub(crate) const ROBUST_BOXES: [(&str, BoxKernel); 1] = [("Ize", ize)];
@@ -348,6 +350,50 @@ fn min_max(b: &Aabb, ray: &Ray) -> Option<Interval> {
         if t0.is_nan() || t1.is_nan() {
             continue;
         }
+        near = near.max(t0.min(t1));
+        far = far.min(t0.max(t1));
+    }
+    interval(near, far)
+}
+
+/// The slab of each axis as its centre and half its extent.
+fn center_and_half(b: &Aabb, ray: &Ray) -> Option<Interval> {
+    let (center, half) = (0.5 * (b.min + b.max), 0.5 * (b.max - b.min));
+    slabs(b, ray, |i| {
+        let inv = 1.0 / ray.d[i];
+        let middle = (center[i] - ray.o[i]) * inv;
+        let reach = half[i] * inv.abs();
+        [middle - reach, middle + reach]
+    })
+}
+
+/// The planes and the origin are each multiplied by the reciprocal of `d`.
+fn scaled_planes(b: &Aabb, ray: &Ray) -> Option<Interval> {
+    slabs(b, ray, |i| {
+        let inv = 1.0 / ray.d[i];
+        let o = ray.o[i] * inv;
+        [b.min[i] * inv - o, b.max[i] * inv - o]
+    })
+}
+
+/// A slab test whose `t` at both planes of an axis, in any order, come from `ends`, unless `d` is 0
+/// there or a plane is infinite.
+fn slabs(b: &Aabb, ray: &Ray, ends: impl Fn(usize) -> [f64; 2]) -> Option<Interval> {
+    if b.is_empty() {
+        return None;
+    }
+    let (mut near, mut far) = (ray.min_t, ray.max_t);
+    for i in 0..3 {
+        if ray.d[i] == 0.0 {
+            if ray.o[i] < b.min[i] || ray.o[i] > b.max[i] {
+                return None;
+            }
+            continue;
+        }
+        let [t0, t1] = match b.min[i].is_finite() && b.max[i].is_finite() {
+            true => ends(i),
+            false => [b.min[i], b.max[i]].map(|plane| (plane - ray.o[i]) / ray.d[i]),
+        };
         near = near.max(t0.min(t1));
         far = far.min(t0.max(t1));
     }

@@ -14,7 +14,7 @@ mod selection;
 #[cfg(test)]
 mod tests;
 
-pub use proposal::{Change, Proposal, SNAPSHOT_HEADER};
+pub use proposal::{Change, ChangeKind, Proposal, SNAPSHOT_HEADER};
 pub use selection::{Selected, select};
 
 use base::{GraderError, Workspace, write_whole};

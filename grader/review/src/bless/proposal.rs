@@ -33,6 +33,19 @@ pub struct Change {
     pub meaning: String,
     /// The aspects of the new answers that the oracle does not judge, with the reasons.
     pub not_judged: Vec<String>,
+    /// What the new content is.
+    pub kind: ChangeKind,
+}
+
+/// The kinds of goldens, by what confirms them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ChangeKind {
+    /// The answers of a case, which the exact oracle judges.
+    Answers,
+    /// The picture of a task, which nothing judges.
+    Picture,
+    /// The list of what is not judged.
+    List,
 }
 
 impl Change {
@@ -97,6 +110,7 @@ impl Proposal {
             content,
             meaning,
             not_judged: whole.not_judged_sentences(),
+            kind: ChangeKind::Answers,
         };
         if let Some(text) = snapshot::write(&spec.work, answer) {
             let stored = packed::read_snapshot(workspace, spec.task, spec.name)?;
@@ -176,6 +190,7 @@ impl Proposal {
                 meaning: meaning::lines(&stored, &new),
                 content: new.into_bytes(),
                 not_judged: Vec::new(),
+                kind: ChangeKind::List,
             });
         }
         Ok(())
@@ -206,6 +221,7 @@ impl Proposal {
             content,
             meaning,
             not_judged: Vec::new(),
+            kind: ChangeKind::Picture,
         });
         Ok(())
     }

@@ -84,6 +84,7 @@ fn accepting_writes_the_new_content_and_removes_what_waited_beside_it() {
         content: b"new".to_vec(),
         meaning: String::new(),
         not_judged: Vec::new(),
+        kind: ChangeKind::Answers,
     };
     accept(&workspace, &[change]).expect("the golden is written");
     let exists = |name: &str| folder.path().join("golden").join(name).is_file();

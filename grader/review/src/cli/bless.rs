@@ -4,7 +4,7 @@ use base::program::Exit;
 use base::{GraderError, Workspace, out, outln};
 use clap::{Arg, ArgAction, ArgMatches, Command};
 use judge::plural;
-use review::bless::{self, Change};
+use review::bless::{self, Change, ChangeKind};
 use std::io::IsTerminal;
 use std::path::Path;
 
@@ -95,19 +95,29 @@ fn refusal(refused: &[String], keys: &[&str]) -> String {
     text
 }
 
-/// What the exact oracle says about the new answers.
+/// What was looked at, and by what: the oracle's verdict about new answers, and what nothing but the
+/// reader judges.
 fn verdict(proposed: &[Change]) -> String {
-    let open = proposed
-        .iter()
-        .filter(|change| !change.not_judged.is_empty());
-    match open.count() {
-        0 => "The exact oracle confirms every answer of these cases.".into(),
-        open => format!(
+    let of_kind = |kind: ChangeKind| proposed.iter().filter(move |change| change.kind == kind);
+    let answers = of_kind(ChangeKind::Answers).count();
+    let open = of_kind(ChangeKind::Answers).filter(|change| !change.not_judged.is_empty());
+    let mut sentences = vec![match (answers, open.count()) {
+        (0, _) => "No answer of a case changed.".into(),
+        (_, 0) => "The exact oracle confirms every answer of these cases.".into(),
+        (_, open) => format!(
             "The exact oracle finds no answer wrong, but it does not judge all aspects of {}: look at \
              what is listed as not judged yourself, with `grader review`.",
             plural(open, "golden", "goldens")
         ),
+    }];
+    for picture in of_kind(ChangeKind::Picture) {
+        sentences.push(format!(
+            "The picture of {task} changed, which the oracle does not judge: look at it, with \
+             `grader picture {task}`.",
+            task = picture.task
+        ));
     }
+    sentences.join(" ")
 }
 
 /// Asks for confirmation on the terminal. Without a terminal the answer is no.
@@ -132,6 +142,31 @@ fn confirmed(goldens: usize) -> Result<bool, GraderError> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    fn change(kind: ChangeKind, not_judged: &[&str]) -> Change {
+        Change {
+            task: "part5.task1".into(),
+            golden: "a.snap".into(),
+            content: Vec::new(),
+            meaning: "is new".into(),
+            not_judged: not_judged.iter().map(ToString::to_string).collect(),
+            kind,
+        }
+    }
+
+    #[test]
+    fn a_changed_picture_is_not_confirmed_by_the_oracle() {
+        let picture = change(ChangeKind::Picture, &[]);
+        let text = verdict(std::slice::from_ref(&picture));
+        assert!(text.starts_with("No answer of a case changed."), "{text}");
+        assert!(!text.contains("confirms"), "{text}");
+        assert!(text.contains("`grader picture part5.task1`"), "{text}");
+        let text = verdict(&[change(ChangeKind::Answers, &[]), picture]);
+        assert!(text.starts_with("The exact oracle confirms"), "{text}");
+        assert!(text.contains("picture of part5.task1 changed"), "{text}");
+        let text = verdict(&[change(ChangeKind::Answers, &["mean"])]);
+        assert!(text.contains("does not judge all aspects"), "{text}");
+    }
 
     #[test]
     fn a_refusal_names_each_task_to_review_once() {

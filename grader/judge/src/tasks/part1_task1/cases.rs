@@ -84,6 +84,14 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         .only(&[Calls, Radiance])
         .mainly(&[Calls, Radiance]),
         case(
+            "many_samples",
+            "20,011 samples in one pixel: as many rays, and their mean. Pitfall: an upper limit on \
+             the number of samples, or a counter of 8 or 16 bits.",
+            work([3, 2], vec![[1, 1]], 20_011, PixelWorld::Ramp, 0),
+        )
+        .only(&[Calls, Radiance])
+        .mainly(&[Calls, Radiance]),
+        case(
             "bright_light",
             "Radiance can be a million times 1, as that of the sun; the pixel is the mean of the \
              samples as they are. Pitfall: the mean of clamped samples is too dark.",

@@ -13,9 +13,13 @@ use wire::work::{PixelWork, PixelWorld};
 /// multiplying again rounds a few times, on a film thousands of pixels wide.
 const PLACE_BOUND: f64 = 1e-9;
 
-/// How far a radiance may be off, relative to the brightest sample: a sum of a thousand samples
-/// rounds a thousand times.
+/// How far a radiance may be off, relative to the brightest sample: a sum of some thousand samples
+/// rounds as many times.
 const RADIANCE_BOUND: f64 = 1e-12;
+
+/// As [`RADIANCE_BOUND`], for each sample: one rounding of the sum, doubled. It is the larger bound
+/// of many samples.
+const BOUND_PER_SAMPLE: f64 = 2.3e-16;
 
 /// A test fails beyond this many standard deviations: correct independent samples fail it with a
 /// probability of 8e-11, at most 1e-9 with the skew of a thousand squares. A mean that is off by a
@@ -173,7 +177,8 @@ fn radiance(tally: &mut Tally, call: usize, [x, y]: [u32; 2], answer: &PixelAnsw
         each.fold(0.0, f64::max)
     };
     let off = [0, 1, 2].map(|channel| (answer.radiance[channel] - mean[channel]).abs());
-    let right = [0, 1, 2].map(|channel| off[channel] <= RADIANCE_BOUND * brightest(channel));
+    let bound = RADIANCE_BOUND.max(BOUND_PER_SAMPLE * samples);
+    let right = [0, 1, 2].map(|channel| off[channel] <= bound * brightest(channel));
     let worst = off.into_iter().fold(0.0, f64::max);
     let class = right.iter().position(|right| !right).map(|channel| {
         // A sum in place of the mean has the same class, whatever the samples are.

@@ -3,7 +3,7 @@
 use crate::tools::aspects::hits::{self, Call, expect, record};
 use crate::tools::tally::Aspect::*;
 use crate::tools::tally::Tally;
-use crate::tools::truth::expected::Expected;
+use crate::tools::truth::expected::{Expected, HitOrMiss as Decision};
 use wire::answer::SphereAnswer;
 use wire::work::Probe;
 
@@ -18,8 +18,12 @@ pub(crate) fn spheres(
     let calls = probes.iter().zip(expected).zip(answers);
     for (number, ((probe, expected), answer)) in calls.enumerate() {
         expect(tally, expected, false);
+        if expected.decision() == Decision::Hit {
+            tally.expect(Parameters);
+        }
         let is_tested = tally.is_written(test, &[HitOrMiss, T]);
-        let is_intersected = tally.is_written(intersect, &hits::OF_A_RECORD);
+        let is_intersected = tally.is_written(intersect, &hits::OF_A_RECORD)
+            && tally.is_written(intersect, &[Parameters]);
         let mut call = Call {
             tally: &mut *tally,
             number,
@@ -42,27 +46,15 @@ pub(crate) fn spheres(
         call.function = intersect;
         call.tally.count_for(intersect);
         record(&mut call, expected, hit);
+        if let Some(hit) = hit {
+            call.no_parameters(hit.uv);
+        }
         let hit_t = hit.map(|hit| hit.t);
         call.ray_after(hit_t, &answer.ray_after, |max_t| {
             expected.has_right_max_t(hit_t, probe.ray.max_t, max_t)
         });
         if is_tested {
             call.agrees_with(test, answer.test.is_some(), hit.is_some());
-        }
-    }
-}
-
-/// Judges the surface parameters of the hits.
-pub(crate) fn parameters(tally: &mut Tally, probes: &[Probe], answers: &[SphereAnswer]) {
-    for (number, (probe, answer)) in probes.iter().zip(answers).enumerate() {
-        let mut call = Call {
-            tally: &mut *tally,
-            number,
-            function: "intersect_sphere",
-            ray: &probe.ray,
-        };
-        if let Some(hit) = answer.hit {
-            call.no_parameters(hit.uv);
         }
     }
 }

@@ -81,16 +81,6 @@ impl Check for kind::Spheres {
         judge::spheres(tally, &work.probes, expected, answers);
     }
 
-    fn judge_rest(
-        tally: &mut Tally,
-        _: &CaseContext<'_>,
-        _: Tier,
-        work: &SphereWork,
-        answers: &Vec<SphereAnswer>,
-    ) {
-        judge::parameters(tally, &work.probes, answers);
-    }
-
     fn lines(work: &SphereWork, answers: &Vec<SphereAnswer>) -> Option<Content> {
         let lines = each(&work.probes, answers, |probe, answer| {
             lines::hit(Some(probe.shape), &probe.ray, answer.hit.as_ref())

@@ -2,7 +2,7 @@
 
 use crate::tools::aspects::hits;
 use crate::tools::tally::{Aspect, Class, Tally};
-use crate::tools::truth::tree_tests::{Tests, TracedRay, WORK_FACTOR};
+use crate::tools::truth::tree_tests::{ANY_HIT_WORK_FACTOR, Tests, TracedRay, WORK_FACTOR};
 use std::collections::BTreeMap;
 use wire::answer::TraverseAnswer;
 use wire::work::{NodeKind, Ray, ScriptedRay, ScriptedWorld, Tree};
@@ -263,6 +263,10 @@ fn work(tally: &mut Tally, world: &ScriptedWorld, answers: &[TraverseAnswer]) {
             }
         });
     }
+    let most = match world.any_hit {
+        true => ANY_HIT_WORK_FACTOR,
+        false => WORK_FACTOR,
+    };
     for total in by_axis.into_values() {
         let AxisTotal {
             call,
@@ -273,13 +277,13 @@ fn work(tally: &mut Tally, world: &ScriptedWorld, answers: &[TraverseAnswer]) {
         let mut count = |what: &str, tests: u64, twice_plain: u64| {
             let plain = twice_plain as f64 / 2.0;
             let times = tests as f64 / plain;
-            let class = (times > WORK_FACTOR).then(|| match total.why(times) {
+            let class = (times > most).then(|| match total.why(times) {
                 Class::Off(_) if what == "primitive" => Class::Named("too many primitive tests"),
                 class => class,
             });
             tally.judge_class(Aspect::Work, call, class, times, || {
                 format!(
-                    "your result: {function} makes {tests} {what} tests; visiting children in a fixed order makes {plain:.0} (up to {WORK_FACTOR} times that passes). {}",
+                    "your result: {function} makes {tests} {what} tests; visiting children in a fixed order makes {plain:.0} (up to {most} times that passes). {}",
                     hits::show_ray(&world.rays[call].ray)
                 )
             });

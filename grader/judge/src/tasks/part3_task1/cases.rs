@@ -39,11 +39,14 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         case(
             "in_the_plane",
             "A direction in the plane of the surface, z = 0, is on neither side: f is black, the \
-             density is 0, and no direction is sampled.",
-            probes("in_the_plane", 0, 40, |rng| {
+             density is 0, and no direction is sampled. A direction just above the plane, z = \
+             0.000001, is above the surface like any other. Pitfall: a threshold instead of 0.",
+            probes("in_the_plane", 0, 80, |rng| {
                 let flat = rng.one_of(&[Vec3::X, Vec3::NEG_Y, Vec3::new(0.6, -0.8, 0.0)]);
+                let just_above = (flat + 1e-6 * Vec3::Z).normalize();
+                let near_the_plane = rng.one_of(&[flat, just_above]);
                 let other = above(rng);
-                rng.one_of(&[(flat, other), (other, flat)])
+                rng.one_of(&[(near_the_plane, other), (other, near_the_plane)])
             }),
         )
         .only(&[Bsdf, Pdf, HitOrMiss]),

@@ -19,8 +19,14 @@ use wire::direct::{LambertAnswer, LambertProbe};
 /// random azimuths, each with the same sign and a short step, never occur.
 pub(super) const POINTS: u32 = 512;
 
-/// So much may the number of turns differ from a whole one: rounded values of π are not meant.
+/// So much may the number of turns differ from a whole one if the steps differ.
 const WHOLE: f64 = 0.01;
+
+/// The same if all steps are equal: a π in single precision, or with nine digits, is right.
+const WHOLE_IN_EQUAL_STEPS: f64 = 1e-7;
+
+/// Steps are equal up to this fraction of them.
+const EQUAL: f64 = 1e-6;
 
 /// So much may the cosine to the normal vary along a line that is judged.
 const SAME_COSINE: f64 = 1e-6;
@@ -62,26 +68,34 @@ pub(super) fn judge(tally: &mut Tally, probes: &[LambertProbe], answers: &[Lambe
     {
         let samples = answers.iter().filter_map(|answer| answer.sample.as_ref());
         let directions: Vec<Vec3> = samples.map(|sample| sample.wi.into()).collect();
-        let Some(turns) = turns(&directions) else {
+        let Some((turns, allowed)) = turns(&directions) else {
             continue;
         };
         let off = (turns - turns.round()).abs();
-        let class = (off > WHOLE).then_some(PART_OF_A_TURN);
+        let class = (off > allowed).then_some(match off > WHOLE {
+            true => PART_OF_A_TURN,
+            false => Class::Rounded,
+        });
         tally.judge_class(Aspect::Spread, 0, class, off, || {
             let axis = ["x", "y"][axis];
             format!(
-                "your directions go round the normal {turns:.2} times while u.{axis} goes from 0 to 1; \
+                "your directions go round the normal {} times while u.{axis} goes from 0 to 1; \
                  expected: one whole turn, so that every azimuth has the same density. \
                  lambert_sample: wo = {}",
+                if off > WHOLE {
+                    format!("{turns:.2}")
+                } else {
+                    format!("{turns:.9}")
+                },
                 show(Vec3::from(probes[0].wo))
             )
         });
     }
 }
 
-/// How often the directions go round the z axis if they do so in one sense, in small steps and at
-/// the same angle to it; otherwise `None`.
-fn turns(directions: &[Vec3]) -> Option<f64> {
+/// How often the directions go round the z axis, and how much this may differ from a whole number,
+/// if they do so in one sense, in small steps and at the same angle to it; otherwise `None`.
+fn turns(directions: &[Vec3]) -> Option<(f64, f64)> {
     let first = directions
         .first()
         .filter(|_| directions.len() == POINTS as usize)?;
@@ -97,10 +111,13 @@ fn turns(directions: &[Vec3]) -> Option<f64> {
     let one_sense = |step: &f64| step * steps[0] > 0.0 && step.abs() < FRAC_PI_2;
     // The line goes half a step beyond its first and its last point.
     let steps_of_the_line = f64::from(POINTS) / f64::from(POINTS - 1);
-    steps
-        .iter()
-        .all(one_sense)
-        .then(|| (steps.iter().sum::<f64>() * steps_of_the_line / TAU).abs())
+    let is_equal = |step: &f64| (step - steps[0]).abs() <= EQUAL * steps[0].abs();
+    let allowed = match steps.iter().all(is_equal) {
+        true => WHOLE_IN_EQUAL_STEPS,
+        false => WHOLE,
+    };
+    let turns = (steps.iter().sum::<f64>() * steps_of_the_line / TAU).abs();
+    steps.iter().all(one_sense).then_some((turns, allowed))
 }
 
 #[cfg(test)]
@@ -120,11 +137,32 @@ mod tests {
 
     #[test]
     fn turns_are_counted_in_both_senses() {
-        let count = |of_one: f64| turns(&along(|u| 0.7 + of_one * u, |_| 0.6)).unwrap();
+        let count = |of_one: f64| turns(&along(|u| 0.7 + of_one * u, |_| 0.6)).unwrap().0;
         for (of_one, right) in [(TAU, 1.0), (-TAU, 1.0), (2.0 * TAU, 2.0), (PI, 0.5)] {
             assert!((count(of_one) - right).abs() < 1e-9, "{of_one}");
         }
         assert!((count(360.0) - 360.0 / TAU).abs() < 1e-9);
+    }
+
+    /// A 2π with six digits leaves a gap of 5 millionths of a radian.
+    #[test]
+    fn a_typed_constant_is_no_whole_turn() {
+        let is_whole = |of_one: f64| {
+            let (turns, allowed) = turns(&along(|u| of_one * u, |_| 0.6)).unwrap();
+            (turns - turns.round()).abs() <= allowed
+        };
+        assert!(is_whole(TAU) && is_whole(-TAU) && is_whole(f64::from(TAU as f32)));
+        assert!(!is_whole(TAU - 5e-6) && !is_whole(TAU + 1e-5));
+        // Unequal steps, as of a map with another slope in each half.
+        let bent = |u: f64| {
+            if u < 0.5 {
+                0.9 * TAU * u
+            } else {
+                TAU * (1.1 * u - 0.1)
+            }
+        };
+        let (_, allowed) = turns(&along(bent, |_| 0.6)).unwrap();
+        assert_eq!(allowed, WHOLE);
     }
 
     #[test]

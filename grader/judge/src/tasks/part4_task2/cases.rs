@@ -35,8 +35,9 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         .only(&[Radiance, Rays]),
         case(
             "depth",
-            "A path has at most -m rays, including the first.",
-            every(&["D D D D D D"], &[2, 3, 4, 5, 6, 9]),
+            "A path has at most -m rays, including the first, however large -m is. Pitfall: a \
+             limit of your own on the number of bounces.",
+            [every(&["D D D D D D"], &[2, 3, 4, 5, 6, 9]), vec![long()]].concat(),
         )
         .only(&[Radiance, Rays]),
         case(
@@ -225,6 +226,21 @@ fn bright(mut paths: Vec<ScriptedPath>) -> Vec<ScriptedPath> {
         }
     }
     paths
+}
+
+/// A path over 150 surfaces that scatter nearly all light.
+fn long() -> ScriptedPath {
+    const SURFACES: u32 = 150;
+    let mut rng = ProbeRng::new("long", 0);
+    let mut path = path(&"D ".repeat(SURFACES as usize), SURFACES, &mut rng);
+    for step in &mut path.steps {
+        step.direct = [1.0; 3];
+        if let Some(sample) = &mut step.sample {
+            // f · |cos θ| / pdf = 63/64.
+            sample.f = [63.0 / 64.0 * sample.pdf / sample.wi[2]; 3];
+        }
+    }
+    path
 }
 
 fn series() -> Vec<ScriptedPath> {

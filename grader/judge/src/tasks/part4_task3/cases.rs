@@ -25,9 +25,16 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         case(
             "survivors",
             "From the fourth bounce on a path continues if u < q, where q is the largest channel \
-             of the throughput, and its throughput is divided by q.",
+             of the throughput, and its throughput is divided by q, however small q is. Pitfall: a \
+             lower limit on q makes dark paths too long.",
             work(
-                &[DIM, [0.1, 0.9, 0.5], [0.0, 0.0, 0.5], [0.02, 0.01, 0.0]],
+                &[
+                    DIM,
+                    [0.1, 0.9, 0.5],
+                    [0.0, 0.0, 0.5],
+                    [0.02, 0.01, 0.0],
+                    [1e-5, 5e-6, 0.0],
+                ],
                 &[4, 5, 17, 1000],
             ),
         ),

@@ -20,7 +20,7 @@ pub(crate) fn stop(tally: &mut Tally, calls: &[StopCall], answers: &[StopAnswer]
     }
     tally.count_for("has_converged");
     for (i, (call, answer)) in calls.iter().zip(answers).enumerate() {
-        verdict(tally, i, call, answer, converged(call));
+        verdict(tally, i, call, answer, converged(call), "");
     }
 }
 

@@ -9,7 +9,9 @@ use wire::adaptive::{StopAnswer, StopCall};
 pub(crate) fn sure_stop(tally: &mut Tally, calls: &[StopCall], answers: &[StopAnswer]) {
     for (i, (call, answer)) in calls.iter().zip(answers).enumerate() {
         let (samples, plain_decides) = (samples(call), plain_decides(call));
-        verdict(tally, i, call, answer, plain_decides && call.rule);
+        let plain = format!("; the plain rule returns {}", call.rule);
+        let right = plain_decides && call.rule;
+        verdict(tally, i, call, answer, right, &plain);
         tally.expect(Aspect::Questions);
         let right = (samples.count(), samples.mean(), call.tolerance);
         let known = answer

@@ -146,6 +146,20 @@ impl Call<'_> {
         });
     }
 
+    /// A hit beyond the range of the ray, and not only by the rounding of its `t`, is a false one.
+    pub(crate) fn is_in_range(&mut self, expected: &Expected, t: f64) {
+        let (min_t, max_t) = (self.ray.min_t, self.ray.max_t);
+        let rounding = expected.hits.iter().map(|hit| hit.t_bound);
+        let rounding = rounding.fold(0.0, f64::max);
+        let is_in_range = min_t - rounding <= t && t <= max_t + rounding;
+        let class = wrong_unless(is_in_range, || Class::FalseHit);
+        self.judge_class(Aspect::HitOrMiss, class, 1.0, |function| {
+            format!(
+                "{function}: your result: hit at t = {t:?}; expected: a hit with t from min_t = {min_t:?} to max_t = {max_t:?}"
+            )
+        });
+    }
+
     /// Distance along the ray.
     pub(crate) fn t(&mut self, expected: &ExpectedHit, answered: f64) {
         let off = (answered - expected.t).abs();
@@ -205,7 +219,7 @@ impl Call<'_> {
     /// The surface parameters of a sphere, which are (0, 0).
     pub(crate) fn no_parameters(&mut self, uv: [f64; 2]) {
         let right = uv == [0.0; 2];
-        self.judge(Aspect::Barycentrics, right, 1.0, |function| {
+        self.judge(Aspect::Parameters, right, 1.0, |function| {
             format!("{function}: your result: uv = {uv:?}; expected: (0, 0), as for every sphere")
         });
     }

@@ -66,13 +66,15 @@ pub(crate) fn moved_back(answer: &StopAnswer, back: &Move) -> StopAnswer {
     }
 }
 
-/// Judges the result of a rule.
+/// Judges the result of a rule. `plain` ends the message: what the plain rule returns, if another
+/// rule is judged.
 pub(crate) fn verdict(
     tally: &mut Tally,
     i: usize,
     call: &StopCall,
     answer: &StopAnswer,
     right: bool,
+    plain: &str,
 ) {
     tally.expect(Aspect::Stop);
     let class = match (answer.stop, right) {
@@ -83,13 +85,12 @@ pub(crate) fn verdict(
     tally.judge_class(Aspect::Stop, i, class, 1.0, || {
         let samples = samples(call);
         format!(
-            "your result: {}; expected: {right}. {} samples with the mean {} and the standard error {}, tolerance {}; the plain rule returns {}",
+            "your result: {}; expected: {right}. {} samples with the mean {} and the standard error {}, tolerance {}{plain}",
             answer.stop,
             samples.count(),
             samples.mean(),
             samples.standard_error(),
-            call.tolerance,
-            call.rule
+            call.tolerance
         )
     });
 }

@@ -35,6 +35,8 @@ pub enum Aspect {
     T,
     /// Barycentric weights.
     Barycentrics,
+    /// The surface parameters of a shape that has none: (0, 0).
+    Parameters,
     /// The hit point.
     Position,
     /// The shading normal.
@@ -92,6 +94,7 @@ impl Aspect {
             Aspect::Primitive
                 | Aspect::T
                 | Aspect::Barycentrics
+                | Aspect::Parameters
                 | Aspect::Position
                 | Aspect::Normal
                 | Aspect::GeometricNormal
@@ -134,6 +137,7 @@ impl Aspect {
             Aspect::Primitive => "primitive",
             Aspect::T => "t",
             Aspect::Barycentrics => "barycentric weights",
+            Aspect::Parameters => "uv",
             Aspect::Position => "hit point",
             Aspect::Normal => "normal",
             Aspect::GeometricNormal => "geometric normal",

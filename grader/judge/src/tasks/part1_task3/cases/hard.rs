@@ -86,8 +86,8 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
         .only(&[HitOrMiss]),
         case(
             "not_a_number",
-            "NaN in the ray or in a vertex, d = 0, min_t > max_t: a miss. Pitfall: comparisons \
-             with NaN are false; write each test so that NaN fails it.",
+            "NaN in the ray or in a vertex, a vertex at infinity, d = 0, min_t > max_t: a miss. \
+             Pitfall: comparisons with NaN are false; write each test so that NaN fails it.",
             odd::not_a_number(),
         )
         .only(&[HitOrMiss]),

@@ -75,19 +75,22 @@ pub(super) fn not_a_number() -> TriangleWork {
     let [sound, ..] = in_coordinate_planes();
     let (inside, d) = (at(&sound, [0.25, 0.25]), -sound.n0);
     let ray = Ray::new(inside - 4.0 * d, d);
-    let spoilt = |v: Vec3, axis: usize| {
+    let with = |v: Vec3, axis: usize, x: f64| {
         let mut v = v.to_array();
-        v[axis] = f64::NAN;
+        v[axis] = x;
         Vec3::from(v)
     };
-    for axis in 0..3 {
-        for vertex in 0..3 {
-            let mut t = sound;
-            let p = [&mut t.p0, &mut t.p1, &mut t.p2];
-            let p = p.into_iter().nth(vertex).expect("three vertices");
-            *p = spoilt(*p, axis);
-            probes.triangle(&t);
-            probes.ray(ray);
+    let spoilt = |v: Vec3, axis: usize| with(v, axis, f64::NAN);
+    for x in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        for axis in 0..3 {
+            for vertex in 0..3 {
+                let mut t = sound;
+                let p = [&mut t.p0, &mut t.p1, &mut t.p2];
+                let p = p.into_iter().nth(vertex).expect("three vertices");
+                *p = with(*p, axis, x);
+                probes.triangle(&t);
+                probes.ray(ray);
+            }
         }
     }
     probes.triangle(&sound);

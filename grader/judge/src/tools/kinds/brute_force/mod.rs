@@ -86,7 +86,7 @@ impl Check for kind::BruteForce {
         }
         tally.count_for(function);
         let expected = case.expected(tier, || Self::expected(work, tier, case.enclosed));
-        judge::brute_force(tally, &work.rays, expected, answer);
+        judge::brute_force(tally, &work.rays, expected, answer, case.enclosed);
     }
 
     fn judge_rest(

@@ -182,12 +182,13 @@ impl Estimate<'_> {
 
     fn hemisphere(&self, tally: &mut Tally) {
         let samples = self.work.samples;
-        let is_delta = matches!(
-            self.point.material,
-            Material::Mirror(_) | Material::Glass(_)
-        );
-        let wanted = if is_delta { 0 } else { samples };
-        self.count(tally, wanted, wanted);
+        let (wanted, most) = match self.point.material {
+            Material::Mirror(_) | Material::Glass(_) => (0, 0),
+            // It scatters nothing: a ray is of no use, and no contract forbids it.
+            Material::Emission(_) | Material::PartOfLamp(_) => (0, samples),
+            Material::Diffuse(_) => (samples, samples),
+        };
+        self.count(tally, wanted, most);
         let mut sum = Vec3::ZERO;
         let mut mistakes = super::mistakes::HemisphereMistakes::default();
         let wrong_side = self.wrong_side();

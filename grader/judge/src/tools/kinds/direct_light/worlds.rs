@@ -50,6 +50,50 @@ pub(crate) fn floor_of(material: Material) -> ShadedPoint {
     }
 }
 
+/// Lamps in the plane y = 0, seen from the front and from behind, and the floor, so that code which is
+/// always black does not pass.
+pub(crate) fn lamps_and_floor() -> Vec<ShadedPoint> {
+    let lamps =
+        [[1.0; 3], [0.25, 3.0, 20.0]].map(|radiance| floor_of(Material::Emission(radiance)));
+    let seen = lamps.map(|lamp| {
+        let behind = ShadedPoint {
+            wo: ceiling().wo,
+            ..lamp
+        };
+        [lamp, behind]
+    });
+    seen.into_iter().flatten().chain([floor()]).collect()
+}
+
+/// The same points, of which every fourth reflects a billionth as much light.
+pub(crate) fn with_dark_ones(mut points: Vec<ShadedPoint>) -> Vec<ShadedPoint> {
+    for point in points.iter_mut().step_by(4) {
+        if let Material::Diffuse(reflectance) = &mut point.material {
+            *reflectance = reflectance.map(|rho| 1e-9 * rho);
+        }
+    }
+    points
+}
+
+/// The same points, of which every fourth, from the third on, is turned until light from `position`
+/// arrives at an angle of a hundred-thousandth of a radian to the surface.
+pub(crate) fn with_grazed_ones(mut points: Vec<ShadedPoint>, position: Vec3) -> Vec<ShadedPoint> {
+    const COSINE: f64 = 1e-5;
+    for point in points.iter_mut().skip(2).step_by(4) {
+        let wi = (position - Vec3::from(point.p)).normalize();
+        let across = Vec3::from(point.n).reject_from_normalized(wi).normalize();
+        let n = (across + COSINE * wi).normalize();
+        let wo = (n + 0.5 * across.cross(wi)).normalize();
+        *point = ShadedPoint {
+            n: n.into(),
+            ng: n.into(),
+            wo: wo.into(),
+            ..*point
+        };
+    }
+    points
+}
+
 /// The floor seen from below.
 pub(crate) fn ceiling() -> ShadedPoint {
     let [x, y, z] = floor().wo;

@@ -18,8 +18,8 @@ use std::time::{Duration, Instant};
 pub const ATTEMPTS: u32 = 3;
 
 /// After this time a process counts as failed. Everything in it has limits of its own, which are
-/// much shorter even on a machine with a load of ten times its processors.
-const LONGEST: Duration = Duration::from_secs(3600);
+/// shorter: a submission that uses them up has a score.
+const LONGEST: Duration = Duration::from_secs(2 * 3600);
 
 /// How often to look whether a process has ended.
 const POLL: Duration = Duration::from_millis(20);

@@ -187,10 +187,10 @@ impl SubmissionReport {
     }
 }
 
-/// How long all stages of a submission may be built and run: some twenty times what honest code takes.
-/// Code that waits as long as each case lets it would otherwise take hours, and a class would give it
+/// How long all stages of a submission may be built and run: some thirty times what honest code takes,
+/// because a class may have a busy machine. Code that waits as long as each case lets it would otherwise take hours, and a class would give it
 /// up instead of grading it.
-const MOST_TIME: Duration = Duration::from_secs(25 * 60);
+const MOST_TIME: Duration = Duration::from_secs(50 * 60);
 
 /// The end of that time, if it begins now.
 fn end_of_all_stages() -> Option<Instant> {

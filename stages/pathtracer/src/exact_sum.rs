@@ -173,7 +173,7 @@ impl PixelSum {
     pub fn of_loop(self, estimate: PixelEstimate) -> PixelSum {
         let mean = self.mean();
         // Each addition rounds the sum of nonnegative terms by at most half an ulp of the result.
-        let tolerance = f64::EPSILON * f64::from(estimate.samples + 1);
+        let tolerance = f64::EPSILON * (f64::from(estimate.samples) + 1.0);
         let is_near = |a: f64, b: f64| (a - b).abs() <= tolerance * b.abs();
         let channels = estimate.radiance.to_array().into_iter();
         let mut channels = channels.zip(mean.radiance.to_array());
@@ -197,7 +197,8 @@ impl PixelSum {
                     samples: count,
                 },
             ) => {
-                *samples += count;
+                // A damaged file may say any number.
+                *samples = samples.saturating_add(*count);
                 sums.iter_mut()
                     .zip(more)
                     .for_each(|(sum, more)| sum.merge(more));

@@ -175,11 +175,10 @@ pub(crate) fn mean(a: PixelEstimate, b: PixelEstimate) -> Option<PixelEstimate> 
         (0, _) => Some(b),
         (_, 0) => Some(a),
         (n, m) => {
-            let samples = n + m;
             let sum = a.radiance * f64::from(n) + b.radiance * f64::from(m);
             Some(PixelEstimate {
-                radiance: sum / f64::from(samples),
-                samples,
+                radiance: sum / (f64::from(n) + f64::from(m)),
+                samples: n.saturating_add(m),
             })
         }
     }

@@ -22,6 +22,9 @@ const MAX_HEAD: u64 = 4096;
 /// The largest cell that is read, in pixels: as many as a picture may have.
 const MAX_PIXELS: u64 = 100_000_000;
 
+/// The bytes of the shortest pixel: its kind, its samples, three sums of 0.
+const MIN_PIXEL: u64 = 1 + 4 + 3 * 2;
+
 /// What a file contains.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SumsHead {
@@ -129,9 +132,21 @@ impl SumsHead {
                 return Err(none.to_owned());
             }
         }
-        SumsHead::parse(&lines[1..]).ok_or_else(|| {
+        let head = SumsHead::parse(&lines[1..]).ok_or_else(|| {
             "has a head that does not fit a picture: render or copy it again".to_owned()
-        })
+        })?;
+        // Memory is asked for by the head's word.
+        let length = input
+            .inner
+            .get_ref()
+            .metadata()
+            .map_or(0, |file| file.len());
+        if length < head.cell.area() * MIN_PIXEL {
+            return Err(
+                "is damaged: it is too short for its pixels: render or copy it again".into(),
+            );
+        }
+        Ok(head)
     }
 
     /// From the lines after the first one. `None` unless they describe a cell of a picture.
@@ -382,6 +397,64 @@ mod tests {
         assert_eq!(SumsHead::read(&path), Ok(file().head));
         let size = std::fs::metadata(&path).expect("it exists").len();
         assert!(size < 500, "{size} bytes");
+    }
+
+    /// Bytes at random, with the checksum that fits them: what a mistake of the writer, or somebody,
+    /// could have made.
+    #[test]
+    fn whatever_a_file_contains_it_is_merged_or_refused() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = written(folder.path());
+        let whole = std::fs::read(&path).expect("it exists");
+        let other = folder.path().join("b.sums");
+        let mut next = file();
+        (next.head.first_sample, next.head.samples) = (18, 3);
+        let part = PartFile::create(&other).expect("a file");
+        next.write(&part).expect("it is written");
+        let paths = [path.clone(), other];
+        let mut merged = 0;
+        for seed in 0..2_000 {
+            let mut random = kit::PixelSampler::new(0, 0, seed);
+            let mut below = |end: usize| (random.next_1d() * end as f64) as usize;
+            let mut bytes = whole[..whole.len() - 8].to_vec();
+            for _ in 0..1 + below(3) {
+                let at = below(bytes.len());
+                match below(5) {
+                    0 => bytes[at] = below(256) as u8,
+                    // The largest number of samples, for example.
+                    3 if at + 4 <= bytes.len() => bytes[at..at + 4].fill(0xff),
+                    1 => bytes[at] = [0, 1, 0x7f, 0x80, 0xff, b'9'][below(6)],
+                    2 => bytes.insert(at, b'9'),
+                    _ => drop(bytes.remove(at)),
+                }
+            }
+            let mut checksum = Fingerprint::default();
+            checksum.add(&bytes);
+            bytes.extend(checksum.value().to_le_bytes());
+            std::fs::write(&path, &bytes).expect("it is written");
+            if let Ok(file) = crate::merge(&paths) {
+                merged += 1;
+                for pixel in &file.pixels {
+                    let _ = pixel.mean();
+                }
+            }
+        }
+        assert!(0 < merged && merged < 2_000, "{merged}");
+    }
+
+    #[test]
+    fn a_short_file_asks_for_no_memory() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join("a.sums");
+        let mut head = file().head;
+        head.film = FilmSize {
+            w: 10_000,
+            h: 10_000,
+        };
+        head.cell = head.film.whole();
+        std::fs::write(&path, head.to_string()).expect("it is written");
+        let why = crate::merge(&[path]).expect_err("it is short");
+        assert!(why.contains("too short for its pixels"), "{why}");
     }
 
     /// Every byte matters, and so does every missing one.

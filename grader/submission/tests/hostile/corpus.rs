@@ -142,9 +142,7 @@ const MADE: [Made; 10] = [
     ("{WARNINGS}", || {
         each(0..50_000, |i| format!("let w{i} = 1;\n"))
     }),
-    ("{LONG_STRINGS}", || {
-        format!("\"{}\",", "x".repeat(1 << 20)).repeat(32)
-    }),
+    ("{LONG_STRING}", || format!("\"{}\"", "x".repeat(800_000))),
     ("{DOUBLED}", || {
         let next = |i| format!("let a{i} = (a{0}, a{0});", i - 1);
         "let a0 = (0_u8, 0_u8);".to_string() + &each(1..31, next)

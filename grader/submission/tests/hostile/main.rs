@@ -147,7 +147,6 @@ fn spoiled(class: &Class, case: &Case) -> Option<String> {
     let (report, scores) = (&graded.report, &graded.report.scores);
     println!("{}: {} of {}", case.name, scores.score, scores.max_score);
     let has_score = match case.score.as_deref() {
-        Some("none") => scores.score == 0.0,
         Some("less") => scores.score < scores.max_score,
         Some("all") => scores.score == scores.max_score,
         _ => true,

@@ -182,6 +182,21 @@ fn argument(hole: &Hole, name: &str, of: &str) -> Vec<(String, Vec<usize>)> {
     options
 }
 
+/// Expressions for a hole without any code behind them: what the glue alone earns.
+pub(super) fn constants(hole: &Hole) -> Vec<String> {
+    let constants = [
+        ("[0.0, 0.0, 1.0]", "[f64; 3]"),
+        ("0.0", "f64"),
+        ("1.0", "f64"),
+        ("false", "bool"),
+        ("true", "bool"),
+        ("None::<[f64; 3]>", "Option<[f64; 3]>"),
+    ];
+    let each = constants.iter();
+    each.filter_map(|(value, of)| result(hole, value, of))
+        .collect()
+}
+
 /// `call`, which returns the type `of`, in the form that the hole returns; `None` if it has none.
 fn result(hole: &Hole, call: &str, of: &str) -> Option<String> {
     let sample = |wi: &str| {
@@ -277,7 +292,9 @@ pub(super) fn qualified(of: &str) -> String {
 /// What a pasted function finds around it.
 pub(super) const PRELUDE: &str = "
     use kit::*;
+    use kit::Tally as SampleTally;
     use kit::camera::*;
+    use kit::warp::*;
     use std::collections::*;
     use std::f64::consts::*;
 
@@ -306,7 +323,7 @@ pub(super) fn conversions(pasted: &str) -> String {
         text.push_str(
             "impl Same<Camera> for &kit::Camera { fn same(self) -> Camera { Camera {
                 pos: self.pos.to_array(),
-                c2w: [self.c2w.x_axis, self.c2w.y_axis, self.c2w.z_axis].map(Vec3::to_array),
+                c2w: [self.c2w.x_axis, self.c2w.y_axis, self.c2w.z_axis].map(|v| v.to_array()),
                 h_fov: self.h_fov, v_fov: self.v_fov, n_clip: self.n_clip, f_clip: self.f_clip,
             } } }\n",
         );

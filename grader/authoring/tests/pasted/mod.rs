@@ -11,10 +11,10 @@ use crate::handouts::handout;
 use authoring::mutants::corpus::Mutant;
 use authoring::mutants::run;
 use base::Workspace;
-use glue::{Hole, PRELUDE, calls, conversions, qualified};
+use glue::{Hole, PRELUDE, calls, constants, conversions, qualified};
 use grader::course::{Course, Task};
 use items::{Function, Sources};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 use submission::file_tree::{self, Files};
 
@@ -353,59 +353,139 @@ fn the_attempt_finds_the_formulas_of_the_course() {
     }
 }
 
-/// Core points that pasted code may earn: what an answer earns that is the same for each input.
-const NOTHING: f64 = 0.0;
+/// The tasks whose formulas have the form of a hole: pasted from the course's checkout, they earn.
+const EARNS_WITH_ITS_FORMULA: [&str; 6] = [
+    "part1.task2",
+    "part3.task1",
+    "part4.task1",
+    "part4.task3",
+    "part5.task1",
+    "part5.task2",
+];
 
-/// Compiles and grades every attempt on every task of every handout; those on the formulas of the
-/// course must earn points, or the test tests nothing.
+/// Begins the names of attempts with a formula that handouts do not have.
+const WITH_FORMULA: &str = "with its formula: ";
+
+/// Begins the names of attempts that paste nothing.
+const CONSTANT: &str = "a constant";
+
+/// The attempts at each hole of `task` that return a constant.
+fn constant_attempts(task: &Task, stage: &Sources) -> Vec<Mutant> {
+    let holes: Vec<Hole> = task
+        .holes
+        .iter()
+        .map(|name| hole_of(task, stage, name))
+        .collect();
+    let of_hole = |hole: &Hole| {
+        let each = constants(hole).into_iter().enumerate();
+        let attempts = each.map(|(number, value)| Mutant {
+            mistakes: vec![format!("{} by {CONSTANT}", hole.name)],
+            on: "pasted".into(),
+            how: number.to_string(),
+            code: Some(pasted_stage(task, &holes, hole, "", &value)),
+            ..Mutant::default()
+        });
+        attempts.collect::<Vec<_>>()
+    };
+    holes.iter().flat_map(of_hole).collect()
+}
+
+/// The attempts at `task` on the sources of each handout that has its holes, and, to test the test,
+/// on the file of the course with its formula.
+fn all_attempts(task: &Task) -> Vec<Mutant> {
+    let stage = stage_of(task);
+    let mut all = constant_attempts(task, &stage);
+    let mut texts = BTreeSet::new();
+    for part in 1..=part_of(&task.key) as usize {
+        let handout = handout(part);
+        let is_read = |path: &Path| {
+            !handout.reference_files.contains(path)
+                && path.iter().any(|name| name == "src")
+                && !path.starts_with(Path::new("stages").join(&task.stage))
+        };
+        let of_handout = attempts(task, &Sources::of(&handout.files, is_read), &stage);
+        all.extend(
+            of_handout
+                .into_iter()
+                .filter(|one| texts.insert(one.code.clone())),
+        );
+    }
+    let folder = Path::new("grader/judge/src/tasks").join(task.key.replace('.', "_"));
+    let is_formula = |path: &Path| {
+        path == folder.join("truth.rs")
+            || path.starts_with("grader/wire")
+            || path.ends_with("tools/kinds/stopping.rs")
+            || path.ends_with("tools/tier.rs")
+    };
+    let of_course = attempts(task, &Sources::of(&full_sources(), is_formula), &stage);
+    let of_formula = of_course.into_iter().map(|mut attempt| {
+        attempt.mistakes[0].insert_str(0, WITH_FORMULA);
+        attempt
+    });
+    all.extend(of_formula.filter(|one| one.mistakes[0].contains("truth.rs")));
+    all
+}
+
+/// Points are sums of shares of cases.
+const ROUNDING: f64 = 1e-6;
+
+/// Compiles and grades every attempt at every task of every handout, and prints what each earns.
+/// `FIRSTLIGHT_TASK=part1.task2` is about one task.
 #[test]
 #[ignore = "compiles hundreds of attempts: minutes"]
 fn functions_of_a_handout_earn_nothing() {
     let (workspace, course) = (workspace(), course());
-    let mut earned = Vec::new();
     let only = std::env::var("FIRSTLIGHT_TASK").ok();
+    let (mut earned, mut lacks) = (Vec::new(), Vec::new());
     for task in course.tasks() {
-        if only.as_ref().is_some_and(|only| *only != task.key) {
-            continue;
-        }
-        let stage = stage_of(task);
-        // Handouts of later parts lack fewer formulas: the first one is the hardest case, but for
-        // the reference that a later one contains.
-        let part = part_of(&task.key) as usize;
-        let mut texts = BTreeSet::new();
-        let mut all = Vec::new();
-        for part in 1..=part {
-            let handout = handout(part);
-            let is_read = |path: &Path| {
-                !handout.reference_files.contains(path)
-                    && path.iter().any(|name| name == "src")
-                    && !path.starts_with(Path::new("stages").join(&task.stage))
-            };
-            let sources = Sources::of(&handout.files, is_read);
-            for attempt in attempts(task, &sources, &stage) {
-                if texts.insert(attempt.code.clone()) {
-                    all.push(attempt);
-                }
-            }
-        }
+        let all = match &only {
+            Some(only) if *only != task.key => continue,
+            _ => all_attempts(task),
+        };
         println!("{}: {} attempts", task.key, all.len());
-        if all.is_empty() {
-            continue;
+        let graded = match all.is_empty() {
+            true => Vec::new(),
+            false => run::unlisted(&workspace, &course, task, all).expect("the reference compiles"),
+        };
+        // The glue alone earns something: an origin and a range beside a direction.
+        let hole = |name: &str| {
+            let name = name.strip_prefix(WITH_FORMULA).unwrap_or(name);
+            name.split(' ').next().unwrap_or_default().to_string()
+        };
+        let mut for_nothing: BTreeMap<String, f64> = BTreeMap::new();
+        for constant in graded
+            .iter()
+            .filter(|graded| graded.name.contains(CONSTANT))
+        {
+            let most = for_nothing.entry(hole(&constant.name)).or_default();
+            *most = most.max(constant.result.score);
         }
-        let graded = run::unlisted(&workspace, &course, task, all).expect("the reference compiles");
-        for graded in graded {
+        let mut formula_earns = false;
+        for graded in graded
+            .iter()
+            .filter(|graded| !graded.name.contains(CONSTANT))
+        {
             let result = &graded.result;
-            println!(
-                "  {} {:.2}+{:.2}",
-                graded.name, result.score, result.robust_score
+            let free = for_nothing.get(&hole(&graded.name)).copied();
+            let free = free.unwrap_or_default();
+            let row = format!(
+                "{}: {:.2}+{:.2} by {} (a constant: {free:.2})",
+                task.key, result.score, result.robust_score, graded.name
             );
-            if result.score > NOTHING || result.robust_score > 0.0 {
-                earned.push(format!(
-                    "{}: {} earns {:.2}",
-                    task.key, graded.name, result.score
-                ));
+            println!("  {row}");
+            let earns = result.score > free + ROUNDING || result.robust_score > 0.0;
+            match graded.name.starts_with(WITH_FORMULA) {
+                true => formula_earns |= earns,
+                false => earned.extend(earns.then_some(row)),
             }
+        }
+        if EARNS_WITH_ITS_FORMULA.contains(&task.key.as_str()) && !formula_earns {
+            lacks.push(&task.key);
         }
     }
     assert!(earned.is_empty(), "{}", earned.join("\n"));
+    assert!(
+        lacks.is_empty(),
+        "the formula itself earns nothing: {lacks:?}"
+    );
 }

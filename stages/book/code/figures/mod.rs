@@ -2,7 +2,7 @@
 
 mod part1_camera;
 mod part1_film;
-mod part1_sphere;
+pub mod part1_sphere;
 mod part1_triangle;
 mod part2_box;
 mod part2_traversal;

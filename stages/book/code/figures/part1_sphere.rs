@@ -94,44 +94,39 @@ fn roots() -> String {
     d.finish()
 }
 
-/// The relative error of the textbook's near root for a sphere of radius 1, against its distance.
+/// Powers of ten: the distances of [`TEXTBOOK`] and [`HAINES`], in radii.
+pub const EXPONENTS: [i32; 9] = [1, 2, 3, 4, 5, 6, 7, 8, 9];
+
+/// The median relative error of the squared half chord from b² - ac, over rays in random directions.
+/// `tests/numbers/sphere_error.rs` measures it.
+pub const TEXTBOOK: [f64; 9] = [
+    1.9e-14, 1.6e-12, 2e-10, 2e-8, 2e-6, 1.7e-4, 1.6e-2, 2.8, 220.0,
+];
+
+/// The same from r² - ℓ².
+pub const HAINES: [f64; 9] = [
+    1.7e-16, 2.4e-15, 2.7e-14, 2.2e-13, 2.8e-12, 2.3e-11, 2.6e-10, 2.5e-9, 2.7e-8,
+];
+
+/// The relative error of the squared half chord of a sphere of radius 1, against its distance.
 fn cancellation() -> String {
     let mut d = Drawing::graph(
         640.0,
         330.0,
         Vec2::new(0.0, -17.0),
         Vec2::new(10.0, 1.0),
-        "The relative error of the half chord from b*b - a*c grows with the square of the distance and reaches 1 \
-         at a distance of about 10 to the power of 8 radii. Computed from r*r - l*l it stays near 10 to the power of -16.",
+        "The relative error of the squared half chord from b*b - a*c grows with the square of the distance, \
+         from 10 to the power of -14 at 10 radii to 1 at 10 to the power of 8. From r*r - l*l it grows with the distance, \
+         from 10 to the power of -16 to 10 to the power of -8.",
     );
-    let (mut textbook, mut stable) = (Vec::new(), Vec::new());
-    for k in 0..=80_u32 {
-        let exponent = 1.0 + f64::from(k) / 10.0;
-        // The largest error of a few neighbouring distances.
-        let (mut worst_textbook, mut worst_stable) = (1e-17_f64, 1e-17_f64);
-        for j in 0..24_u32 {
-            let distance = kit::math::pow(10.0, exponent + f64::from(j) / 240.0);
-            let line = 0.6;
-            let f = Vec3::new(line, 0.0, distance);
-            let dir = -Vec3::Z;
-            let (a, b) = (dir.dot(dir), -f.dot(dir));
-            let c = f.dot(f) - 1.0;
-            // Exactly 1 - 0.36.
-            let truth = 0.64;
-            let error = |value: f64| ((value - truth) / truth).abs().min(10.0);
-            worst_textbook = worst_textbook.max(error(b * b - a * c));
-            let nearest = f + (b / a) * dir;
-            worst_stable = worst_stable.max(error(1.0 - nearest.length_squared()));
-        }
-        textbook.push(Vec2::new(
-            exponent,
-            kit::math::ln(worst_textbook) / std::f64::consts::LN_10,
-        ));
-        stable.push(Vec2::new(
-            exponent,
-            kit::math::ln(worst_stable) / std::f64::consts::LN_10,
-        ));
-    }
+    let curve = |errors: &[f64]| -> Vec<Vec2> {
+        let points = EXPONENTS.iter().zip(errors);
+        let log10 = |x: f64| kit::math::ln(x) / std::f64::consts::LN_10;
+        points
+            .map(|(exponent, error)| Vec2::new(f64::from(*exponent), log10(error.min(10.0))))
+            .collect()
+    };
+    let (textbook, stable) = (curve(&TEXTBOOK), curve(&HAINES));
     for power in [-16, -12, -8, -4, 0] {
         let y = f64::from(power);
         d.line(Vec2::new(1.0, y), Vec2::new(9.5, y), "soft");

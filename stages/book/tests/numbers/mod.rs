@@ -10,6 +10,7 @@ mod part3;
 mod part4;
 mod part5;
 mod part6;
+mod sphere_error;
 
 use book::chapter::Chapter;
 use kit::{Vec2, Vec3};

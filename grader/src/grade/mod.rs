@@ -128,6 +128,18 @@ pub fn specs(seed: u64) -> Result<Vec<Spec>, GraderError> {
     }
 }
 
+/// The scores of `tasks` with the code in `build_root`, without what explains them.
+pub fn scores_at(
+    course: &Course,
+    tasks: &[&Task],
+    seed: u64,
+    build_root: &BuildRoot,
+) -> Result<Vec<TaskResult>, GraderError> {
+    let specs = cases::all(seed);
+    let workers = workers(build_root, tasks, &specs, false)?;
+    Ok(run(&workers, course, tasks, &specs)?.results)
+}
+
 /// Builds the workers for `tasks`, including one for whole scenes if a case needs it or
 /// `whole_scene` is set.
 pub fn workers(
@@ -195,37 +207,29 @@ fn explain(
         if result.status == Status::Passed {
             return Ok(result.into());
         }
+        let of_stage = workers.workers(&result.stage);
+        let unmoved = match &of_stage {
+            Some(workers) => without_moves(course, &result, specs, workers)?,
+            None => None,
+        };
+        let cases = unmoved.as_ref().unwrap_or(&result.cases);
         let fresh = FreshCases::of(&result.key, specs, seed);
         let mut known = diagnosis::known(workspace, &result.key)?;
         for known in &mut known {
             known.signature = fresh.removed_from(&known.signature);
         }
-        diagnosis::leave_out_unwritten(&mut known, &result.cases);
-        let diagnose = |cases: &[CaseResult]| {
-            diagnosis::diagnose(&known, &fresh.removed_from(&Signature::of(cases)))
-        };
-        let mut diagnosis = diagnose(&result.cases);
-        let mut unmoved = None;
-        if diagnosis.is_none()
-            && let Some(workers) = workers.workers(&result.stage)
-        {
-            unmoved = without_moves(course, &result, specs, &workers)?;
-            diagnosis = unmoved.as_ref().and_then(|cases| diagnose(cases));
-        }
-        let regularities = regularity::of(&result.key, &result.cases, specs);
-        let simplest = match workers.workers(&result.stage) {
-            Some(workers) => simplest::of_task(&workers, &result, specs)?,
+        diagnosis::leave_out_unwritten(&mut known, cases);
+        let signature = fresh.removed_from(&Signature::of(cases));
+        let diagnosis = diagnosis::diagnose(&known, &signature);
+        let regularities = regularity::of(&result.key, cases, specs);
+        let simplest = match &of_stage {
+            Some(workers) => simplest::of_task(workers, &result, specs)?,
             None => None,
         };
         let simplest_test = simplest.as_ref().and_then(|call| call.test.as_ref());
         let worst_as_test = match simplest_test {
             Some(test) => Some(repro::as_file(SIMPLEST, &result.key, test)),
-            None => {
-                let worst =
-                    |cases: &[CaseResult]| repro::worst(failed_cases(cases), specs, &result.key);
-                let unmoved = unmoved.as_ref().and_then(|cases| worst(cases));
-                unmoved.or_else(|| worst(&result.cases))
-            }
+            None => repro::worst(failed_cases(cases), specs, &result.key),
         };
         Ok(TaskReport {
             diagnosis,
@@ -238,9 +242,10 @@ fn explain(
     explained.collect()
 }
 
-/// The results of the cases of `result` with the questions that students have: some mistakes depend
-/// on the moves, such as a forgotten axis, and are known by these answers only. `None` if nothing was
-/// moved.
+/// The results of the cases of `result` with the questions that students have. Some mistakes depend
+/// on the moves, such as a forgotten axis, and all are known by these answers; and these are the
+/// calls that students can repeat. `None` if nothing was moved, if only moved questions fail, or if
+/// code crashed: it may take as long again.
 fn without_moves(
     course: &Course,
     result: &TaskResult,
@@ -250,11 +255,15 @@ fn without_moves(
     let of_task = specs.iter().filter(|spec| spec.task == result.key);
     let specs: Vec<Spec> = of_task.clone().map(Spec::unmoved).collect();
     let task = course.tasks().find(|task| task.key == result.key);
-    let (true, Some(task)) = (of_task.clone().any(Spec::is_moved), task) else {
+    let has_crashed = result.cases.iter().any(|case| case.crash.is_some());
+    let is_moved = of_task.clone().any(Spec::is_moved) && !has_crashed;
+    let (true, Some(task)) = (is_moved, task) else {
         return Ok(None);
     };
     let results = grade_tasks(course, &[task], &specs, workers, &mut Vec::new())?;
-    Ok(results.into_iter().next().map(|result| result.cases))
+    let failed = |result: &TaskResult| result.status != Status::Passed;
+    let unmoved = results.into_iter().next().filter(failed);
+    Ok(unmoved.map(|result| result.cases))
 }
 
 /// Begins the comment of the test of a simplest call.

@@ -32,7 +32,9 @@ const MOST: f64 = 0.5;
 /// Whether it is worth the time to grade `result` with [`KNOWN_SEED`], too.
 pub(crate) fn is_suspicious(result: &TaskResult) -> bool {
     let is_bad = result.score < MOST * result.max_score;
-    result.score > 0.0 && (is_bad || result.cases.iter().any(fails_often))
+    // What crashes may take as long again.
+    let is_cheap = result.cases.iter().all(is_answered);
+    is_bad && is_cheap || result.score > 0.0 && result.cases.iter().any(fails_often)
 }
 
 /// Whether the code of a task answers the cases of [`KNOWN_SEED`] only: `drawn` are its results with

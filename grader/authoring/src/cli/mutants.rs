@@ -115,7 +115,8 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
             let mistakes = matches.get_flag("mistakes");
             let graded = seeds::grade(&workspace, &course, task, 0..seeds, mistakes)?;
             show_seeds(&task.key, seeds, &graded);
-            if !graded.marked_down.is_empty() {
+            let is_unfair = !mistakes && !graded.other_points.is_empty();
+            if !graded.marked_down.is_empty() || is_unfair {
                 verdict = Exit::Failed;
             }
             continue;

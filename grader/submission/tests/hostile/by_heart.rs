@@ -127,9 +127,9 @@ fn answers_that_were_learned_by_heart_lose() {
     ] {
         let files = attack(task, stage, file, function, early);
         let known = grade(&class, stage, &files, task, cases::KNOWN_SEED).scores;
-        // The table is good.
+        // The table is good; it does not know the rays that a hit has shortened.
         assert!(
-            known.score > 0.9 * known.max_score,
+            known.score > 0.8 * known.max_score,
             "{task}: {}",
             known.score
         );
@@ -142,7 +142,7 @@ fn answers_that_were_learned_by_heart_lose() {
     // Honest code with a mistake is as wrong with every seed, or nearly.
     for mistake in [
         "if ray.d.x > 0.0 { return None; }",
-        "if ray.o.length() > 30.0 { return None; }",
+        "if ray.o.length() > 100.0 { return None; }",
         "if tri.p0.x == tri.p1.x { return None; }",
     ] {
         let honest = Case::with_call("", mistake);

@@ -11,7 +11,7 @@ mod truth;
 use crate::tools::Tier;
 use crate::tools::check::{CaseContext, Check, one_each};
 use crate::tools::colours;
-use crate::tools::moves::{AxisMoves, Move, Symmetries, can_be_multiplied};
+use crate::tools::moves::{AxisMoves, Move, Symmetries, most_if_ordinary};
 use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::Content;
 use crate::tools::snapshot::Fields;
@@ -55,7 +55,7 @@ impl Check for kind::CameraRays {
                 true => AxisMoves::SwapXyAndHalfTurns,
                 false => AxisMoves::SwapXy,
             },
-            lengths: can_be_multiplied(numbers),
+            lengths: most_if_ordinary(2, numbers),
             ..Symmetries::default()
         }
     }

@@ -13,7 +13,7 @@ mod structure;
 use crate::tools::Tier;
 use crate::tools::call_text::{few, point};
 use crate::tools::check::{CaseContext, Check};
-use crate::tools::moves::{Move, Symmetries, can_be_multiplied};
+use crate::tools::moves::{Move, Symmetries, most_if_ordinary};
 use crate::tools::plural;
 use crate::tools::recorded;
 use crate::tools::shown::ShownCall;
@@ -55,7 +55,7 @@ impl Check for kind::Build {
 
     fn symmetries(work: &BuildWork) -> Symmetries {
         Symmetries {
-            lengths: can_be_multiplied(work.bounds.iter().flatten().flatten().copied()),
+            lengths: most_if_ordinary(4, work.bounds.iter().flatten().flatten().copied()),
             primitives: work.bounds.len(),
             ..Symmetries::default()
         }

@@ -7,7 +7,7 @@ mod repro;
 mod simple;
 
 use crate::tools::check::{CaseContext, Check, one_each};
-use crate::tools::moves::{AxisMoves, Move, Symmetries, can_be_multiplied, ray_numbers};
+use crate::tools::moves::{AxisMoves, Move, Symmetries, most_if_ordinary, ray_numbers};
 use crate::tools::plural;
 use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::Content;
@@ -54,7 +54,7 @@ impl Check for kind::Boxes {
                 true => AxisMoves::Permutations,
                 false => AxisMoves::Fixed,
             },
-            lengths: can_be_multiplied(numbers),
+            lengths: most_if_ordinary(2, numbers),
             ..Symmetries::default()
         }
     }

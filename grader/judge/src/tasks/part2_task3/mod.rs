@@ -10,7 +10,7 @@ mod simple;
 
 use crate::tools::Tier;
 use crate::tools::check::{CaseContext, Check, one_each};
-use crate::tools::moves::{Move, Symmetries, can_be_multiplied, ray_numbers};
+use crate::tools::moves::{Move, Symmetries, most_if_ordinary, ray_numbers};
 use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::Content;
 use crate::tools::snapshot::lines::{each, ray_at};
@@ -44,7 +44,10 @@ impl Check for kind::Traverse {
         let prims = rays().flat_map(|ray| ray.prims.iter().flatten());
         let numbers = boxes.flatten().chain(spans.chain(prims).copied());
         Symmetries {
-            lengths: can_be_multiplied(numbers.chain(rays().flat_map(|ray| ray_numbers(&ray.ray)))),
+            lengths: most_if_ordinary(
+                8,
+                numbers.chain(rays().flat_map(|ray| ray_numbers(&ray.ray))),
+            ),
             ..Symmetries::default()
         }
     }

@@ -7,7 +7,7 @@ mod rest;
 
 use crate::tools::call_text::ray_circumstances;
 use crate::tools::check::{CaseContext, Check, hits_fit};
-use crate::tools::moves::{Move, Symmetries, can_be_multiplied, ray_numbers};
+use crate::tools::moves::{Move, Symmetries, most_if_ordinary, ray_numbers};
 use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::Content;
 use crate::tools::snapshot::lines::{self, each, ray_at};
@@ -39,7 +39,7 @@ impl Check for kind::SceneHits {
     /// The scene stays: its exact hits take long to compute.
     fn symmetries(work: &SceneWork) -> Symmetries {
         Symmetries {
-            speeds: can_be_multiplied(work.rays.iter().flat_map(ray_numbers)),
+            speeds: most_if_ordinary(4, work.rays.iter().flat_map(ray_numbers)),
             ..Symmetries::default()
         }
     }

@@ -14,7 +14,7 @@ mod axes;
 mod symmetries;
 
 pub(crate) use axes::{Axes, AxisMoves};
-pub(crate) use symmetries::{LightMoves, Symmetries, can_be_multiplied, ray_numbers};
+pub(crate) use symmetries::{LightMoves, Symmetries, most_if_ordinary, ray_numbers};
 
 use wire::answer::{Hit, HitsAnswer};
 use wire::work::{Node, Probe, Ray, Xyz};

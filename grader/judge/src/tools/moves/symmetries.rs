@@ -5,11 +5,7 @@ use super::axes::AxisMoves;
 use crate::tools::questions::probes::ProbeRng;
 use wire::work::{Ray, Xyz};
 
-/// The largest power of two by which lengths are multiplied. Small enough that code with a constant
-/// of its own, such as the largest distance that counts, has nearly the same points.
-const MOST_LENGTH: usize = 4;
-
-/// The same for light.
+/// The largest power of two by which light is multiplied.
 const MOST_LIGHT: usize = 6;
 
 /// Numbers beyond this and its inverse, infinities aside, are not multiplied: code that squares
@@ -22,10 +18,12 @@ const ORDINARY: f64 = (1_u64 << 60) as f64;
 pub(crate) struct Symmetries {
     /// The axes of space.
     pub(crate) axes: AxisMoves,
-    /// Whether all lengths may be multiplied.
-    pub(crate) lengths: bool,
-    /// Whether the directions of rays may be multiplied.
-    pub(crate) speeds: bool,
+    /// The largest power of two by which all lengths may be multiplied; 0 for none. Where axes move,
+    /// too, it is small: code with a constant of its own, such as the largest distance that counts,
+    /// should have nearly the same points.
+    pub(crate) lengths: usize,
+    /// The same for the directions of rays.
+    pub(crate) speeds: usize,
     /// The light that may be multiplied.
     pub(crate) light: LightMoves,
     /// Whether the colour channels may be permuted.
@@ -73,7 +71,7 @@ impl Symmetries {
         let rays = rays.into_iter().flat_map(ray_numbers);
         Symmetries {
             axes: AxisMoves::HalfTurns,
-            lengths: can_be_multiplied(points.into_iter().flatten().chain(rays)),
+            lengths: most_if_ordinary(1, points.into_iter().flatten().chain(rays)),
             ..Symmetries::default()
         }
     }
@@ -81,9 +79,9 @@ impl Symmetries {
     /// Draws a move, never the one that changes nothing if there is another.
     pub(crate) fn draw(&self, rng: &mut ProbeRng) -> Move {
         let power = |rng: &mut ProbeRng, most| 2.0_f64.powi(1 + rng.below(most) as i32);
-        let factor = |rng: &mut ProbeRng, applies: bool| match applies {
-            true => power(rng, MOST_LENGTH),
-            false => 1.0,
+        let factor = |rng: &mut ProbeRng, most| match most {
+            0 => 1.0,
+            most => power(rng, most),
         };
         let length = factor(rng, self.lengths);
         let speed = factor(rng, self.speeds);
@@ -131,19 +129,19 @@ fn shuffled(count: usize, rng: &mut ProbeRng) -> Vec<u32> {
     order
 }
 
-/// Whether all `numbers` can be multiplied by a power of two, whatever is computed from them, and one
-/// of them changes.
-pub(crate) fn can_be_multiplied(numbers: impl IntoIterator<Item = f64>) -> bool {
-    let mut changes = false;
+/// `most` if all `numbers` can be multiplied by a power of two, whatever is computed from them, and
+/// one of them changes; else 0.
+pub(crate) fn most_if_ordinary(most: usize, numbers: impl IntoIterator<Item = f64>) -> usize {
+    let mut changes = 0;
     for x in numbers {
         let size = x.abs();
         if x == 0.0 || !size.is_finite() {
             continue;
         }
         if !(1.0 / ORDINARY..=ORDINARY).contains(&size) {
-            return false;
+            return 0;
         }
-        changes = true;
+        changes = most;
     }
     changes
 }
@@ -167,7 +165,7 @@ mod tests {
                 ..Symmetries::default()
             },
             Symmetries {
-                lengths: true,
+                lengths: 3,
                 ..Symmetries::default()
             },
             Symmetries {
@@ -214,15 +212,10 @@ mod tests {
 
     #[test]
     fn extreme_numbers_and_zeros_are_not_multiplied() {
-        assert!(can_be_multiplied([
-            0.0,
-            -1e-9,
-            1e9,
-            f64::INFINITY,
-            f64::NAN
-        ]));
-        assert!(!can_be_multiplied([0.0, f64::INFINITY]));
-        assert!(!can_be_multiplied([1.0, 1e-30]));
-        assert!(!can_be_multiplied([f64::MAX]));
+        let ordinary = [0.0, -1e-9, 1e9, f64::INFINITY, f64::NAN];
+        assert_eq!(most_if_ordinary(3, ordinary), 3);
+        assert_eq!(most_if_ordinary(3, [0.0, f64::INFINITY]), 0);
+        assert_eq!(most_if_ordinary(3, [1.0, 1e-30]), 0);
+        assert_eq!(most_if_ordinary(3, [f64::MAX]), 0);
     }
 }

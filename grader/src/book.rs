@@ -90,6 +90,46 @@ pub fn page_of(workspace: &Workspace, chapter: &Path) -> Option<PathBuf> {
     page.is_file().then_some(page)
 }
 
+/// The file of a handout, below its root, that the file `path` of the site is a copy of; `None` for
+/// pages and other files of which there is no original. The pack leaves such copies out.
+pub fn original(path: &Path) -> Option<PathBuf> {
+    let mut parts = path.iter().map(|part| part.to_string_lossy());
+    let first = parts.next()?;
+    match first.as_ref() {
+        "pictures" => Some(Path::new("golden").join(path.strip_prefix("pictures").ok()?)),
+        "figures" | "mistakes" | "explore" => Some(Path::new("stages/book/src").join(path)),
+        _ => None,
+    }
+}
+
+/// Copies the files of the site that the pack leaves out from the handout to the folder `site`.
+fn copy_originals(root: &Path, site: &Path) -> Result<(), GraderError> {
+    let below = |folder: &str| files_below(&root.join(folder));
+    let of_text = ["figures", "mistakes", "explore"].map(|name| format!("stages/book/src/{name}"));
+    let mut copies = Vec::new();
+    for folder in of_text {
+        for file in below(&folder)? {
+            let text = root.join("stages/book/src");
+            copies.push((file.strip_prefix(text).map(Path::to_path_buf), file));
+        }
+    }
+    for file in below("golden")? {
+        if file.ends_with("task.png") {
+            let inside = file.strip_prefix(root.join("golden"));
+            copies.push((inside.map(|path| Path::new("pictures").join(path)), file));
+        }
+    }
+    for (to, from) in copies {
+        let to = site.join(to.unwrap_or_default());
+        if !to.exists() {
+            let parent = to.parent().unwrap_or(site);
+            std::fs::create_dir_all(parent).map_err(|e| GraderError::file("create", parent, e))?;
+            std::fs::copy(&from, &to).map_err(|e| GraderError::file("copy", &from, e))?;
+        }
+    }
+    Ok(())
+}
+
 fn unpack(workspace: &Workspace) -> Result<PathBuf, GraderError> {
     let pack = workspace.root().join(PACK);
     let folder = folder(workspace)?;
@@ -115,7 +155,7 @@ fn unpack(workspace: &Workspace) -> Result<PathBuf, GraderError> {
             std::fs::create_dir_all(parent).map_err(|e| GraderError::file("create", parent, e))?;
             std::fs::write(&file, contents).map_err(|e| GraderError::file("write", &file, e))?;
         }
-        Ok(())
+        copy_originals(workspace.root(), new)
     })?;
     Ok(folder)
 }

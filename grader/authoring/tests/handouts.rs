@@ -7,7 +7,7 @@ use base::Workspace;
 use grader::course::given::{self, GivenFiles};
 use grader::course::{Course, packed};
 use std::collections::BTreeSet;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
 fn workspace() -> Workspace {
@@ -454,6 +454,16 @@ fn the_book_of_a_handout_is_packed_and_given() {
         std::fs::write(site.path().join(path), text).expect("a file");
     }
     let mut handout = handout(1).clone();
+    // The site has a copy of a task's picture, and one of another that was changed.
+    let picture = "part1.task3/task.png";
+    let golden = &handout.files[&Path::new("golden").join(picture)];
+    let changed = "pictures/part1.task4/task.png";
+    for (path, bytes) in [
+        (&*format!("pictures/{picture}"), &**golden),
+        (changed, b"png"),
+    ] {
+        submission::file_tree::write(&site.path().join(path), bytes).expect("a file");
+    }
     handout.add_book(site.path()).expect("it can be packed");
     let pack = &handout.files[Path::new(grader::book::PACK)];
     let names: Vec<_> = packed::unpack(pack)
@@ -463,8 +473,21 @@ fn the_book_of_a_handout_is_packed_and_given() {
         .collect();
     assert_eq!(
         names,
-        [Path::new("index.html"), Path::new("part1/task1.html")]
+        ["index.html", "part1/task1.html", changed].map(PathBuf::from)
     );
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    for (path, contents) in &handout.files {
+        submission::file_tree::write(&folder.path().join(path), contents).expect("it is new");
+    }
+    let unpacked = Workspace::above(folder.path()).expect("it is a workspace");
+    let book = grader::book::make_current(&unpacked).expect("it can be unpacked");
+    let read = |path: &str| std::fs::read(book.join(path)).expect("it is there");
+    assert_eq!(
+        read(&format!("pictures/{picture}")),
+        handout.files[&Path::new("golden").join(picture)]
+    );
+    assert_eq!(read(changed), b"png");
+    assert!(book.join("figures").is_dir() && book.join("explore/explore.js").is_file());
     let given = GivenFiles::parse(text(&handout, given::LIST));
     let path = Path::new(grader::book::PACK);
     assert_eq!(given.is_original(path, pack), Some(true));

@@ -41,6 +41,8 @@
       if (!point) return;
       points.forEach((other) => other.setAttribute("tabindex", other === point ? "0" : "-1"));
       point.focus();
+      // A window that is not in front gets no event.
+      show(point);
     };
     points.forEach((point, i) => {
       point.setAttribute("role", "img");

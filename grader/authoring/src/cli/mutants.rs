@@ -162,10 +162,9 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
         }
         let none_is_blessed = show_blessings(&task.key, &graded, against_bless);
         let rewarded = table::rewarded(&graded);
-        for (name, cases) in &rewarded {
+        for (name, [earned, base]) in &rewarded {
             outln!(
-                "  REWARDED: {name} earns more than the correct code that it is made from, in {}",
-                cases.join(", ")
+                "  REWARDED: {name} earns {earned} points, and the correct code that it is made from {base}"
             );
         }
         if !marked_down.is_empty()

@@ -112,16 +112,21 @@ impl Handout {
         Ok(())
     }
 
-    /// Adds the rendered book, whose site is in the folder `site`, as one packed file.
+    /// Adds the rendered book, whose site is in the folder `site`, as one packed file. What it only
+    /// copies from files of the handout, such as figures, is left out: unpacking copies them again.
     pub fn add_book(&mut self, site: &Path) -> Result<(), GraderError> {
         let mut files = Vec::new();
         for file in book::files_below(site)? {
             let path = file.strip_prefix(site).unwrap_or(&file);
             // The site of a handout says itself what it was made of.
             let is_hidden = path.to_string_lossy().starts_with('.');
-            if !is_hidden {
-                let contents = std::fs::read(&file);
-                let contents = contents.map_err(|e| GraderError::file("read", &file, e))?;
+            if is_hidden {
+                continue;
+            }
+            let contents = std::fs::read(&file);
+            let contents = contents.map_err(|e| GraderError::file("read", &file, e))?;
+            let original = book::original(path).and_then(|path| self.files.get(&path));
+            if original != Some(&contents) {
                 files.push((path.to_path_buf(), contents));
             }
         }

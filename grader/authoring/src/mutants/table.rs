@@ -147,27 +147,23 @@ impl Table {
     }
 }
 
-/// The mutants that earn more in a case than the correct code that they are made from, with these
-/// cases: a case that rewards a mistake is a defect of the grader.
-pub fn rewarded(graded: &[Graded]) -> Vec<(&str, Vec<&str>)> {
-    let correct: BTreeMap<&str, &[CaseResult]> = graded
+/// The mutants that earn more than the correct code that they are made from: their names, their points
+/// and those of the correct code, core and extra together. Then a case rewards a mistake.
+pub fn rewarded(graded: &[Graded]) -> Vec<(&str, [f64; 2])> {
+    let points = |graded: &Graded| graded.result.score + graded.result.robust_score;
+    let correct: BTreeMap<&str, f64> = graded
         .iter()
         .filter(|graded| matches!(graded.kind, Kind::Correct))
-        .map(|graded| (graded.name.as_str(), graded.result.cases.as_slice()))
+        .map(|graded| (graded.name.as_str(), points(graded)))
         .collect();
     let rewarded = graded.iter().filter_map(|graded| {
         let Kind::Mutant(mutant) = &graded.kind else {
             return None;
         };
         // Code that is not an edit of a version is compared with the reference, which earns all.
-        let base = correct.get(mutant.on.as_str())?;
-        let more = graded.result.cases.iter().filter(|case| {
-            let mut base = base.iter();
-            let base = base.find(|other| other.name == case.name);
-            base.is_some_and(|base| case.earned > base.earned)
-        });
-        let more: Vec<&str> = more.map(|case| case.name.as_str()).collect();
-        (!more.is_empty()).then_some((graded.name.as_str(), more))
+        let base = *correct.get(mutant.on.as_str())?;
+        let earned = points(graded);
+        (earned > base).then_some((graded.name.as_str(), [earned, base]))
     });
     rewarded.collect()
 }

@@ -15,6 +15,7 @@ use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use std::cell::RefCell;
 use std::collections::{BTreeMap, HashMap};
+use std::io::Write;
 use std::sync::OnceLock;
 
 /// The file of the table, below the workspace's root folder. Only handouts have it.
@@ -88,7 +89,9 @@ pub fn find<I: Serialize + ?Sized, O: DeserializeOwned>(task: &str, formula: &st
         result.ok_or_else(|| format!("it has no {formula} of {task} for this question"))
     });
     found.unwrap_or_else(|why| {
-        eprintln!(
+        // Whoever has closed the pipe does not read it.
+        let _ = writeln!(
+            std::io::stderr(),
             "error: this handout can judge seed 0 only, by {FILE}: {why}. Restore the given files from the \
              handout, and use `--seed 0`"
         );

@@ -8,8 +8,11 @@ use kit::Tally as SampleTally;
 use wire::global::RouletteWork;
 use wire::work::Xyz;
 
-/// Relative error allowed: the rounding of a division.
-pub(crate) const BOUND: f64 = 1e-12;
+/// Relative error allowed in a throughput that was divided by `chance`: that of the division, and that
+/// of a chance computed as 1 minus the probability to end, which rounds numbers near 1 twice.
+pub(super) fn bound(chance: f64) -> f64 {
+    (1e-15 / chance).max(1e-12)
+}
 
 /// Judges each call, and the mean of many.
 pub(crate) fn roulette(tally: &mut Tally, work: &RouletteWork, answers: &[Option<Xyz>]) {
@@ -64,6 +67,7 @@ fn one(tally: &mut Tally, call: usize, throughput: Xyz, bounces: u32, u: f64, an
     tally.expect(Aspect::Throughput);
     if let Some(answered) = answer {
         let aspect = Aspect::Throughput;
-        numbers::colour(tally, aspect, call, answered, right, BOUND, about);
+        let bound = bound(survival(throughput, bounces).0);
+        numbers::colour(tally, aspect, call, answered, right, bound, about);
     }
 }

@@ -93,25 +93,15 @@ impl AxisMoves {
         match self {
             AxisMoves::Fixed => vec![Axes::SAME],
             AxisMoves::HalfTurns => half_turns.to_vec(),
-            AxisMoves::Permutations => [
-                [0, 1, 2],
-                [0, 2, 1],
-                [1, 0, 2],
-                [1, 2, 0],
-                [2, 0, 1],
-                [2, 1, 0],
-            ]
-            .map(permuted)
-            .to_vec(),
-            AxisMoves::AroundZ => both(
-                &[
-                    [1.0, 1.0, 1.0],
-                    [-1.0, 1.0, 1.0],
-                    [1.0, -1.0, 1.0],
-                    [-1.0, -1.0, 1.0],
-                ]
-                .map(signs),
-            ),
+            AxisMoves::Permutations => {
+                let pairs = (0..3).flat_map(|x| [0, 1, 2].map(|y| [x, y]));
+                let pairs = pairs.filter(|[x, y]| x != y);
+                pairs.map(|[x, y]| permuted([x, y, 3 - x - y])).collect()
+            }
+            AxisMoves::AroundZ => {
+                let of_y = |y: f64| [1.0, -1.0].map(|x| signs([x, y, 1.0]));
+                both(&[1.0, -1.0].map(of_y).concat())
+            }
             AxisMoves::SwapXy => xy.to_vec(),
             AxisMoves::SwapXyAndHalfTurns => both(&half_turns),
         }

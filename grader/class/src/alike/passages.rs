@@ -1,9 +1,9 @@
 //! Passages that two texts have in common: runs of equal tokens.
 //!
 //! Winnowing (Schleimer, Wilkerson and Aiken, "Winnowing: local algorithms for document
-//! fingerprinting", 2003) chooses among the hashes of all runs of [`SHORTEST`] tokens the least of
+//! fingerprinting", 2003) chooses among the hashes of all runs of `SHORTEST` tokens the least of
 //! each window, so every common run of [`CERTAIN`] tokens has a common fingerprint, and no shorter
-//! run than [`SHORTEST`] has one. Of the common runs only those of [`CERTAIN`] tokens are passages, so
+//! run than `SHORTEST` has one. Of the common runs only those of [`CERTAIN`] tokens are passages, so
 //! what is found does not depend on where the windows lie.
 
 use super::tokens::{self, Token};

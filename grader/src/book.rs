@@ -14,6 +14,9 @@ use std::process::Command;
 /// The packed site of a handout.
 pub const PACK: &str = "stages/book/site.pack";
 
+/// The folder of the chapters.
+const TEXT: &str = "stages/book/src";
+
 /// The folder of the crate that builds the site, in the full checkout.
 const SITE_CRATE: &str = "stages/book/site";
 
@@ -24,12 +27,10 @@ const NAME: &str = "book";
 const MADE_OF: &str = ".made-of";
 
 /// What the site of the full checkout is made of, besides the tasks' pictures.
-const SOURCES: [&str; 4] = [
-    "stages/book/src",
-    "stages/book/code",
-    "stages/book/theme",
-    SITE_CRATE,
-];
+const SOURCES: [&str; 4] = [TEXT, "stages/book/code", "stages/book/theme", SITE_CRATE];
+
+/// The folders of the text that the site has copies of.
+const COPIED: [&str; 3] = ["figures", "mistakes", "explore"];
 
 /// Files that the site is also made of.
 const SOURCE_FILES: [&str; 3] = [
@@ -85,7 +86,7 @@ pub fn unpacked(workspace: &Workspace) -> Option<PathBuf> {
 /// The rendered page of the chapter whose Markdown is `chapter`, a path below the root; `None` if
 /// that is no chapter, or if the book was not rendered.
 pub fn page_of(workspace: &Workspace, chapter: &Path) -> Option<PathBuf> {
-    let chapter = chapter.strip_prefix("stages/book/src").ok()?;
+    let chapter = chapter.strip_prefix(TEXT).ok()?;
     let page = unpacked(workspace)?.join(chapter.with_extension("html"));
     page.is_file().then_some(page)
 }
@@ -93,34 +94,30 @@ pub fn page_of(workspace: &Workspace, chapter: &Path) -> Option<PathBuf> {
 /// The file of a handout, below its root, that the file `path` of the site is a copy of; `None` for
 /// pages and other files of which there is no original. The pack leaves such copies out.
 pub fn original(path: &Path) -> Option<PathBuf> {
-    let mut parts = path.iter().map(|part| part.to_string_lossy());
-    let first = parts.next()?;
-    match first.as_ref() {
-        "pictures" => Some(Path::new("golden").join(path.strip_prefix("pictures").ok()?)),
-        "figures" | "mistakes" | "explore" => Some(Path::new("stages/book/src").join(path)),
-        _ => None,
+    if let Ok(picture) = path.strip_prefix("pictures") {
+        return Some(Path::new("golden").join(picture));
     }
+    let is_copied = COPIED.iter().any(|folder| path.starts_with(folder));
+    is_copied.then(|| Path::new(TEXT).join(path))
 }
 
 /// Copies the files of the site that the pack leaves out from the handout to the folder `site`.
 fn copy_originals(root: &Path, site: &Path) -> Result<(), GraderError> {
-    let below = |folder: &str| files_below(&root.join(folder));
-    let of_text = ["figures", "mistakes", "explore"].map(|name| format!("stages/book/src/{name}"));
+    let text = root.join(TEXT);
     let mut copies = Vec::new();
-    for folder in of_text {
-        for file in below(&folder)? {
-            let text = root.join("stages/book/src");
-            copies.push((file.strip_prefix(text).map(Path::to_path_buf), file));
-        }
+    for folder in COPIED {
+        copies.extend(files_below(&text.join(folder))?.into_iter().map(|file| {
+            let to = site.join(file.strip_prefix(&text).unwrap_or(&file));
+            (file, to)
+        }));
     }
-    for file in below("golden")? {
-        if file.ends_with("task.png") {
-            let inside = file.strip_prefix(root.join("golden"));
-            copies.push((inside.map(|path| Path::new("pictures").join(path)), file));
-        }
-    }
-    for (to, from) in copies {
-        let to = site.join(to.unwrap_or_default());
+    let golden = root.join("golden");
+    copies.extend(task_pictures(root)?.into_iter().map(|file| {
+        let picture = file.strip_prefix(&golden).unwrap_or(&file);
+        let to = site.join("pictures").join(picture);
+        (file, to)
+    }));
+    for (from, to) in copies {
         if !to.exists() {
             let parent = to.parent().unwrap_or(site);
             std::fs::create_dir_all(parent).map_err(|e| GraderError::file("create", parent, e))?;
@@ -128,6 +125,13 @@ fn copy_originals(root: &Path, site: &Path) -> Result<(), GraderError> {
         }
     }
     Ok(())
+}
+
+/// The pictures of the tasks among the goldens.
+fn task_pictures(root: &Path) -> Result<Vec<PathBuf>, GraderError> {
+    let mut pictures = files_below(&root.join("golden"))?;
+    pictures.retain(|file| file.ends_with("task.png"));
+    Ok(pictures)
 }
 
 fn unpack(workspace: &Workspace) -> Result<PathBuf, GraderError> {
@@ -187,12 +191,7 @@ fn hash_of_sources(root: &Path) -> Result<String, GraderError> {
     for folder in SOURCES {
         files.extend(files_below(&root.join(folder))?);
     }
-    let pictures = files_below(&root.join("golden"))?;
-    files.extend(
-        pictures
-            .into_iter()
-            .filter(|file| file.ends_with("task.png")),
-    );
+    files.extend(task_pictures(root)?);
     files.sort();
     let mut hasher = DefaultHasher::new();
     for file in files.iter().filter(|file| file.is_file()) {

@@ -151,10 +151,7 @@ impl Plan {
         let mut submissions = Vec::new();
         for (i, entry) in entries.into_iter().enumerate() {
             progress(i, count);
-            let read = match entry.problem {
-                Some(problem) => Err(Unreadable::Damaged(problem.to_string())),
-                None => reader.read(&class.join(&entry.file), settings.revision.as_ref()),
-            };
+            let read = reader.read_entry(class, &entry, settings.revision.as_ref());
             let state = match read {
                 Ok(read) => State::Unit {
                     key: settings.key(&read.hash),

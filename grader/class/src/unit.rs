@@ -4,7 +4,7 @@ use crate::course_hash;
 use crate::hash;
 use crate::out::Out;
 use crate::plan::{Plan, Planned, State};
-use crate::reading::{Reader, Unreadable};
+use crate::reading::Reader;
 use base::GraderError;
 use base::write_whole;
 use grader::grade::GradeRequest;
@@ -102,11 +102,7 @@ pub fn grade(
     let started = Instant::now();
     let settings = &plan.settings;
     let read = reader.read(&class.join(planned.file.raw()), settings.revision.as_ref());
-    let read = read.map_err(|unreadable| match unreadable {
-        Unreadable::Machine(why) | Unreadable::TooLarge(why) | Unreadable::Damaged(why) => {
-            GraderError::new(why)
-        }
-    })?;
+    let read = read.map_err(|unreadable| GraderError::new(unreadable.why()))?;
     if read.hash != *submission {
         return Err(GraderError::new(format!(
             "{} was changed while the class was graded: run again",

@@ -4,14 +4,8 @@
 //! task.
 
 use crate::task::{StageFailure, guarded};
-use kit::scene::{NamedLight, NamedMaterial, Object};
-use kit::{Camera, FilmSize, Light, Mat3, Material, Scene, Spectrum, Triangle, Vec3};
 use pathtracer::args::Shade;
-use pathtracer::{
-    AccelKind, DirectSampling, Job, LightSettings, Picture, PreparedScene, ProgressiveRender,
-    Textures,
-};
-use std::sync::atomic::AtomicBool;
+use pathtracer::{AccelKind, DirectSampling, LightSettings, trial};
 
 /// What may wait for a task.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -89,57 +83,7 @@ impl Feature {
             Feature::WideTree => (Shade::Normals, AccelKind::Simd),
             _ => (Shade::Lit, AccelKind::Bvh),
         };
-        let picture = Picture::new(shade, lit_triangle(), None);
-        let prepared = PreparedScene::new(picture, Textures::default(), kind);
-        let film = FilmSize { w: 1, h: 1 };
-        let job = Job {
-            camera: Camera {
-                pos: Vec3::Z,
-                c2w: Mat3::IDENTITY,
-                h_fov: 40.0,
-                v_fov: 40.0,
-                n_clip: 0.0,
-                f_clip: 10.0,
-            },
-            film,
-            cell: film.whole(),
-            samples: 2,
-            sampling: 0.into(),
-        };
-        let mut render = ProgressiveRender::new(&prepared, job, settings);
-        render.run(&prepared, 1, &AtomicBool::new(false));
-    }
-}
-
-/// A triangle in front of the camera, and a lamp.
-fn lit_triangle() -> Scene {
-    let corner = |x, y| Vec3::new(x, y, 0.0);
-    let grey = Material::Diffuse {
-        reflectance: Spectrum::grey(0.5),
-    };
-    Scene {
-        triangles: vec![Triangle::flat(
-            corner(-3.0, -3.0),
-            corner(3.0, -3.0),
-            corner(0.0, 3.0),
-        )],
-        object_of: vec![0],
-        objects: vec![Object {
-            name: "triangle".to_owned(),
-            material: 0,
-        }],
-        materials: vec![NamedMaterial {
-            name: "grey".to_owned(),
-            material: grey,
-        }],
-        lights: vec![NamedLight {
-            name: "lamp".to_owned(),
-            light: Light::Point {
-                position: Vec3::Z,
-                intensity: Spectrum::WHITE,
-            },
-        }],
-        ..Scene::default()
+        trial::render_pixel(shade, kind, settings);
     }
 }
 

@@ -6,13 +6,13 @@ use crate::alike::{self, jplag, page};
 use crate::entries;
 use crate::out::Out;
 use crate::reading::Reader;
-use crate::reading::content::Unreadable;
 use crate::reading::intake::Revision;
 use base::program::Exit;
 use base::{GraderError, Workspace, errln, outln, write_whole};
 use grader::course::Course;
 use std::collections::BTreeMap;
 use std::path::Path;
+use submission::Untrusted;
 
 /// The most bytes of a stage that are compared: a hundred times what a student writes. The tokens of
 /// a text take some hundred times its memory.
@@ -48,17 +48,11 @@ pub(super) fn run(
     let mut students = Vec::new();
     for (i, entry) in entries.iter().enumerate() {
         progress(i, entries.len());
-        let read = match entry.problem {
-            Some(problem) => Err(Unreadable::Damaged(problem.to_string())),
-            None => reader.read(&class.join(&entry.file), revision),
-        };
-        let name = submission::Untrusted::from(entry.name.as_str());
-        let read = match read {
+        let name = Untrusted::from(entry.name.as_str());
+        let read = match reader.read_entry(class, entry, revision) {
             Ok(read) => read,
-            Err(
-                Unreadable::Machine(why) | Unreadable::TooLarge(why) | Unreadable::Damaged(why),
-            ) => {
-                let why = submission::Untrusted::from(why);
+            Err(unreadable) => {
+                let why = Untrusted::from(unreadable.why());
                 errln!("not compared: {}: {}", name.line(), why.line());
                 continue;
             }

@@ -35,6 +35,15 @@ pub enum Unreadable {
     Machine(String),
 }
 
+impl Unreadable {
+    /// The sentence, without its kind.
+    pub fn why(self) -> String {
+        match self {
+            Unreadable::TooLarge(why) | Unreadable::Damaged(why) | Unreadable::Machine(why) => why,
+        }
+    }
+}
+
 impl From<GraderError> for Unreadable {
     fn from(error: GraderError) -> Unreadable {
         Unreadable::Machine(error.to_string())

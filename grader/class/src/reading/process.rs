@@ -2,6 +2,7 @@
 
 use super::content::{self, Content, Unreadable};
 use super::intake::Revision;
+use crate::entries::Entry;
 use base::GraderError;
 use base::Workspace;
 use base::child_processes::{self, Watchdog};
@@ -87,6 +88,19 @@ impl Reader {
             containment,
             course: workspace.root().to_path_buf(),
             limits,
+        }
+    }
+
+    /// Reads `entry` of the folder `class`, as [`Reader::read`] does.
+    pub fn read_entry(
+        &self,
+        class: &Path,
+        entry: &Entry,
+        revision: Option<&Revision>,
+    ) -> Result<Content, Unreadable> {
+        match entry.problem {
+            Some(problem) => Err(Unreadable::Damaged(problem.to_string())),
+            None => self.read(&class.join(&entry.file), revision),
         }
     }
 

@@ -46,16 +46,11 @@ impl Check for kind::SureStop {
     }
 
     fn moved(questions: &Vec<StopCall>, by: &Move) -> Vec<StopCall> {
-        questions
-            .iter()
-            .map(|call| stopping::moved(call, by))
-            .collect()
+        stopping::moved(questions, by)
     }
 
     fn moved_back(answers: &Vec<StopAnswer>, back: &Move) -> Vec<StopAnswer> {
-        let each = answers.iter();
-        each.map(|answer| stopping::moved_back(answer, back))
-            .collect()
+        stopping::moved_back(answers, back)
     }
 
     fn judge(

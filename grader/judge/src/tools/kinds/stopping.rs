@@ -47,23 +47,29 @@ pub(crate) fn symmetries(calls: &[StopCall]) -> Symmetries {
     }
 }
 
-/// A question, moved.
-pub(crate) fn moved(call: &StopCall, by: &Move) -> StopCall {
-    let runs = call.runs.iter();
-    StopCall {
-        runs: runs.map(|&(count, x)| (count, by.luminance(x))).collect(),
-        ..*call
-    }
+/// Questions, moved.
+pub(crate) fn moved(calls: &[StopCall], by: &Move) -> Vec<StopCall> {
+    let of_one = |call: &StopCall| {
+        let runs = call.runs.iter();
+        StopCall {
+            runs: runs.map(|&(count, x)| (count, by.luminance(x))).collect(),
+            ..*call
+        }
+    };
+    calls.iter().map(of_one).collect()
 }
 
-/// An answer, moved back.
-pub(crate) fn moved_back(answer: &StopAnswer, back: &Move) -> StopAnswer {
-    let calls = answer.rule_calls.iter();
-    let calls = calls.map(|&(count, mean, tolerance)| (count, back.luminance(mean), tolerance));
-    StopAnswer {
-        stop: answer.stop,
-        rule_calls: calls.collect(),
-    }
+/// Answers, moved back.
+pub(crate) fn moved_back(answers: &[StopAnswer], back: &Move) -> Vec<StopAnswer> {
+    let of_one = |answer: &StopAnswer| {
+        let calls = answer.rule_calls.iter();
+        let calls = calls.map(|&(count, mean, tolerance)| (count, back.luminance(mean), tolerance));
+        StopAnswer {
+            stop: answer.stop,
+            rule_calls: calls.collect(),
+        }
+    };
+    answers.iter().map(of_one).collect()
 }
 
 /// Judges the result of a rule. `plain` ends the message: what the plain rule returns, if another

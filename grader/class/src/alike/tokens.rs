@@ -24,7 +24,7 @@ impl Token {
     };
 }
 
-/// The form of all names.
+/// The form that every name has, so that renaming changes no form.
 const NAME: &str = "a name";
 
 /// Words that Rust gives a meaning: in the place of a name they make a different program.

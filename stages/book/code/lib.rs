@@ -5,6 +5,7 @@
 //!
 //! - [`drawing`]: a figure as SVG. [`figures`]: the figures, drawn by code that calls `kit`.
 //! - [`chapter`]: a chapter's sections, formulas, links and code blocks, as the tests read them.
+//! - [`symbols`]: the index of symbols in the glossary.
 //! - [`maths`]: formulas as MathML. [`source`]: what mdBook renders, prepared. [`page`]: what mdBook
 //!   rendered, completed. The program in `site` does both, with mdBook in between.
 //!
@@ -18,6 +19,7 @@ pub mod maths;
 pub mod page;
 pub mod paths;
 pub mod source;
+pub mod symbols;
 
 /// The folder of this crate, which contains `book.toml` and `src`.
 pub fn folder() -> &'static std::path::Path {
@@ -59,5 +61,8 @@ mod code_of_chapters {
         Part6Task2 "part6/task2.md"
         GettingStarted "getting-started.md"
         Debugging "debugging.md"
+        Rust "rust.md"
+        Chance "chance.md"
+        Light "light.md"
     }
 }

@@ -5,6 +5,9 @@
 //!   punctuation that follows a formula stays on its line.
 //! - A link to a file of the project leads to that file ([`Links::Project`]), or is only its text.
 //! - A picture of the project from outside the book is copied into the book.
+//! - A drawn figure gets its number, a caption, and the drawing's description in words, which a
+//!   program that reads the page aloud reads in place of the picture. An explorable figure has a
+//!   caption of its own, and gets its number.
 //! - A sheet of mistakes becomes its panels, which are below each other where the page is narrow.
 
 use crate::maths;
@@ -65,6 +68,7 @@ impl Sources {
     /// The Markdown for mdBook of the chapter `at`, a path below `src`.
     pub fn chapter(&mut self, markdown: &str, at: &Path) -> Result<String, String> {
         let mut changes: Vec<(Range<usize>, String)> = Vec::new();
+        let mut figures = FigureNumbers::of(at);
         let events = Parser::new_ext(markdown, maths::options()).into_offset_iter();
         let mut link: Option<Range<usize>> = None;
         for (event, range) in events {
@@ -109,9 +113,19 @@ impl Sources {
                         }
                     }
                 }
+                Event::Html(html) if html.contains(CAPTION) => {
+                    let start = range.start + html.find(CAPTION).unwrap_or_default();
+                    let end = start + CAPTION.len();
+                    changes.push((start..end, format!("{CAPTION}{} ", figures.next())));
+                }
                 Event::Start(Tag::Image { dest_url, .. }) => {
                     let image = &markdown[range.clone()];
-                    if dest_url.contains("/mistakes/") || dest_url.starts_with("mistakes/") {
+                    if dest_url.contains("figures/") {
+                        let is_explorable = markdown[..range.start].trim_end().ends_with("\">");
+                        let number = (!is_explorable).then(|| figures.next());
+                        let html = drawn(image, &dest_url, at, number.as_deref())?;
+                        changes.push((range, html));
+                    } else if dest_url.contains("/mistakes/") || dest_url.starts_with("mistakes/") {
                         changes.push((range, sheet(image, &dest_url, at)?));
                     } else if let Some(file) = of_project(&dest_url, at) {
                         let copy = crate::folder().join("src").join(copy_of(&file));
@@ -157,6 +171,56 @@ impl Sources {
         let with_signs = format!("<span class=\"joined\">{element}{}</span>", &after[..signs]);
         Ok((range.start..range.end + signs, with_signs))
     }
+}
+
+/// The start of the caption of an explorable figure.
+const CAPTION: &str = "<figcaption>";
+
+/// Counts the figures of a chapter.
+struct FigureNumbers {
+    prefix: String,
+    last: u32,
+}
+
+impl FigureNumbers {
+    /// Those of the chapter `at`: `1.3-1` is the first of Part 1, Task 3.
+    fn of(at: &Path) -> FigureNumbers {
+        let name = at.with_extension("").display().to_string();
+        let of_task = name
+            .strip_prefix("part")
+            .and_then(|rest| rest.split_once("/task"));
+        let prefix = of_task.map_or(String::new(), |(part, task)| format!("{part}.{task}-"));
+        FigureNumbers { prefix, last: 0 }
+    }
+
+    fn next(&mut self) -> String {
+        self.last += 1;
+        format!("<b>Figure {}{}.</b>", self.prefix, self.last)
+    }
+}
+
+/// A drawn figure: its text in the chapter is the caption, its title the description.
+fn drawn(image: &str, link: &str, at: &Path, number: Option<&str>) -> Result<String, String> {
+    let file = folder_of(at).join(link);
+    let svg = std::fs::read_to_string(&file)
+        .map_err(|error| format!("cannot read {}: {error}", file.display()))?;
+    let title = svg
+        .split("<title>")
+        .nth(1)
+        .and_then(|rest| rest.split("</title>").next());
+    let title = title.ok_or_else(|| format!("{}: expected a <title>", file.display()))?;
+    let description = title.replace('"', "&quot;");
+    let img = format!("<img src=\"{link}\" alt=\"{description}\">");
+    let caption = image.split("](").next().unwrap_or_default();
+    let caption = escaped(caption.trim_start_matches("!["));
+    Ok(match number {
+        Some(number) => {
+            format!(
+                "<figure class=\"drawn\">{img}{CAPTION}{number} {caption}.</figcaption></figure>"
+            )
+        }
+        None => img,
+    })
 }
 
 /// The file of the project outside of the book to which `link` of the chapter `at` leads.
@@ -271,8 +335,27 @@ mod tests {
         assert_eq!(text, "![A box](../pictures/part1.task3/task.png)");
         let pictures: Vec<_> = sources.pictures().map(|(_, copy)| copy).collect();
         assert_eq!(pictures, [Path::new("pictures/part1.task3/task.png")]);
-        let inside = "![A path](../figures/part4-path.svg)";
-        assert_eq!(chapter(inside, Links::Nowhere).0, inside);
+    }
+
+    #[test]
+    fn figures_are_numbered_and_described() {
+        let markdown = "![A path](../figures/part4-path.svg)\n\n<figure class=\"explore\" data-explore=\"a\">\n\n\
+                        ![B](../figures/part1-film.svg)\n\n<figcaption>To try</figcaption>\n</figure>\n";
+        let (text, _) = chapter(markdown, Links::Nowhere);
+        let first = "<figure class=\"drawn\"><img src=\"../figures/part4-path.svg\" alt=\"";
+        assert!(text.starts_with(first), "{text}");
+        let caption = "\"><figcaption><b>Figure 1.3-1.</b> A path.</figcaption></figure>\n";
+        assert!(text.contains(caption), "{text}");
+        let second = "<img src=\"../figures/part1-film.svg\" alt=\"A film of 4 by 2 pixels";
+        assert!(text.contains(second), "{text}");
+        assert!(
+            text.contains("<figcaption><b>Figure 1.3-2.</b> To try"),
+            "{text}"
+        );
+        let error = Sources::new(Links::Nowhere)
+            .chapter("![?](figures/none.svg)", Path::new("a.md"))
+            .unwrap_err();
+        assert!(error.contains("cannot read"), "{error}");
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! All tests of the text and its numbers.
 
 mod course;
+mod english;
 mod explore;
 mod hard_cases;
 mod numbers;

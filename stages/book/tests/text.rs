@@ -42,6 +42,20 @@ fn figures_are_drawn_by_the_code_and_each_is_shown() {
 }
 
 #[test]
+fn the_index_of_symbols_is_that_of_the_chapters() {
+    let glossary = chapters();
+    let glossary = glossary
+        .iter()
+        .find(|chapter| chapter.path == Path::new(book::symbols::GLOSSARY));
+    let text = &glossary.expect("SUMMARY.md lists the glossary").text;
+    let expected = book::symbols::glossary().expect("the chapters can be read");
+    assert!(
+        *text == expected,
+        "the index of symbols is old: run `cargo run -p book -- symbols`"
+    );
+}
+
+#[test]
 fn links_lead_somewhere() {
     for chapter in chapters() {
         let file = book::folder().join("src").join(&chapter.path);

@@ -60,7 +60,7 @@ fn part4_task2_a_wall_a_floor_and_a_lamp() {
         reflectance: Spectrum::grey(0.5),
     };
     let lamp = Material::Emission {
-        radiance: Spectrum::grey(17.0),
+        radiance: Spectrum::grey(10.0),
     };
     let materials = [wall, floor, lamp];
     let named = |material| NamedMaterial {

@@ -1,5 +1,7 @@
 //! The figures of the chapters. Each is a function that draws it; [`all`] lists them by name.
 
+mod chance;
+mod light;
 mod part1_camera;
 mod part1_film;
 pub mod part1_sphere;
@@ -22,6 +24,8 @@ pub type Figure = (&'static str, String);
 /// All figures of the book.
 pub fn all() -> Vec<Figure> {
     [
+        chance::figures(),
+        light::figures(),
         part1_film::figures(),
         part1_camera::figures(),
         part1_triangle::figures(),

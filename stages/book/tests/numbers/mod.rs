@@ -3,6 +3,7 @@
 //! In the section "A worked example" of a chapter every number of every formula is compared, in the
 //! order in which they stand there. Numbers in other places are those of `claims`.
 
+mod chance_light;
 mod claims;
 mod part1;
 mod part2;

@@ -55,7 +55,7 @@ fn task2() {
     let added = text.v(beta2 * second);
     let beta3 = text.v(floor * beta2);
     assert!((beta3 - Vec3::new(0.4, 0.1, 0.1)).length() < 1e-15);
-    let lamp = text.n(17.0);
+    let lamp = text.n(10.0);
     text.v(first);
     text.v(added);
     text.v(first + added);

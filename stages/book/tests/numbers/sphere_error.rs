@@ -36,18 +36,26 @@ fn median(mut values: Vec<f64>) -> f64 {
     values[values.len() / 2]
 }
 
+const SPHERE: Sphere = Sphere {
+    center: Vec3::ZERO,
+    radius: 1.0,
+};
+
+/// The well-known test of this name, in double precision.
+fn kernel(name: &str) -> kernels::Kernel<Sphere, kernels::HitF64> {
+    let mut all = kernels::spheres().into_iter();
+    let is_it = |kernel: &kernels::Kernel<_, _>| {
+        kernel.info.name == name && kernel.precision == Precision::F64
+    };
+    all.find(is_it).expect("the kernel exists")
+}
+
+fn relative(value: f64, truth: f64) -> f64 {
+    ((value - truth) / truth).abs()
+}
+
 fn errors(distance: f64) -> Errors {
-    let sphere = Sphere {
-        center: Vec3::ZERO,
-        radius: 1.0,
-    };
-    let kernel = |name: &str| {
-        let mut all = kernels::spheres().into_iter();
-        let is_it = |kernel: &kernels::Kernel<_, _>| {
-            kernel.info.name == name && kernel.precision == Precision::F64
-        };
-        all.find(is_it).expect("the kernel exists")
-    };
+    let sphere = SPHERE;
     let kernels = [kernel("quadratic formula"), kernel("Haines's discriminant")];
     let mut sampler = PixelSampler::new(0, 0, 1);
     let (mut half_chord, mut t) = ([vec![], vec![]], [vec![], vec![]]);
@@ -64,7 +72,6 @@ fn errors(distance: f64) -> Errors {
         let truth = a * half * half;
         let c = ray.o.dot(ray.o) - 1.0;
         let nearest = ray.o + (b / a) * ray.d;
-        let relative = |value: f64, truth: f64| ((value - truth) / truth).abs();
         half_chord[0].push(relative((b * b - a * c) / a, truth));
         half_chord[1].push(relative(1.0 - nearest.length_squared(), truth));
         for (errors, kernel) in t.iter_mut().zip(&kernels) {
@@ -76,6 +83,49 @@ fn errors(distance: f64) -> Errors {
         half_chord: half_chord.map(median),
         t: t.map(median),
     }
+}
+
+/// The median errors of t for rays that start a millionth above the surface: the textbook's formula,
+/// the other root from `c / q`, and this root with a `c` that is nearly exact.
+fn errors_near_the_surface() -> [f64; 3] {
+    let kernels = [kernel("quadratic formula"), kernel("q form")];
+    let mut sampler = PixelSampler::new(0, 0, 2);
+    let mut found = [vec![], vec![], vec![]];
+    while found[0].len() < RAYS {
+        let (a, b) = (sampler.get_sample(), sampler.get_sample());
+        let up = Vec3::new(a.x - 0.5, a.y - 0.5, b.x - 0.5).normalize();
+        let d = Vec3::new(b.y - 0.5, b.x - a.y, a.x - 0.5);
+        let ray = Ray::new((1.0 + 1e-6) * up, d);
+        // Neither away from the sphere nor nearly along its surface.
+        if d.dot(up) > -0.1 * d.length() {
+            continue;
+        }
+        let [near, _] = oracle::sphere(&SPHERE, &ray).roots.expect("it hits");
+        let truth = near.to_f64();
+        for (errors, kernel) in found.iter_mut().zip(&kernels) {
+            let hit = kernel.answer(&SPHERE, &ray).expect("it hits");
+            errors.push(relative(hit.t, truth));
+        }
+        let c = square_less_one(ray.o);
+        let (a, b) = (d.dot(d), -ray.o.dot(d));
+        let q = b + (b * b - a * c).sqrt();
+        found[2].push(relative(c / q, truth));
+    }
+    found.map(median)
+}
+
+/// `v·v - 1`, of which no rounding error is lost before the last addition.
+fn square_less_one(v: Vec3) -> f64 {
+    let squares = v.to_array().map(|x| (x * x, x.mul_add(x, -x * x)));
+    let (mut sum, mut errors) = (-1.0, 0.0);
+    for (square, error) in squares {
+        let next: f64 = sum + square;
+        // What the addition has rounded away (Knuth).
+        let back = next - sum;
+        errors += (sum - (next - back)) + (square - back) + error;
+        sum = next;
+    }
+    sum + errors
 }
 
 /// Rounded to two digits.
@@ -108,7 +158,19 @@ pub(super) fn claims() -> Vec<Claim> {
     let thousand = errors(1e3).half_chord[0];
     let lost = 16.0 + thousand.log10();
     assert_eq!(lost.round(), 6.0, "six of sixteen are lost");
+    let [textbook, product, exact] = errors_near_the_surface().map(power);
     vec![
+        (
+            "part1/task4.md",
+            format!(
+                "From a height of $10^{{-6}}$ above a sphere of radius 1, the median error of $t$ is {textbook} with the \
+                 textbook's formula and {product} with $c / q$."
+            ),
+        ),
+        (
+            "part1/task4.md",
+            format!("$c / q$ has an error of {exact}."),
+        ),
         (
             "part1/task4.md",
             format!("From a distance of about $10^{blind}$ on no digit of it is right"),

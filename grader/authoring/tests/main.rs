@@ -7,3 +7,4 @@ mod mutants;
 mod new_stage;
 mod pasted;
 mod repro;
+mod term;

@@ -8,6 +8,7 @@
 //! - [`child_processes`]: starting and ending programs
 //! - [`browser`]: opens pages; [`keys`]: reads single keys
 //! - [`Workspace`]: the checkout or handout of the course
+//! - [`term`]: the folder of a teacher's course
 
 pub mod browser;
 pub mod child_processes;
@@ -17,6 +18,7 @@ pub mod interrupt;
 pub mod keys;
 pub mod print;
 pub mod program;
+pub mod term;
 mod workspace;
 
 pub use error::{GraderError, without_path};

@@ -1,6 +1,6 @@
 //! The workspace of the course: its root folder and the paths of its files.
 
-use crate::{GraderError, VERSION};
+use crate::{GraderError, VERSION, term};
 use std::path::{Path, PathBuf};
 
 /// A checkout or a handout of the course.
@@ -13,25 +13,43 @@ pub struct Workspace {
 const COURSE: &str = "stages/course.toml";
 
 impl Workspace {
-    /// The nearest folder at or above `start` that contains `stages/course.toml`.
+    /// The nearest folder at or above `start` that contains `stages/course.toml`, or the copy of
+    /// the course in the folder of a [`term`]. Fails if the teacher's files changed since they were
+    /// applied to the copy.
     pub fn above(start: &Path) -> Result<Workspace, GraderError> {
+        let workspace = Workspace::above_as_it_is(start)?;
+        if let Some(folder) = workspace.term_folder() {
+            term::ensure_applied(folder)?;
+        }
+        Ok(workspace)
+    }
+
+    /// The same, whether or not the teacher's files were applied.
+    pub fn above_as_it_is(start: &Path) -> Result<Workspace, GraderError> {
         let start = start
             .canonicalize()
             .map_err(|e| GraderError::file("open", start, e))?;
-        let root = start
-            .ancestors()
-            .find(|folder| folder.join(COURSE).is_file());
+        let root = start.ancestors().find_map(|folder| {
+            let copy = folder.join(term::COPY);
+            let is_course = |folder: &PathBuf| folder.join(COURSE).is_file();
+            [folder.to_path_buf(), copy].into_iter().find(is_course)
+        });
         let root = root.ok_or_else(|| {
             GraderError::new(format!(
                 "no course found: neither {} nor a folder above it contains {COURSE}. Run the grader inside the course's folder",
                 start.display()
             ))
         })?;
-        let workspace = Workspace {
-            root: root.to_path_buf(),
-        };
+        let workspace = Workspace { root };
         workspace.ensure_version(VERSION)?;
         Ok(workspace)
+    }
+
+    /// The folder of the [`term`] that this is the copy of First Light in, if it is one.
+    pub fn term_folder(&self) -> Option<&Path> {
+        let is_copy = self.root.file_name().is_some_and(|name| name == term::COPY);
+        let folder = self.root.parent().filter(|_| is_copy)?;
+        folder.join(term::FILES[0]).is_file().then_some(folder)
     }
 
     /// The workspace whose root folder is `root`, of any version of the course.
@@ -150,6 +168,33 @@ impl Workspace {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_term_is_refused_until_its_files_are_applied() {
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        let root = folder.path().canonicalize().expect("it exists");
+        let copy = root.join(term::COPY);
+        std::fs::create_dir_all(copy.join("stages")).expect("a folder");
+        std::fs::create_dir_all(root.join("submissions/ada")).expect("a folder");
+        std::fs::write(copy.join(COURSE), "").expect("a file");
+        std::fs::write(root.join("course.toml"), "name = 1").expect("a file");
+        let below = root.join("submissions/ada");
+        let found = Workspace::above_as_it_is(&below).expect("a course");
+        assert_eq!(found.root(), copy);
+        assert_eq!(found.term_folder(), Some(root.as_path()));
+        let error = Workspace::above(&below)
+            .expect_err("nothing is applied")
+            .to_string();
+        assert!(error.contains("course.toml changed since"), "{error}");
+        std::fs::create_dir_all(root.join(term::APPLIED)).expect("a folder");
+        std::fs::write(root.join(term::APPLIED).join("course.toml"), "name = 1").expect("a file");
+        assert_eq!(
+            Workspace::above(&below).expect("it is applied").root(),
+            copy
+        );
+        std::fs::write(root.join("front.md"), "Welcome").expect("a file");
+        assert!(Workspace::above(&below).is_err());
+    }
 
     #[test]
     fn a_course_of_another_version_is_refused() {

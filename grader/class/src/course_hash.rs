@@ -33,10 +33,11 @@ const DECIDING: [&str; 2] = ["worker", "submission"];
 /// The list of tasks and cases.
 const COURSE: &str = "stages/course.toml";
 
-/// What the list says about the questions and how they are judged. Titles, conventions and points do
-/// not count: points are computed when tables are made.
+/// What the list says about the questions and how they are judged. Titles, conventions, dates and
+/// points do not count: points are computed when tables are made.
 fn without_points(mut course: Course) -> String {
     course.conventions.clear();
+    course.term = None;
     for part in &mut course.parts {
         part.title.clear();
         for task in &mut part.tasks {

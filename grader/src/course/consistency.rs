@@ -27,6 +27,9 @@ pub fn problems(workspace: &Workspace, course: &Course, specs: &[Spec]) -> Vec<S
                 .iter()
                 .map(|case| (task.key.as_str(), case.name.as_str()))
         });
+        if course.leaves_out(spec.task, Some(spec.name)) {
+            continue;
+        }
         if !listed.any(is_listed) {
             problems.push(format!(
                 "{}: the grader has the case `{}`, but course.toml does not list it",

@@ -6,12 +6,14 @@ pub mod given;
 pub mod moved_points;
 pub mod packed;
 pub mod sources;
+pub mod term;
 
 use base::{GraderError, Workspace};
 use judge::Tier;
 use judge::tally::Aspect;
 use serde::Deserialize;
 use std::collections::BTreeSet;
+use term::Term;
 
 /// The course: its parts, tasks, cases and points.
 #[derive(Clone, Debug, Deserialize)]
@@ -23,6 +25,13 @@ pub struct Course {
     /// also leave out their solutions.
     #[serde(default)]
     pub ungraded: Vec<String>,
+    /// Tasks and cases that a teacher leaves out, such as `part1.task2` and
+    /// `part1.task3/slivers`. The code of such a task is given.
+    #[serde(default)]
+    pub left_out: Vec<String>,
+    /// The term in which a teacher gives the course.
+    #[serde(default)]
+    pub term: Option<Term>,
     /// The parts in order.
     #[serde(rename = "part")]
     pub parts: Vec<Part>,
@@ -149,6 +158,11 @@ impl Course {
                     "`{what}` names one case. To run it: `cargo grader {key} --case {case}`"
                 )));
             }
+            if self.left_out.iter().any(|key| is_selected(key, what)) {
+                return Err(GraderError::new(format!(
+                    "this course leaves `{what}` out: its code is given, and nothing of it is graded"
+                )));
+            }
             if let Some(part) = self.parts.iter().find(|part| part.matches_key(what)) {
                 let keys: Vec<&str> = part.tasks.iter().map(|task| task.key.as_str()).collect();
                 return Err(GraderError::new(format!(
@@ -185,7 +199,29 @@ impl Course {
             .filter_map(|key| Some((part_number(key)?, key)))
     }
 
+    /// Whether a teacher leaves out the task `key`, or its case `case`.
+    pub fn leaves_out(&self, key: &str, case: Option<&str>) -> bool {
+        let is_case =
+            |left_out: &str| case.is_some_and(|case| left_out.split_once('/') == Some((key, case)));
+        self.left_out
+            .iter()
+            .any(|left_out| left_out == key || is_case(left_out))
+    }
+
+    /// The keys of the tasks that a teacher leaves out.
+    pub fn tasks_left_out(&self) -> impl Iterator<Item = &str> {
+        let keys = self.left_out.iter().map(String::as_str);
+        keys.filter(|key| !key.contains('/'))
+    }
+
     fn check(&self) -> Result<(), GraderError> {
+        self.term.as_ref().map_or(Ok(()), Term::check)?;
+        for key in self.tasks_left_out() {
+            let is_listed = self.tasks().any(|task| task.key == key);
+            ensure(part_number(key).is_some() && !is_listed, || {
+                format!("`left_out` lists `{key}`: expected the key of a task that is not listed")
+            })?;
+        }
         for pair in self.parts.windows(2) {
             ensure(pair[0].number < pair[1].number, || {
                 format!(

@@ -1,12 +1,14 @@
 //! Checks the course before it is handed out: `grader course check`.
 //!
 //! - [`grader::course::consistency`]: `course.toml`, the cases and the goldens agree.
+//! - [`book`]: the book says the points of the course.
 //! - [`solution_copies`]: no handout contains a copy of a solution that was removed from it.
 //! - [`build`]: every handout builds without warnings, is formatted and passes its tests. Its own
 //!   grader reports *not attempted* for every task without a solution and full points for the
 //!   others.
 //! - The reference earns all points.
 
+pub mod book;
 pub mod build;
 pub mod solution_copies;
 
@@ -33,6 +35,11 @@ pub fn course(
     progress("comparing course.toml, cases and goldens");
     let found = consistency::problems(workspace, &course, &cases::all(0));
     report(&mut problems, found, &mut progress);
+    report(
+        &mut problems,
+        book::problems(workspace, &course)?,
+        &mut progress,
+    );
     progress(&MovedPoints::of(&course).summary());
     let mut handouts = Vec::new();
     for part in &course.parts {

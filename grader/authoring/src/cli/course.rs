@@ -1,6 +1,10 @@
-//! The commands `grader course check`, which checks the course before it is handed out, and `grader
-//! course diff`, which compares it with another version.
+//! The commands `grader course check`, which checks the course before it is handed out, `grader
+//! course diff`, which compares it with another version, and those for the folder of a term:
+//! `grader course new`, `build` and `update`.
 
+use authoring::handout::output_folder;
+use authoring::term::update::Update;
+use authoring::term::{self, build, new};
 use authoring::{check, diff};
 use base::program::Exit;
 use base::{GraderError, Workspace, errln, out, outln};
@@ -33,17 +37,109 @@ pub(crate) fn command() -> Command {
                 .value_parser(value_parser!(PathBuf))
                 .help("The top folder of the older version: a checkout, or a handout"),
         );
+    let folder = || {
+        Arg::new("dir")
+            .value_name("DIR")
+            .value_parser(value_parser!(PathBuf))
+    };
+    let text =
+        |name: &'static str, value: &'static str| Arg::new(name).long(name).value_name(value);
+    let new = Command::new("new")
+        .about("Makes the folder of a term: your name, dates, points and words, and this version of First Light")
+        .arg(folder().required(true).help("A folder that does not exist yet"))
+        .arg(text("name", "NAME").default_value("First Light").help("The name of your course"))
+        .arg(text("term", "TERM").default_value("this term").help("When you give it, such as \"Spring 2027\""))
+        .arg(text("source", "URL").help("The repository that others clone First Light from; by default that of this checkout"));
+    let build = Command::new("build")
+        .about("Applies the files of a term to its copy of First Light, .first-light")
+        .arg(folder().help("The folder of the term; by default the current one"));
+    let update = Command::new("update")
+        .about("Shows what this version of First Light would change in a term; points that were given stay")
+        .arg(folder().required(true).help("The folder of the term"))
+        .arg(
+            Arg::new("yes")
+                .long("yes")
+                .action(ArgAction::SetTrue)
+                .help("Take this version"),
+        )
+        .arg(
+            Arg::new("new-points")
+                .long("new-points")
+                .action(ArgAction::SetTrue)
+                .help("Take its points, too, and its new tasks and cases"),
+        );
     Command::new("course")
-        .about("For instructors: checks the course itself, compares it with another version")
+        .about("For instructors: makes the course of a term, checks the course, compares it with another version")
         .subcommand_required(true)
-        .subcommands([check, diff])
+        .subcommands([new, build, update, check, diff])
 }
 
 pub(crate) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     match matches.subcommand().expect("clap requires it") {
+        ("new", matches) => run_new(matches),
+        ("build", matches) => run_build(matches),
+        ("update", matches) => run_update(matches),
         ("check", matches) => run_check(matches),
         (_, matches) => run_diff(matches),
     }
+}
+
+fn run_new(matches: &ArgMatches) -> Result<Exit, GraderError> {
+    let folder: &PathBuf = matches.get_one("dir").expect("clap requires it");
+    let first_light = Workspace::above(Path::new("."))?;
+    output_folder::check(&first_light, folder)?;
+    let given = |name| matches.get_one::<String>(name).cloned();
+    let source = given("source").unwrap_or_else(|| new::source_of(&first_light));
+    let [name, when] = ["name", "term"].map(|name| given(name).expect("it has a default"));
+    new::new(&first_light, folder, &name, &when, &source)?;
+    outln!(
+        "{} is your course. Write its dates and points into course.toml, and run `cargo grader course check --quick` there; \
+         README.md has the other commands",
+        folder.display()
+    );
+    if !source.contains("://") && !source.contains('@') {
+        outln!(
+            "Others get First Light from {source}, the `source` in course.toml: on another machine it has to be a URL"
+        );
+    }
+    Ok(Exit::Passed)
+}
+
+/// The folder of the term that the command names, or the one around the current folder.
+fn term_folder(matches: &ArgMatches) -> Result<PathBuf, GraderError> {
+    let here = PathBuf::from(".");
+    let start: &PathBuf = matches.get_one("dir").unwrap_or(&here);
+    term::above(start)?.ok_or_else(|| {
+        GraderError::new(format!(
+            "{} is no folder of a term: it has no course.toml with `[first_light]`. `cargo grader course new DIR` makes one",
+            start.display()
+        ))
+    })
+}
+
+fn run_build(matches: &ArgMatches) -> Result<Exit, GraderError> {
+    let folder = term_folder(matches)?;
+    build::build(&Workspace::above_as_it_is(Path::new("."))?, &folder)?;
+    outln!("{} is built", folder.display());
+    Ok(Exit::Passed)
+}
+
+fn run_update(matches: &ArgMatches) -> Result<Exit, GraderError> {
+    let folder = term_folder(matches)?;
+    let newer = Workspace::above_as_it_is(Path::new("."))?;
+    let update = Update::plan(&newer, &folder, matches.get_flag("new-points"))?;
+    out!("{}", update.to_text());
+    if !matches.get_flag("yes") {
+        outln!("\nNothing is changed yet. To take this version, add `--yes`.");
+        return Ok(Exit::Failed);
+    }
+    update.carry_out()?;
+    outln!(
+        "\n{} uses First Light {} now",
+        folder.display(),
+        base::VERSION
+    );
+    Ok(Exit::Passed)
 }
 
 fn run_diff(matches: &ArgMatches) -> Result<Exit, GraderError> {
@@ -56,6 +152,9 @@ fn run_diff(matches: &ArgMatches) -> Result<Exit, GraderError> {
 
 fn run_check(matches: &ArgMatches) -> Result<Exit, GraderError> {
     let quick = matches.get_flag("quick");
+    if let Some(folder) = term::above(Path::new("."))? {
+        build::build(&Workspace::above_as_it_is(Path::new("."))?, &folder)?;
+    }
     let workspace = Workspace::above(Path::new("."))?;
     let start = Instant::now();
     let print = |step: &str| errln!("[{:4} s] {step}", start.elapsed().as_secs());

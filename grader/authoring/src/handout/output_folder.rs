@@ -5,12 +5,7 @@ use std::path::{Component, Path};
 
 /// Returns an error if a handout in `out` would overwrite files or be inside the course itself.
 pub fn check(workspace: &Workspace, out: &Path) -> Result<(), GraderError> {
-    let error = |why: &str| {
-        GraderError::new(format!(
-            "cannot write a handout to {}: {why}",
-            out.display()
-        ))
-    };
+    let error = |why: &str| GraderError::new(format!("cannot write to {}: {why}", out.display()));
     if out.exists() && !out.is_dir() {
         return Err(error("it is a file. Name a folder that does not exist yet"));
     }

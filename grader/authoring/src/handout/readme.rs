@@ -33,6 +33,7 @@ pub fn write(course: &Course, part: u32, files: &Files) -> Result<String, Grader
         .collect();
     let first_task = here.tasks.first().map_or("all", |task| &task.key);
     Ok(TEMPLATE
+        .replace("{term}", &term(course))
         .replace("{version}", base::VERSION)
         .replace("{part}", &part.to_string())
         .replace("{given}", &given(course, part))
@@ -42,6 +43,17 @@ pub fn write(course: &Course, part: u32, files: &Files) -> Result<String, Grader
         .replace("{ungraded}", &ungraded(course, part, files))
         .replace("{conventions}", &conventions)
         .replace("{stages}", &stages))
+}
+
+/// The name and the dates of a teacher's course.
+fn term(course: &Course) -> String {
+    let Some(term) = &course.term else {
+        return String::new();
+    };
+    match term.table().as_str() {
+        "" => format!("**{}**\n\n", term.title()),
+        table => format!("**{}**\n\n{table}\n", term.title()),
+    }
 }
 
 /// A sentence about the parts that the handout contains already.

@@ -1,0 +1,248 @@
+//! The folder of a term: what its files change, and what an update changes in it.
+
+use authoring::check::book;
+use authoring::handout::Handout;
+use authoring::term::build::build;
+use authoring::term::new::new;
+use authoring::term::update::Update;
+use base::Workspace;
+use base::term::COPY;
+use grader::course::{Course, consistency};
+use judge::Tier;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+fn first_light() -> Workspace {
+    Workspace::above(Path::new(env!("CARGO_MANIFEST_DIR"))).expect("the grader is in the course")
+}
+
+/// A new term in a temporary folder.
+fn term() -> (tempfile::TempDir, PathBuf) {
+    let folder = tempfile::tempdir().expect("a folder");
+    let root = folder
+        .path()
+        .canonicalize()
+        .expect("it exists")
+        .join("cs101");
+    new(
+        &first_light(),
+        &root,
+        "CS \"101\"",
+        "Spring 2027",
+        "https://example.org/f.git",
+    )
+    .expect("a term");
+    (folder, root)
+}
+
+/// Replaces a text in a file that contains it once.
+fn edit(path: &Path, old: &str, new: &str) {
+    let text = fs::read_to_string(path).expect("a file");
+    assert_eq!(text.matches(old).count(), 1, "{old} in {}", path.display());
+    fs::write(path, text.replace(old, new)).expect("it is writable");
+}
+
+fn copy_of(root: &Path) -> Workspace {
+    Workspace::above(&root.join(COPY)).expect("it is built")
+}
+
+/// The error of a build with this text in place of the empty list `leave_out`.
+fn error_with(root: &Path, settings: &str) -> String {
+    let file = root.join("course.toml");
+    let text = fs::read_to_string(&file).expect("a file");
+    fs::write(&file, text.replacen("\nleave_out = []\n", settings, 1)).expect("it is writable");
+    let error = build(&copy_as_it_is(root), root).expect_err("it is wrong");
+    fs::write(&file, text).expect("it is writable");
+    error.to_string()
+}
+
+fn copy_as_it_is(root: &Path) -> Workspace {
+    Workspace::above_as_it_is(root).expect("there is a copy")
+}
+
+#[test]
+fn the_files_of_a_term_change_course_book_and_handouts() {
+    let (_folder, root) = term();
+    assert_eq!(
+        fs::read(copy_of(&root).root().join("stages/bbox/src/lib.rs")).expect("a file"),
+        fs::read(first_light().root().join("stages/bbox/src/lib.rs")).expect("a file")
+    );
+    let file = root.join("course.toml");
+    edit(
+        &file,
+        "\nleave_out = []\n",
+        "\nleave_out = [\"part3\", \"part4\", \"part5\", \"part6\", \"part1.task4\", \"part1.task3/slivers\"]\n",
+    );
+    edit(
+        &file,
+        "# \"part1.task3/range\" = 5",
+        "\"part1.task3/range\" = 5.5",
+    );
+    edit(
+        &file,
+        "\ndates = []\n",
+        "\ndates = [{ part = 1, due = 2027-02-15T23:59:00+01:00 }]\n",
+    );
+    fs::write(root.join("front.md"), "Ask in room 7.\n").expect("it is writable");
+    fs::create_dir(root.join("scenes")).expect("a folder");
+    fs::write(root.join("scenes/ours.dae"), "<COLLADA/>").expect("it is writable");
+    assert!(Workspace::above(&root).is_err(), "nothing is applied yet");
+    build(&copy_as_it_is(&root), &root).expect("it is right");
+
+    let workspace = copy_of(&root);
+    let course = Course::read(&workspace).expect("a course");
+    let task = course.select("part1.task3").expect("a task")[0];
+    assert_eq!(
+        [Tier::Core, Tier::Robust].map(|tier| task.points(tier)),
+        [32.5, 14.0]
+    );
+    let error = course
+        .select("part1.task4")
+        .expect_err("it is left out")
+        .to_string();
+    assert!(
+        error.contains("this course leaves `part1.task4` out"),
+        "{error}"
+    );
+    assert_eq!(course.parts.len(), 2);
+    let specs = judge::cases::all(0);
+    assert_eq!(consistency::problems(&workspace, &course, &specs), [""; 0]);
+    assert_eq!(
+        book::problems(&workspace, &course).expect("a book"),
+        [""; 0]
+    );
+    let read = |path: &str| fs::read_to_string(workspace.root().join(path)).expect("a file");
+    let front = read("stages/book/src/introduction.md");
+    for words in [
+        "**CS \"101\", Spring 2027**",
+        "Ask in room 7.",
+        "| 1 |  | 2027-02-15 23:59+01:00 |",
+        "There are 6 tasks. Each",
+    ] {
+        assert!(front.contains(words), "{words}: {front}");
+    }
+    assert!(read("stages/book/src/part1/task4.md").contains("leaves the task out"));
+
+    let handout = Handout::carve(&workspace, 1).expect("a handout");
+    let text = |path: &str| String::from_utf8_lossy(&handout.files[Path::new(path)]).into_owned();
+    assert!(text("stages/intersect/src/triangle.rs").contains("hole!(\"part1.task3\""));
+    let sphere = text("stages/intersect/src/sphere.rs");
+    assert!(
+        !sphere.contains("hole!") && !sphere.contains("SOLUTION"),
+        "{sphere}"
+    );
+    assert!(
+        !handout
+            .removed
+            .iter()
+            .any(|removed| removed.key == "part4.task1")
+    );
+    assert!(text("README.md").contains("| 1 |  | 2027-02-15 23:59+01:00 |"));
+    assert!(handout.files.contains_key(Path::new("scenes/dae/ours.dae")));
+
+    // What is taken back is as it was.
+    fs::remove_dir_all(root.join("scenes")).expect("it is removable");
+    edit(&file, "\"part1.task3/range\" = 5.5\n", "");
+    build(&copy_as_it_is(&root), &root).expect("it is right");
+    assert!(!workspace.root().join("scenes/dae/ours.dae").exists());
+    let course = Course::read(&copy_of(&root)).expect("a course");
+    assert_eq!(
+        course.select("part1.task3").expect("a task")[0].points(Tier::Core),
+        30.0
+    );
+}
+
+#[test]
+fn settings_that_mean_nothing_are_told() {
+    let (_folder, root) = term();
+    for (settings, expected) in [
+        (
+            "\nleave_out = [\"part9\"]\n",
+            "`leave_out` names `part9`, which First Light does not have",
+        ),
+        (
+            "\nleave_out = [\"part1.task3/rang\"]\n",
+            "part1.task3 has no such case",
+        ),
+        (
+            "\nleave_out = [\"part1.task3/front_face\"]\n",
+            "this case shows the idea of part1.task3",
+        ),
+        (
+            "\nleave_out = [\"part1\", \"part2\", \"part3\", \"part4\", \"part5\"]\n",
+            "leaves no task",
+        ),
+        (
+            "\npoints = { \"part1.task3/range\" = 0.1 }\n",
+            "course.toml",
+        ),
+        ("\nleaveout = []\n", "unknown field `leaveout`"),
+    ] {
+        let error = error_with(&root, settings);
+        assert!(error.contains(expected), "{settings}{error}");
+    }
+    fs::create_dir(root.join("cases")).expect("a folder");
+    let error = error_with(&root, "\nleave_out = []\n");
+    assert!(error.contains("a term cannot have own cases"), "{error}");
+}
+
+#[test]
+fn an_update_keeps_the_points_that_were_given() {
+    let (_folder, root) = term();
+    // As if the term had been made with an older First Light: of other points, without a case.
+    let list = root.join(COPY).join("stages/course.toml");
+    edit(
+        &list,
+        "    { name = \"range\", tier = \"core\", points = 3 },\n    { name = \"range_ends\", tier = \"core\", points = 1 },\n    { name = \"edges_and_vertices\", tier = \"core\", points = 3 },\n",
+        "    { name = \"range\", tier = \"core\", points = 4 },\n    { name = \"edges_and_vertices\", tier = \"core\", points = 3 },\n",
+    );
+    let update = Update::plan(&first_light(), &root, false).expect("an update");
+    assert_eq!(
+        update.kept_points,
+        [
+            "part1.task3/range: 4 points, and not 3",
+            "part1.task3/range_ends, a new case with 1 points, is left out",
+        ]
+    );
+    assert_eq!(update.lost_points, [""; 0]);
+    assert_eq!(update.changes, []);
+    let taken = Update::plan(&first_light(), &root, true).expect("an update");
+    assert_eq!(taken.kept_points, [""; 0]);
+    assert_eq!(
+        taken.lost_points,
+        ["part1.task3: divided among its cases in another way"]
+    );
+    let changes: Vec<&str> = taken
+        .changes
+        .iter()
+        .map(|change| change.what.as_str())
+        .collect();
+    assert_eq!(
+        changes,
+        [
+            "points: 4 core points -> 3 core points",
+            "new: 1 core point"
+        ]
+    );
+    drop(taken);
+
+    update.carry_out().expect("it is written");
+    let course = Course::read(&copy_of(&root)).expect("a course");
+    let task = course.select("part1.task3").expect("a task")[0];
+    let range = task
+        .cases
+        .iter()
+        .find(|case| case.name == "range")
+        .expect("a case");
+    assert_eq!(range.points, 4.0);
+    assert!(course.leaves_out("part1.task3", Some("range_ends")));
+    // The teacher's word counts more than what was kept.
+    edit(
+        &root.join("course.toml"),
+        "# \"part1.task3/range\" = 5",
+        "\"part1.task3/range_ends\" = 1",
+    );
+    build(&copy_as_it_is(&root), &root).expect("it is right");
+    let course = Course::read(&copy_of(&root)).expect("a course");
+    assert!(!course.leaves_out("part1.task3", Some("range_ends")));
+}

@@ -1,0 +1,59 @@
+//! The folder of a term: the course as a teacher gives it, beside a copy of First Light.
+//!
+//! The folder has the teacher's files ([`inputs`]): what is different from First Light. `grader
+//! course build` applies them to the copy in [`COPY`], which is a full checkout and all that the
+//! other commands read.
+
+use crate::GraderError;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+/// The folder of First Light's files, with the changes of the term.
+pub const COPY: &str = ".first-light";
+
+/// The folder in [`COPY`] with the teacher's files that were applied last.
+pub const APPLIED: &str = ".first-light/.term";
+
+/// The names of the teacher's files, which need not all exist.
+pub const FILES: [&str; 3] = ["course.toml", "kept.toml", "front.md"];
+
+/// The folder of the teacher's scenes.
+pub const SCENES: &str = "scenes";
+
+/// The teacher's files in `folder`, by their paths in it.
+pub fn inputs(folder: &Path) -> Result<BTreeMap<PathBuf, Vec<u8>>, GraderError> {
+    let mut found = BTreeMap::new();
+    let mut paths: Vec<PathBuf> = FILES.iter().map(PathBuf::from).collect();
+    let scenes = folder.join(SCENES);
+    if scenes.is_dir() {
+        let failed = |e| GraderError::file("read", &scenes, e);
+        for entry in std::fs::read_dir(&scenes).map_err(failed)? {
+            paths.push(Path::new(SCENES).join(entry.map_err(failed)?.file_name()));
+        }
+    }
+    for path in paths {
+        let full = folder.join(&path);
+        if full.is_file() {
+            let contents = std::fs::read(&full).map_err(|e| GraderError::file("read", &full, e))?;
+            found.insert(path, contents);
+        }
+    }
+    Ok(found)
+}
+
+/// Returns an error if the teacher's files in `folder` are not those that were applied last.
+pub(crate) fn ensure_applied(folder: &Path) -> Result<(), GraderError> {
+    let (now, applied) = (inputs(folder)?, inputs(&folder.join(APPLIED))?);
+    let names = now.keys().chain(applied.keys());
+    let changed = names
+        .into_iter()
+        .find(|name| now.get(*name) != applied.get(*name));
+    match changed {
+        None => Ok(()),
+        Some(changed) => Err(GraderError::new(format!(
+            "{} changed since the course was built. Run `cargo grader course build` in {}",
+            changed.display(),
+            folder.display()
+        ))),
+    }
+}

@@ -19,6 +19,9 @@ pub struct Entry {
 /// What is wrong with a name that is not UTF-8.
 const NOT_UTF_8: &str = "has a name that is not UTF-8: rename it";
 
+/// What is wrong with a link: on a shared folder somebody could point it at the course's solutions.
+const LINK: &str = "is a link, which may lead to files that nobody handed in: put a copy of them here";
+
 /// The endings of archives, which are not part of a student's name.
 const ENDINGS: [&str; 4] = [".tar.gz", ".tgz", ".tar", ".zip"];
 
@@ -32,8 +35,13 @@ pub fn list(class: &Path) -> Result<Vec<Entry>, GraderError> {
     let failed = |e: std::io::Error| GraderError::file("read", class, e);
     let mut files = Vec::new();
     for entry in std::fs::read_dir(class).map_err(failed)? {
-        let name = entry.map_err(failed)?.file_name();
-        let problem = name.to_str().is_none().then_some(NOT_UTF_8);
+        let entry = entry.map_err(failed)?;
+        let is_link = entry.file_type().is_ok_and(|kind| kind.is_symlink());
+        let name = entry.file_name();
+        let problem = match name.to_str() {
+            None => Some(NOT_UTF_8),
+            Some(_) => is_link.then_some(LINK),
+        };
         let name = name.to_string_lossy();
         if !name.starts_with('.') {
             files.push((name.into_owned(), problem));
@@ -108,6 +116,16 @@ pub fn page_names(names: &[&str]) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[cfg(unix)]
+    #[test]
+    fn a_link_is_an_entry_that_cannot_be_opened() {
+        let class = tempfile::tempdir().expect("a folder");
+        std::fs::create_dir(class.path().join("anna")).expect("a folder");
+        std::os::unix::fs::symlink("anna", class.path().join("bo")).expect("a link");
+        let problems: Vec<_> = list(class.path()).expect("it can be listed").into_iter().map(|entry| entry.problem).collect();
+        assert_eq!(problems, [None, Some(LINK)]);
+    }
 
     #[test]
     fn an_archive_has_the_name_of_its_student() {

@@ -29,6 +29,12 @@ const SURELY_NO_CHANCE: usize = 50;
 /// the move, such as a distance that counts as infinite, changes less.
 const MOST: f64 = 0.5;
 
+/// Whether a task gets no points because its code answers the questions of [`KNOWN_SEED`] only:
+/// `drawn` is its result with another seed, `known` that with this one.
+pub fn accuses(drawn: &TaskResult, known: &TaskResult) -> bool {
+    is_suspicious(drawn) && is_by_heart(&drawn.cases, &known.cases)
+}
+
 /// Whether it is worth the time to grade `result` with [`KNOWN_SEED`], too.
 pub(crate) fn is_suspicious(result: &TaskResult) -> bool {
     let is_bad = result.score < MOST * result.max_score;
@@ -37,9 +43,7 @@ pub(crate) fn is_suspicious(result: &TaskResult) -> bool {
     is_bad && is_cheap || result.score > 0.0 && result.cases.iter().any(fails_often)
 }
 
-/// Whether the code of a task answers the cases of [`KNOWN_SEED`] only: `drawn` are its results with
-/// another seed, `known` those with this one.
-pub(crate) fn is_by_heart(drawn: &[CaseResult], known: &[CaseResult]) -> bool {
+fn is_by_heart(drawn: &[CaseResult], known: &[CaseResult]) -> bool {
     let is_right = |case: &CaseResult| wrong_calls(case) == 0 && is_answered(case);
     let mut right = drawn.iter().zip(known).filter(|(_, known)| is_right(known));
     if right.clone().any(|(drawn, _)| fails_often(drawn)) {

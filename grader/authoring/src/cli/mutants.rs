@@ -42,7 +42,7 @@ pub(crate) fn command() -> Command {
                 .long("mistakes")
                 .action(ArgAction::SetTrue)
                 .requires("seeds")
-                .help("With --seeds, grade the typical mistakes, too: a move should change few of their points"),
+                .help("With --seeds, grade the typical mistakes, too: a move should change few of their points, and none may be told that it recognizes the questions"),
         )
         .arg(
             path_argument("with", "FOLDER")
@@ -116,7 +116,7 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
             let graded = seeds::grade(&workspace, &course, task, 0..seeds, mistakes)?;
             show_seeds(&task.key, seeds, &graded);
             let is_unfair = !mistakes && !graded.other_points.is_empty();
-            if !graded.marked_down.is_empty() || is_unfair {
+            if !graded.marked_down.is_empty() || !graded.accused.is_empty() || is_unfair {
                 verdict = Exit::Failed;
             }
             continue;
@@ -360,14 +360,18 @@ fn show(task: &str, table: &Table, marked_down: &[&run::Graded]) {
 fn show_seeds(task: &str, seeds: u64, graded: &Seeded) {
     let versions = plural(graded.versions, "version", "versions");
     outln!(
-        "{task}: {versions}, {seeds} seeds, {}: {} marked down",
+        "{task}: {versions}, {seeds} seeds, {}: {} marked down, {} accused",
         plural(
             graded.cases.len(),
             "case that depends on the seed",
             "cases that depend on the seed"
         ),
-        graded.marked_down.len()
+        graded.marked_down.len(),
+        graded.accused.len()
     );
+    for (seed, version) in &graded.accused {
+        outln!("  ACCUSED: {version} with seed {seed} would be told that it recognizes the questions");
+    }
     for (seed, graded) in &graded.marked_down {
         show_marked_down(&format!("{} with seed {seed}", graded.name), graded);
     }

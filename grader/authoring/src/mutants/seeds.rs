@@ -14,12 +14,15 @@ use judge::moved::has_same_bits;
 use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
+use submission::by_heart;
 use wire::{Answer, Outcome};
 
 /// What a run with many seeds found.
 pub struct Seeded {
     /// The versions that lost core points, with the seed.
     pub marked_down: Vec<(u64, Graded)>,
+    /// The versions that would be told that they know the answers by heart, with the seed.
+    pub accused: Vec<(u64, String)>,
     /// How many versions were graded.
     pub versions: usize,
     /// The cases that depend on the seed. The others were not run again.
@@ -58,6 +61,7 @@ pub fn grade(
     let distinct: Vec<usize> = (0..sources.len()).filter(distinct).collect();
     let mut seeded = Seeded {
         marked_down: Vec::new(),
+        accused: Vec::new(),
         versions: distinct.len(),
         cases: task.cases.iter().map(|case| case.name.clone()).collect(),
         other_bits: BTreeMap::new(),
@@ -88,6 +92,7 @@ pub fn grade(
             seed,
             graded,
             moved,
+            is_accused,
         } in graded.into_iter().flatten()
         {
             let all = [
@@ -98,6 +103,9 @@ pub fn grade(
                 for case in cases {
                     *counts.entry((graded.name.clone(), case)).or_default() += 1;
                 }
+            }
+            if is_accused {
+                seeded.accused.push((seed, graded.name.clone()));
             }
             if graded.is_marked_down() {
                 seeded.marked_down.push((seed, graded));
@@ -112,6 +120,7 @@ struct WithSeed {
     seed: u64,
     graded: Graded,
     moved: Changes,
+    is_accused: bool,
 }
 
 /// The moved cases whose answers, moved back, are not those without the move.
@@ -156,6 +165,7 @@ impl VersionsWorker<'_> {
                 Ok(WithSeed {
                     seed: *seed,
                     moved: questions.changes(pairs, &known, &result),
+                    is_accused: *seed != KNOWN_SEED && by_heart::accuses(&result, &known),
                     graded: Graded {
                         name: name.clone(),
                         kind: kind.clone(),

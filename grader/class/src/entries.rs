@@ -20,7 +20,8 @@ pub struct Entry {
 const NOT_UTF_8: &str = "has a name that is not UTF-8: rename it";
 
 /// What is wrong with a link: on a shared folder somebody could point it at the course's solutions.
-const LINK: &str = "is a link, which may lead to files that nobody handed in: put a copy of them here";
+const LINK: &str =
+    "is a link, which may lead to files that nobody handed in: put a copy of them here";
 
 /// The endings of archives, which are not part of a student's name.
 const ENDINGS: [&str; 4] = [".tar.gz", ".tgz", ".tar", ".zip"];
@@ -123,7 +124,11 @@ mod tests {
         let class = tempfile::tempdir().expect("a folder");
         std::fs::create_dir(class.path().join("anna")).expect("a folder");
         std::os::unix::fs::symlink("anna", class.path().join("bo")).expect("a link");
-        let problems: Vec<_> = list(class.path()).expect("it can be listed").into_iter().map(|entry| entry.problem).collect();
+        let problems: Vec<_> = list(class.path())
+            .expect("it can be listed")
+            .into_iter()
+            .map(|entry| entry.problem)
+            .collect();
         assert_eq!(problems, [None, Some(LINK)]);
     }
 

@@ -61,8 +61,8 @@ pub struct SubmissionReport {
     pub ignored: Vec<String>,
     /// Those of them that decide points in the student's own runs, such as `stages/kit`.
     pub changed_given: Vec<String>,
-    /// Lines of the student's code that may access files or start programs.
-    pub reaches_out: Vec<String>,
+    /// The student's code that a person should look at, a sentence each.
+    pub to_check: Vec<String>,
     /// A sentence for each task whose answers were learned by heart. It has no points.
     pub by_heart: Vec<String>,
     /// The seed of the random inputs: `--seed` with it repeats the run.
@@ -108,7 +108,7 @@ impl SubmissionReport {
             refused_stages: BTreeMap::new(),
             ignored: names(&submission.ignored),
             changed_given: names(&submission.changed_given),
-            reaches_out: submission.reaches_out.clone(),
+            to_check: submission.to_check.clone(),
             by_heart: Vec::new(),
             seed: request.seed,
             containment: clean.containment().to_string(),

@@ -105,8 +105,8 @@ fn show(report: &SubmissionReport, hint: HintLevel) -> String {
     for stage in &report.missing {
         let _ = writeln!(text, "not handed in: stages/{stage}/src");
     }
-    for place in &report.reaches_out {
-        let _ = writeln!(text, "may access files or programs, please check: {place}");
+    for sentence in &report.to_check {
+        let _ = writeln!(text, "please look at {sentence}");
     }
     for sentence in &report.by_heart {
         let _ = writeln!(text, "{sentence}");

@@ -21,8 +21,9 @@ pub struct Submission {
     /// Those of them that decide points in the student's own runs, such as `stages/kit`: the
     /// student was given them and changed them.
     pub changed_given: Vec<Untrusted>,
-    /// Lines that may access files or start programs. A person should check them.
-    pub reaches_out: Vec<String>,
+    /// Code that a person should look at, a sentence each: lines that may access files or start
+    /// programs, tables.
+    pub to_check: Vec<String>,
     /// What was unusual about files and was mended or will not compile, as sentences.
     pub notes: Vec<String>,
     /// Stages with code that has no business in a stage, which are not compiled: a sentence for
@@ -78,7 +79,8 @@ impl Submission {
             if exists(&src)? {
                 let files = sources(&top, &src, &mut notes)?;
                 let found = reaches_out(stage, &files);
-                submission.reaches_out.extend(first_places(found));
+                submission.to_check.extend(first_places(found));
+                submission.to_check.extend(scan::table(stage, &files));
                 let forbidden = first_places(scan::forbidden(stage, &files));
                 if !forbidden.is_empty() {
                     submission.forbidden.insert((*stage).to_string(), forbidden);
@@ -286,7 +288,7 @@ fn reaches_out(stage: &str, files: &Files) -> Vec<String> {
                 .find(|word| code.contains(word));
             if let Some(word) = suspicious {
                 let path = Untrusted::new(path.to_string_lossy()).line();
-                found.push(format!("stages/{stage}/src/{path}:{number}: `{word}`"));
+                found.push(format!("stages/{stage}/src/{path}:{number}: `{word}` may access files or start programs"));
             }
         }
     }
@@ -411,8 +413,9 @@ mod tests {
     fn code_that_accesses_files_is_reported() {
         let code = b"fn f() {}\nfn g() { std :: fs::read(\"x\"); }\n";
         let (_folder, submission) = read(&[("stages/intersect/src/lib.rs", code)]);
-        let expected = ["stages/intersect/src/lib.rs:2: `std::fs`"];
-        assert_eq!(submission.unwrap().reaches_out, expected);
+        let expected =
+            ["stages/intersect/src/lib.rs:2: `std::fs` may access files or start programs"];
+        assert_eq!(submission.unwrap().to_check, expected);
     }
 
     #[test]
@@ -420,7 +423,7 @@ mod tests {
         let code = "use std::fs; unsafe {}\n".repeat(1000);
         let (_folder, submission) = read(&[("stages/intersect/src/lib.rs", code.as_bytes())]);
         let submission = submission.unwrap();
-        for places in [&submission.reaches_out, &submission.forbidden["intersect"]] {
+        for places in [&submission.to_check, &submission.forbidden["intersect"]] {
             assert_eq!(places.len(), MOST_PLACES + 1);
             assert_eq!(places[MOST_PLACES], "and 980 more places");
         }
@@ -472,7 +475,7 @@ mod tests {
             b"fn f() { std::fs::read(\"x\"); }\r\n",
         )]);
         let submission = submission.unwrap();
-        let lines = submission.reaches_out.iter().chain(&submission.notes);
+        let lines = submission.to_check.iter().chain(&submission.notes);
         for line in lines.clone() {
             assert!(line.contains("a\\nscore") && !line.contains('\n'), "{line}");
         }

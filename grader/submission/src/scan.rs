@@ -21,6 +21,33 @@ pub fn forbidden(stage: &str, files: &Files) -> Vec<String> {
     found
 }
 
+/// More bytes of literals than code of a stage needs: those of the reference have at most 1,500,
+/// most variants less than 100.
+const MOST_LITERALS: usize = 3000;
+
+/// A sentence if the files of `stage` contain so many numbers and strings that they may be a table of
+/// answers. Honest code may have them, too: a person should look.
+pub fn table(stage: &str, files: &Files) -> Option<String> {
+    let literals = files.values().map(|text| {
+        let code = String::from_utf8_lossy(text);
+        let mut scanner = Scanner::new(&code);
+        let is_number = |token: &Token| token.text.starts_with(|c: char| c.is_ascii_digit());
+        let mut bytes = 0;
+        while let Some(token) = scanner.next() {
+            bytes += if is_number(&token) {
+                token.text.len()
+            } else {
+                0
+            };
+        }
+        bytes + scanner.quoted
+    });
+    let bytes: usize = literals.sum();
+    (bytes > MOST_LITERALS).then(|| {
+        format!("stages/{stage}/src: {bytes} bytes of numbers and strings, which may be a table of answers")
+    })
+}
+
 const READS_FILES: &str =
     "reads another file while the stage is compiled: write its contents into the source file";
 const READS_ENVIRONMENT: &str =
@@ -138,14 +165,7 @@ fn is_inner(tokens: &[Token], i: usize) -> bool {
 /// The tokens of Rust code without comments, strings and characters. Code that is no
 /// Rust gives some tokens, too.
 fn tokens(code: &str) -> Vec<Token> {
-    let mut scanner = Scanner {
-        rest: code,
-        line: 1,
-    };
-    if is_shebang(code) {
-        // A quotation mark in it begins no string.
-        scanner.skip_past("\n");
-    }
+    let mut scanner = Scanner::new(code);
     let mut tokens = Vec::new();
     while let Some(token) = scanner.next() {
         tokens.push(token);
@@ -156,9 +176,31 @@ fn tokens(code: &str) -> Vec<Token> {
 struct Scanner<'a> {
     rest: &'a str,
     line: usize,
+    /// The bytes of all strings and characters so far, with their marks.
+    quoted: usize,
 }
 
-impl Scanner<'_> {
+impl<'a> Scanner<'a> {
+    fn new(code: &'a str) -> Scanner<'a> {
+        let mut scanner = Scanner {
+            rest: code,
+            line: 1,
+            quoted: 0,
+        };
+        if is_shebang(code) {
+            // A quotation mark in it begins no string.
+            scanner.skip_past("\n");
+        }
+        scanner
+    }
+
+    /// Skips a literal by `skip`, and counts its bytes.
+    fn skip_quoted(&mut self, skip: impl FnOnce(&mut Scanner<'a>)) {
+        let before = self.rest.len();
+        skip(self);
+        self.quoted += before - self.rest.len();
+    }
+
     /// Skips `bytes` bytes, which end between two characters.
     fn skip(&mut self, bytes: usize) {
         let (skipped, rest) = self.rest.split_at(bytes.min(self.rest.len()));
@@ -182,20 +224,22 @@ impl Scanner<'_> {
             } else if self.rest.starts_with("/*") {
                 self.skip_comment();
             } else if first == '"' {
-                self.skip_string();
+                self.skip_quoted(Scanner::skip_string);
             } else if let Some(lifetime) = lifetime(self.rest) {
                 let (line, text) = (self.line, lifetime.to_string());
                 self.skip(text.len());
                 return Some(Token { line, text });
             } else if first == '\'' {
-                self.skip_character();
+                self.skip_quoted(Scanner::skip_character);
             } else if is_part_of_word(first) {
                 let length = self.rest.find(|c| !is_part_of_word(c));
                 let (word, after) = self.rest.split_at(length.unwrap_or(self.rest.len()));
                 let line = self.line;
                 if let ("r" | "br" | "cr", Some(hashes)) = (word, raw_string(after)) {
-                    self.skip(word.len() + hashes + 1);
-                    self.skip_past(&format!("\"{}", "#".repeat(hashes)));
+                    self.skip_quoted(|scanner| {
+                        scanner.skip(word.len() + hashes + 1);
+                        scanner.skip_past(&format!("\"{}", "#".repeat(hashes)));
+                    });
                 } else if word == "r" && after.starts_with('#') {
                     // A raw identifier: the word that follows.
                     self.skip(2);
@@ -300,6 +344,35 @@ fn is_part_of_word(c: char) -> bool {
 mod tests {
     use super::*;
     use std::path::PathBuf;
+
+    #[test]
+    fn a_table_of_answers_is_found_however_it_is_written() {
+        let about = |code: String| {
+            let files = Files::from([(PathBuf::from("lib.rs"), code.into_bytes())]);
+            table("bbox", &files)
+        };
+        let numbers = |count| format!("const T: [f64; {count}] = [{}];", "0.25, ".repeat(count));
+        let (few, many) = (numbers(100), numbers(1000));
+        assert_eq!(about(few), None);
+        assert_eq!(
+            about(many),
+            Some("stages/bbox/src: 4004 bytes of numbers and strings, which may be a table of answers".into())
+        );
+        let text = "0123456789".repeat(400);
+        for table in [
+            format!("const T: &str = \"{text}\";"),
+            format!("const T: &[u8] = br#\"{text}\"#;"),
+            format!("const T: &[char] = &[{}];", "'\\n', ".repeat(1000)),
+        ] {
+            assert!(about(table).is_some());
+        }
+        // Comments and code are no table.
+        assert_eq!(
+            about(format!("// {text}\n/* {text} */ fn f() {{}}").repeat(3)),
+            None
+        );
+        assert_eq!(about("fn f() { g(a, b) }\n".repeat(1000)), None);
+    }
 
     fn found(code: &str) -> Vec<String> {
         let files = Files::from([(PathBuf::from("a.rs"), code.as_bytes().to_vec())]);

@@ -34,9 +34,9 @@ pub struct StudentReport {
     /// Those of them that decide points in the student's own runs.
     #[serde(default)]
     pub changed_given: Vec<String>,
-    /// Lines that a person should check.
+    /// Code that a person should look at.
     #[serde(default)]
-    pub reaches_out: Vec<String>,
+    pub to_check: Vec<String>,
     /// The compiler's messages.
     #[serde(default)]
     pub compiler: Untrusted,
@@ -175,8 +175,8 @@ impl StudentReport {
                 more => format!("ignored: {file} and {more} more files"),
             });
         }
-        if !self.reaches_out.is_empty() {
-            notes.push(format!("please check {}", self.reaches_out.join(" ")));
+        if !self.to_check.is_empty() {
+            notes.push(format!("please look at {}", self.to_check.join("; ")));
         }
         notes.into_iter().map(Untrusted::from).collect()
     }

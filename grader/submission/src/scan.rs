@@ -352,11 +352,11 @@ mod tests {
             table("bbox", &files)
         };
         let numbers = |count| format!("const T: [f64; {count}] = [{}];", "0.25, ".repeat(count));
-        let (few, many) = (numbers(100), numbers(1000));
+        let (few, many) = (numbers(100), numbers(2000));
         assert_eq!(about(few), None);
         assert_eq!(
             about(many),
-            Some("stages/bbox/src: 4004 bytes of numbers and strings, which may be a table of answers".into())
+            Some("stages/bbox/src: 6004 bytes of numbers and strings, which may be a table of answers".into())
         );
         let text = "0123456789".repeat(400);
         for table in [

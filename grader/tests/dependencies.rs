@@ -87,7 +87,10 @@ const MAY_DEPEND_ON: &[(&str, &[&str])] = &[
     ("judge", &["kit", "meshes", "oracle", "statistics", "wire"]),
     ("pictures", &["judge", "kit", "wire"]),
     ("base", &[]),
-    ("grader", &["base", "kit", "judge", "pictures", "wire"]),
+    (
+        "grader",
+        &["base", "kit", "judge", "oracle", "pictures", "wire"],
+    ),
     ("pages", &["base", "pictures"]),
     ("plots", &["base", "pages"]),
     ("submission", &["base", "grader", "judge", "sandbox"]),

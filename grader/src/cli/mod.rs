@@ -1,7 +1,7 @@
 //! The command line of `grader`.
 //!
 //! This program does what students do all day: `grader part1` ([`grade`]; `case` for a single
-//! case), `grader watch`, `grader check`, `grader status`, `grader explain`, `grader picture`, `grader book`. Each other command
+//! case), `grader watch`, `grader check`, `grader status`, `grader explain`, `grader picture`, `grader book`, `grader predict`. Each other command
 //! is a separate program (`subprogram`), so that a student who only grades does not have to compile
 //! it. This module contains what they all share: the [`Exit`], the exit codes
 //! ([`run_to_exit_code`]) and common options.
@@ -18,6 +18,7 @@ mod help;
 mod offline;
 mod options;
 pub mod picture;
+mod predict;
 pub mod programs;
 mod status;
 mod subprogram;
@@ -122,6 +123,7 @@ fn command() -> Command {
             explain::command(),
             picture::command(),
             book::command(),
+            predict::command(),
             doctor::command(),
             offline::command(),
             completions::command(),
@@ -151,6 +153,7 @@ fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
                 "offline" => offline::run(),
                 "completions" => completions::run(rest),
                 book::NAME => book::run(rest),
+                predict::NAME => predict::run(rest),
                 help::NAME => help::run(rest),
                 _ => explain::run(rest),
             };

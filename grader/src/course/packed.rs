@@ -1,10 +1,13 @@
 //! Packed goldens: the snapshots of a task in one compressed file.
 //!
 //! In the course's checkout they are text, one file each, to be reviewed. A handout has
-//! `golden/TASK.pack` instead: a zlib stream of entries, each a line `BYTES NAME`, then the bytes.
+//! `golden/TASK.pack` instead: a zlib stream of entries, each a line `BYTES NAME`, then the bytes. A
+//! long line that an earlier entry has, too, is only named ([`lines`]): the pages of the book are
+//! alike, and zlib looks back 32 kB only.
 //! What nobody reviews as text, such as the signatures of mistakes, is [`binary`] everywhere.
 
 pub mod binary;
+mod lines;
 
 use base::{GraderError, Workspace};
 use miniz_oxide::deflate::compress_to_vec_zlib;
@@ -29,7 +32,9 @@ pub fn task_of(path: &Path) -> Option<String> {
 /// Packs files: their paths below the folder `golden`, and their contents.
 pub fn pack(files: &[(PathBuf, Vec<u8>)]) -> Vec<u8> {
     let mut bytes = Vec::new();
+    let mut known = lines::Known::default();
     for (path, contents) in files {
+        let contents = known.shortened(contents);
         bytes.extend(format!("{} {}\n", contents.len(), path.display()).bytes());
         bytes.extend(contents);
     }
@@ -88,6 +93,7 @@ pub fn unpack(packed: &[u8]) -> Result<Vec<(PathBuf, Vec<u8>)>, String> {
     let damaged =
         || "it is damaged: expected `BYTES NAME`. Restore it from the handout".to_string();
     let mut files = Vec::new();
+    let mut known = lines::Read::default();
     let mut rest = all.as_slice();
     while !rest.is_empty() {
         let end = rest.iter().position(|byte| *byte == b'\n');
@@ -96,7 +102,10 @@ pub fn unpack(packed: &[u8]) -> Result<Vec<(PathBuf, Vec<u8>)>, String> {
         let (length, name) = line.split_once(' ').ok_or_else(damaged)?;
         let length: usize = length.parse().map_err(|_| damaged())?;
         let (contents, next) = after[1..].split_at_checked(length).ok_or_else(damaged)?;
-        files.push((PathBuf::from(name), contents.to_vec()));
+        files.push((
+            PathBuf::from(name),
+            known.restored(contents).ok_or_else(damaged)?,
+        ));
         rest = next;
     }
     Ok(files)

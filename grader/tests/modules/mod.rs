@@ -23,7 +23,6 @@ const REMAINING: &[(&str, usize)] = &[
     ("grader/cost/src", 14),
     ("grader/worker/src/picture", 12),
     ("scenes/src/collada", 4),
-    ("stages/book/code/figures", 13),
     ("stages/pathtracer/src", 4),
     ("stages/simd_bvh/src", 5),
     ("stages/simd_paths/src", 18),

@@ -8,10 +8,9 @@ use std::fmt::Write;
 
 /// Rules that do not depend on a colour.
 const STYLE: &str = "\
-.paper{fill:#fff}.line{fill:none;stroke-width:2;stroke-linejoin:round;stroke-linecap:round}.dash{stroke-dasharray:6 5}\
-.dots{stroke-width:8;stroke-linecap:round}.area{stroke:none;fill-opacity:.16}\
-text{font-family:sans-serif;font-size:15px;fill:#222;stroke:none}\
-.m{font-family:serif;font-style:italic;font-size:19px}.s{font-size:13px}";
+.paper{fill:#fff}.line,.dots{fill:none;stroke:currentColor;stroke-width:2;stroke-linejoin:round;stroke-linecap:round}\
+.dash{stroke-dasharray:6 5}.dots{stroke-width:8}[class*=f-],text{fill:currentColor}.area{fill-opacity:.16}\
+text{font-family:sans-serif}.m{font-family:serif;font-style:italic;font-size:19px}.s{font-size:13px}";
 
 /// A colour of lines (`blue`), areas (`f-blue`) and text, on a light and on a dark page. Lines have
 /// the colours of Okabe and Ito, which colour-blind readers can distinguish.
@@ -77,9 +76,11 @@ fn style(body: &str) -> String {
     for colour in COLOURS.iter().filter(|colour| used(colour.class)) {
         let class = colour.class;
         let rules = |line: &str, text: &str| {
-            format!(
-                ".{class}{{stroke:{line}}}.f-{class}{{fill:{line}}}text.{class}{{fill:{text};stroke:none}}"
-            )
+            let of_text = match line == text {
+                true => String::new(),
+                false => format!("text.{class}{{color:{text}}}"),
+            };
+            format!(".{class},.f-{class}{{color:{line}}}{of_text}")
         };
         light += &rules(colour.light, colour.light_text);
         dark += &rules(colour.dark, colour.dark_text);
@@ -89,7 +90,7 @@ fn style(body: &str) -> String {
     }
     format!(
         "{light}@media (prefers-color-scheme:dark){{{dark}}}\
-         @media print{{.paper{{fill:#fff}}.ink{{stroke:#000}}text{{fill:#000}}}}"
+         @media print{{.paper{{fill:#fff}}.ink,text{{color:#000}}}}"
     )
 }
 
@@ -310,7 +311,7 @@ impl Drawing {
         let style = style(&self.body);
         format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {w} {h}\" width=\"{w}\" height=\"{h}\" \
-             role=\"img\" aria-label=\"{description}\">\n<title>{description}</title>\n<style>{style}</style>\n\
+             role=\"img\">\n<title>{description}</title>\n<style>{style}</style>\n\
              <rect class=\"paper\" width=\"{w}\" height=\"{h}\"/>\n{}</svg>\n",
             self.body
         )

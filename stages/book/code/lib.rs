@@ -18,6 +18,7 @@ pub mod figures;
 pub mod maths;
 pub mod page;
 pub mod paths;
+mod predictions;
 pub mod source;
 pub mod symbols;
 

@@ -44,13 +44,19 @@ fn with_formulas(html: &str, formulas: &[String]) -> Result<String, String> {
     Ok(page)
 }
 
-/// Loads the script of the explorable figures, if the page has one. It loads what they need itself.
+/// Loads the scripts that the page needs: that of the explorable figures, which loads the rest itself, and that of
+/// the questions.
 fn with_scripts(html: &str, to_book: &str) -> String {
-    if !html.contains("data-explore=\"") {
-        return html.to_string();
+    let mut scripts = String::new();
+    for (mark, script) in [
+        ("data-explore=\"", "explore/explore.js"),
+        ("data-predict=\"", "predict.js"),
+    ] {
+        if html.contains(mark) {
+            scripts += &format!("<script src=\"{to_book}{script}\" defer></script>\n");
+        }
     }
-    let script = format!("<script src=\"{to_book}explore/explore.js\" defer></script>\n</head>");
-    html.replacen("</head>", &script, 1)
+    html.replacen("</head>", &format!("{scripts}</head>"), 1)
 }
 
 #[cfg(test)]
@@ -70,12 +76,18 @@ mod tests {
     }
 
     #[test]
-    fn only_pages_with_an_explorable_figure_load_the_script() {
+    fn only_pages_that_need_a_script_load_it() {
         let html = "<head></head><body><figure data-explore=\"slabs\"></figure></body>";
         let at = |path: &str| complete(html, Path::new(path), &[], "").expect("a page");
         let script = "<script src=\"../explore/explore.js\" defer></script>";
         assert_eq!(at("part2/task2.html").matches(script).count(), 1);
         assert_eq!(at("print.html"), html);
+        let asks = "<head></head><form data-predict=\"part1.task1\" hidden></form>";
+        let page = complete(asks, Path::new("part1/task1.html"), &[], "").expect("a page");
+        assert!(
+            page.contains("<script src=\"../predict.js\" defer></script>\n</head>"),
+            "{page}"
+        );
         let without = "<body></body>";
         let page = complete(without, Path::new("a.html"), &[], "");
         assert_eq!(page.as_deref(), Ok(without));

@@ -8,10 +8,12 @@
 //! - A drawn figure gets its number, a caption, and the drawing's description in words, which a
 //!   program that reads the page aloud reads in place of the picture. An explorable figure has a
 //!   caption of its own, and gets its number.
+//! - The questions of a chapter get their choices as a form ([`crate::predictions`]).
 //! - A sheet of mistakes becomes its panels, which are below each other where the page is narrow.
 
 use crate::maths;
 use crate::paths::{folder_of, normal, project, relative};
+use crate::predictions;
 use pulldown_cmark::{Event, Parser, Tag, TagEnd};
 use std::collections::BTreeSet;
 use std::fmt::Write;
@@ -136,6 +138,12 @@ impl Sources {
                 }
                 _ => {}
             }
+        }
+        // Each task's chapter has this section with folded answers: `tests/course.rs`.
+        let predict = markdown.find("\n## Predict\n");
+        let answers = predict.and_then(|start| Some(start + markdown[start..].find("<details>")?));
+        if let (Some(place), Some(form)) = (answers, predictions::form(at)?) {
+            changes.push((place..place, format!("{form}\n")));
         }
         changes.sort_by_key(|(range, _)| range.start);
         let mut text = String::with_capacity(2 * markdown.len());
@@ -324,6 +332,15 @@ mod tests {
             text,
             "See `ray.rs` and <span data-formula=\"0\"></span>, [Part 2](../part2/README.md), [a](https://a.org/)."
         );
+    }
+
+    #[test]
+    fn questions_get_their_choices_before_the_answers() {
+        let markdown = "# A\n\n## Predict\n\n1. What?\n\n<details>\n";
+        let (text, _) = chapter(markdown, Links::Nowhere);
+        let (before, after) = text.split_once("<form class=\"predict\"").expect("a form");
+        assert!(before.ends_with("1. What?\n\n"), "{text}");
+        assert!(after.ends_with("</form>\n\n<details>\n"), "{text}");
     }
 
     #[test]

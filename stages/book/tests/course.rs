@@ -265,6 +265,16 @@ fn what_is_said_of_the_full_checkout_is_true_there() {
             "the README has no row {row}"
         );
     }
+    let grading = Chapter::read(Path::new("grading.md")).expect("the chapter");
+    let report = grading
+        .code
+        .iter()
+        .find(|code| code.text.contains("$ cargo grader part1.task3"));
+    let report = report.expect("a report, line by line");
+    assert!(
+        readme.contains(&report.text),
+        "the report in grading.md is not that of the README"
+    );
     let leaks = readme
         .lines()
         .find_map(|line| line.strip_prefix("| Möller-Trumbore, f64 | "));

@@ -1,6 +1,6 @@
 //! Figures of the chapter about light.
 
-use super::{Figure, w};
+use super::parts::{Figure, w};
 use crate::drawing::{Drawing, Side};
 use kit::Vec2;
 

@@ -1,6 +1,6 @@
 //! Figures of Part 1: camera rays.
 
-use super::Figure;
+use super::parts::Figure;
 use crate::drawing::{Drawing, Side};
 use kit::{Vec2, camera};
 

@@ -1,6 +1,6 @@
 //! Figures of Part 1: the samples of a pixel.
 
-use super::Figure;
+use super::parts::Figure;
 use crate::drawing::{Drawing, Side};
 use kit::{PixelSampler, Ray, Vec2, Vec3};
 

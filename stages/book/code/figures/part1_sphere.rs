@@ -1,6 +1,6 @@
 //! Figures of Part 1: spheres.
 
-use super::Figure;
+use super::parts::Figure;
 use crate::drawing::{Drawing, Side};
 use kit::{Sphere, Vec2, Vec3};
 

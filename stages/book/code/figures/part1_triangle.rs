@@ -1,6 +1,6 @@
 //! Figures of Part 1: triangles.
 
-use super::Figure;
+use super::parts::Figure;
 use crate::drawing::{Drawing, Side, View};
 use kit::{Ray, Triangle, Vec2, Vec3};
 

@@ -1,6 +1,6 @@
 //! Figures of Part 2: the traversal of trees.
 
-use super::{Figure, flat_box, outline, w};
+use super::parts::{Figure, flat_box, outline, w};
 use crate::drawing::{Drawing, Side};
 
 pub(super) fn figures() -> Vec<Figure> {

@@ -1,6 +1,6 @@
 //! Figures of Part 2: building trees.
 
-use super::{Figure, flat_box, outline, w};
+use super::parts::{Figure, flat_box, outline, w};
 use crate::drawing::{Drawing, Side};
 use kit::{Aabb, PixelSampler, Vec2, Vec3};
 

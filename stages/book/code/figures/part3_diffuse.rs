@@ -1,6 +1,6 @@
 //! Figures of Part 3: diffuse surfaces.
 
-use super::{Figure, w};
+use super::parts::{Figure, w};
 use crate::drawing::{Drawing, Side, View, turn};
 use kit::{PixelSampler, Vec2, Vec3, math};
 use std::f64::consts::TAU;

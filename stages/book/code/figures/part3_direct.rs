@@ -1,6 +1,6 @@
 //! Figures of Part 3: direct light.
 
-use super::{Figure, w};
+use super::parts::{Figure, w};
 use crate::drawing::{Drawing, Side};
 use kit::{PixelSampler, Tally, Vec2, Vec3, math, warp};
 use std::f64::consts::{FRAC_1_PI, TAU};

@@ -1,6 +1,6 @@
 //! Figures of Part 4.
 
-use super::{Figure, w};
+use super::parts::{Figure, w};
 use crate::drawing::{Drawing, Side, turn};
 use kit::{PixelSampler, Vec2, math};
 

@@ -1,6 +1,6 @@
 //! Figures of Part 5.
 
-use super::{Figure, w};
+use super::parts::{Figure, w};
 use crate::drawing::{Drawing, Side};
 use kit::{PixelSampler, Tally, Vec2, math};
 

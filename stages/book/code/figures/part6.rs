@@ -1,6 +1,6 @@
 //! Figures of Part 6: eight at a time.
 
-use super::{Figure, w};
+use super::parts::{Figure, w};
 use crate::drawing::{Drawing, Side};
 use kit::Vec2;
 

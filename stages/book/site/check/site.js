@@ -170,9 +170,28 @@ async function themes(browser) {
     });
 }
 
+/** The questions before a derivation: a wrong answer gets its reason, and is still there after a reload. */
+async function predictions(browser) {
+    await on(browser, "part1/task3.html", {}, "the questions", async (page) => {
+        const status = "document.querySelector('form.predict [role=status]').textContent";
+        const wrongChoice = "document.querySelector('form.predict [data-why]')";
+        await page.until("document.querySelector('form.predict')?.hidden === false");
+        expect((await page.value(status)) === "", "a question is answered before the reader does");
+        await page.value(`${wrongChoice}.click()`);
+        expect(/^No\. .+ Right is: /.test(await page.value(status)), "a wrong answer gets no reason");
+        await page.send("Page.reload");
+        await page.until(`document.readyState === 'complete' && document.querySelector('form.predict')?.hidden === false`);
+        expect(/^No\. /.test(await page.value(status)), "an answer is forgotten");
+        await page.value("document.querySelector('form.predict > button').click()");
+        expect((await page.value(status)) === "", "an answer cannot be forgotten");
+        await page.value("document.querySelector('form.predict fieldset button:not([data-why])').click()");
+        expect((await page.value(status)) === "Right.", "the right answer is not right");
+    });
+}
+
 async function main() {
     const browser = await Browser.start();
-    for (const part of [chapters, paper, search, keys, themes]) await part(browser);
+    for (const part of [chapters, paper, search, keys, themes, predictions]) await part(browser);
     await browser.stop();
     for (const what of wrong) console.error(what);
     console.log(`${pages.length} pages of ${folder} at three widths and on paper: ${wrong.length} faults`);

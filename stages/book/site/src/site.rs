@@ -25,6 +25,10 @@ pub(crate) fn build(out: &Path, links: Links) -> Result<(), String> {
             fs::write(&file, html).map_err(|e| failed("write", &file, &e))?;
         }
     }
+    let script = out.join("highlight.js");
+    let js = fs::read_to_string(&script).map_err(|e| failed("read", &script, &e))?;
+    fs::write(&script, with_languages_of_the_book(&js))
+        .map_err(|e| failed("write", &script, &e))?;
     for (picture, copy) in sources.pictures() {
         let copy = out.join(copy);
         if let Some(folder) = copy.parent() {
@@ -33,6 +37,25 @@ pub(crate) fn build(out: &Path, links: Links) -> Result<(), String> {
         fs::copy(picture, &copy).map_err(|e| failed("copy", picture, &e))?;
     }
     Ok(())
+}
+
+/// The languages of the book's code, with the names that highlight.js has for them: `sh` is a shell's,
+/// `toml` an ini file's, `text` plain text.
+const LANGUAGES: [&str; 4] = ["bash", "ini", "plaintext", "rust"];
+
+/// The script of highlight.js without the languages that the book has no code in: nine tenths of it.
+fn with_languages_of_the_book(js: &str) -> String {
+    const START: &str = "hljs.registerLanguage(\"";
+    let mut parts = js.split(START);
+    let mut kept = parts.next().unwrap_or_default().to_string();
+    for part in parts {
+        let name = part.split('"').next().unwrap_or_default();
+        if LANGUAGES.contains(&name) {
+            kept += START;
+            kept += part;
+        }
+    }
+    kept
 }
 
 /// Lets mdBook render the chapters to `out`.
@@ -71,4 +94,18 @@ fn files_below(folder: &Path) -> Result<Vec<PathBuf>, String> {
 
 fn failed(what: &str, path: &Path, error: &std::io::Error) -> String {
     format!("cannot {what} {}: {error}", path.display())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_languages_of_the_book_stay() {
+        let js = "core;hljs.registerLanguage(\"ada\",f());hljs.registerLanguage(\"rust\",g());hljs.registerLanguage(\"sql\",h());";
+        assert_eq!(
+            with_languages_of_the_book(js),
+            "core;hljs.registerLanguage(\"rust\",g());"
+        );
+    }
 }

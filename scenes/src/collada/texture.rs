@@ -34,12 +34,29 @@ fn image<'a>(doc: &Document<'a>, effect: Element<'a>, name: &str) -> Option<Elem
     else {
         return doc.find(&format!("#{name}"), "image");
     };
+    for name in ["wrap_s", "wrap_t"] {
+        check_wrap(doc, sampler, name);
+    }
     if let Some(instance) = child(sampler, "instance_image") {
         return doc.find(instance.attribute("url")?, "image");
     }
     let surface = declaration(effect, &text(child(sampler, "source")?))?;
     let id = text(descendant(surface, &["surface", "init_from"])?);
     doc.find(&format!("#{id}"), "image")
+}
+
+/// Warns of a texture that is not to be repeated outside of its picture, since all are.
+fn check_wrap(doc: &Document<'_>, sampler: Element<'_>, name: &str) {
+    let Some(wrap) = child(sampler, name) else {
+        return;
+    };
+    let mode = text(wrap);
+    if mode != "WRAP" {
+        let title = format!("<{name}> is `{}`", truncated(&mode));
+        doc.on(wrap, title, "only WRAP is supported")
+            .help("the texture is repeated")
+            .warn();
+    }
 }
 
 /// The file of an `<image>`. In COLLADA 1.5 it is one element deeper.

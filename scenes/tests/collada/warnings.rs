@@ -60,6 +60,13 @@ const WARNINGS: &[(&str, &str, &str, &str)] = &[
         "expected a sampler, or an <image> with <init_from>",
     ),
     (
+        "<technique sid=\"common\">\n      <phong><diffuse><color>0.8 0.1 0.1 1</color>",
+        "<newparam sid=\"t\"><sampler2D><source>s</source><wrap_s>MIRROR</wrap_s></sampler2D></newparam>\
+         <technique sid=\"common\"><phong><diffuse><texture texture=\"t\" texcoord=\"UV\"/>",
+        "<wrap_s> is `MIRROR`",
+        "only WRAP is supported",
+    ),
+    (
         "<color>0.8 0.1 0.1 1</color>",
         "",
         "<effect id=\"red-effect\"> has no diffuse colour",

@@ -81,7 +81,7 @@ pub enum Command {
     /// Shows the heat map of box tests, then of primitive tests, then the picture.
     NextHeat,
     /// Inspects the pixel with the most tests.
-    GoToDearest,
+    GoToCostliest,
     /// Keeps the picture, to compare later ones with it.
     KeepForComparison,
     /// Reads a picture file to compare with.
@@ -139,6 +139,8 @@ pub enum Command {
     Open(PathBuf),
     /// Reads the scene file again.
     Reload,
+    /// Closes the text about a scene that was not loaded.
+    CloseProblem,
     /// Switches to report mode; there already, shows the next part of the case.
     ShowReport,
     /// Opens a case of the report.
@@ -152,6 +154,8 @@ pub enum Command {
     ShowPart(CasePart),
     /// Walks to an event of the case, counted from 1.
     GoToEvent(usize),
+    /// Go to the event with this number and look at it.
+    FrameEvent(usize),
     /// Saves the test of the opened case.
     SaveCaseAsTest,
     /// Closes the list of keys; else asks to close the window.

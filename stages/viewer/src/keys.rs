@@ -273,8 +273,8 @@ pub fn bindings() -> Vec<Binding> {
             Key::G,
             "G",
             RENDER,
-            C::GoToDearest,
-            "inspect the dearest pixel",
+            C::GoToCostliest,
+            "inspect the costliest pixel",
         ),
         any(
             Key::K,

@@ -8,7 +8,7 @@
 //! [`inspector`] (the replay of a pixel), [`truth`] (the exact answers), [`compare`] and
 //! [`picture_pair`] (A and B), [`features`] (what waits for a task), [`report`] (a report of the
 //! grader), [`ray_test`]. [`task`] runs work in the background and catches the holes of stages that
-//! are not written yet; [`project`] is the projection of lines.
+//! are not written yet; [`project`] is the projection of lines, [`digits`] shortens numbers.
 //!
 //! [`app`] draws it with egui. [`snapshot`] writes pictures of it without a display, with
 //! [`raster`], which draws egui's shapes without a GPU. [`mod@bench`] measures frames. [`cli`] has
@@ -19,6 +19,7 @@ pub mod bench;
 pub mod cli;
 pub mod command;
 pub mod compare;
+pub mod digits;
 pub mod element_walk;
 pub mod features;
 pub mod inspector;

@@ -87,8 +87,29 @@ fn run(args: &ViewerArgs) -> Result<(), String> {
         });
         Ok(window)
     };
-    eframe::run_native("First Light", options, Box::new(create))
-        .map_err(|why| format!("cannot open a window: {why}"))
+    eframe::run_native("First Light", options, Box::new(create)).map_err(no_window)
+}
+
+/// Why there is no window, as a sentence.
+fn no_window(why: eframe::Error) -> String {
+    let instead = "pathtracer with -f writes a picture without a window";
+    match why {
+        // Its text is a place in the source of a library.
+        eframe::Error::WinitEventLoop(_) | eframe::Error::Winit(_) => {
+            let displays = ["WAYLAND_DISPLAY", "DISPLAY"];
+            let set = displays.iter().filter_map(|name| {
+                let value = env::var(name).ok().filter(|value| !value.is_empty())?;
+                Some(format!("{name}={value}"))
+            });
+            let set: Vec<String> = set.collect();
+            format!(
+                "cannot open a window: no display answers at {}. Is the variable right, and is the \
+                 display yours? {instead}",
+                set.join(" and ")
+            )
+        }
+        why => format!("cannot open a window: {why}; {instead}"),
+    }
 }
 
 /// The window, as eframe sees it.

@@ -5,10 +5,14 @@ use crate::session::progress::{LoadProgress, LoadStep};
 use crate::task::{StageFailure, guarded};
 use kit::{Aabb, Bvh, Environment, FilmSize, Scene};
 use pathtracer::args::{Args, Shade};
-use pathtracer::{Accel, AccelKind, Picture, PreparedScene, Textures, load_environment};
-use scenes::placement::View;
+use pathtracer::{
+    Accel, AccelKind, Job, LightSettings, Picture, PreparedScene, ProgressiveRender, Textures,
+    load_environment,
+};
+use scenes::placement::{View, place};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 use std::time::SystemTime;
 
 /// The parts of a scene that stay when a vertex moves.
@@ -43,6 +47,9 @@ pub struct SceneData {
     pub tree: Accel,
     /// The first boxes of the wide tree and their depths, breadth first; none if it is not used.
     pub wide_boxes: Vec<(Aabb, usize)>,
+    /// Whether the wide tree is not used because the stages of Parts 1 to 5 render another picture: then
+    /// their picture is the one to see.
+    pub stages_differ: bool,
     /// Why the wide tree is not used, if it should be.
     pub missing_accel: Option<StageFailure>,
     /// The bounding box.
@@ -107,6 +114,42 @@ impl Opened {
     }
 }
 
+/// The size of the picture that the stages and Part 6 both render before Part 6 is used.
+const TRIAL: FilmSize = FilmSize { w: 32, h: 24 };
+
+/// Whether a small picture with the scene's accelerator differs from one with `plain`. Part 6 was
+/// tested to render what the stages do, bit for bit: where it does not, a stage was changed.
+fn differs_with(prepared: &mut PreparedScene, plain: &Accel) -> bool {
+    let first = trial(prepared);
+    let wide = std::mem::replace(&mut prepared.accel, plain.clone());
+    let second = trial(prepared);
+    prepared.accel = wide;
+    first != second
+}
+
+/// A small picture of a scene: its pixels' bits.
+fn trial(prepared: &PreparedScene) -> Vec<[u64; 3]> {
+    let job = Job {
+        camera: place(prepared.scene(), TRIAL).camera,
+        film: TRIAL,
+        cell: TRIAL.whole(),
+        samples: 1,
+        sampling: 0.into(),
+    };
+    let settings = LightSettings {
+        max_depth: 3,
+        ..LightSettings::default()
+    };
+    let mut render = ProgressiveRender::new(prepared, job, settings);
+    render.run(prepared, usize::MAX, &AtomicBool::new(false));
+    let film = &render.rendered().film;
+    let pixels = (0..TRIAL.h).flat_map(|y| (0..TRIAL.w).map(move |x| (x, y)));
+    let radiance = pixels.map(|(x, y)| film.get(x, y).radiance.to_array());
+    radiance
+        .map(|radiance| radiance.map(f64::to_bits))
+        .collect()
+}
+
 /// The number of boxes of the wide tree that can be drawn: those of the first levels.
 const MAX_WIDE_BOXES: usize = 600;
 
@@ -140,23 +183,45 @@ impl SceneData {
                 tree.clone()
             }),
         };
-        let wide_boxes = match &accel {
+        let mut prepared = PreparedScene {
+            textures: source.textures.clone(),
+            picture,
+            accel,
+        };
+        let stages_differ = matches!(prepared.accel, Accel::Simd(_))
+            && guarded(|| differs_with(&mut prepared, &tree)).unwrap_or(false);
+        if stages_differ {
+            prepared.accel = tree.clone();
+        }
+        let wide_boxes = match &prepared.accel {
             Accel::Simd(wide) => guarded(|| wide.boxes(MAX_WIDE_BOXES)).unwrap_or_default(),
             _ => Vec::new(),
         };
         SceneData {
             wide_boxes,
-            bounds: scene.bounds(),
-            prepared: PreparedScene {
-                textures: source.textures.clone(),
-                picture,
-                accel,
-            },
+            bounds: prepared.scene().bounds(),
+            prepared,
+            stages_differ,
             source,
             file_scene,
             tree,
             missing_accel,
         }
+    }
+
+    /// Which code traces the pictures.
+    pub fn traced_by(&self) -> &'static str {
+        match (&self.prepared.accel, self.stages_differ) {
+            (Accel::Simd(_), _) => "Part 6; the stages render the same trial picture",
+            (_, true) => "the stages: Part 6 renders another trial picture",
+            (Accel::Bvh(_), false) => "the stages of Parts 1 to 5",
+            (Accel::Brute, false) => "the stages, without a tree",
+        }
+    }
+
+    /// Whether pictures show normals although the flags ask for light, since there is none.
+    pub fn has_no_light(&self) -> bool {
+        self.source.shade == Shade::Auto && matches!(self.prepared.picture, Picture::Normals(_))
     }
 
     /// The scene that is rendered.
@@ -184,4 +249,33 @@ pub fn modified(path: &Path) -> Option<SystemTime> {
     std::fs::metadata(path)
         .and_then(|file| file.modified())
         .ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::Parser;
+
+    /// A stage that finds other hits than Part 6 is seen in the trial picture; equal ones are not.
+    #[test]
+    fn a_tree_that_loses_hits_is_noticed() {
+        let path = concat!(
+            env!("CARGO_MANIFEST_DIR"),
+            "/../../scenes/dae/cornell_spheres.dae"
+        );
+        let args = Args::parse_from(["viewer", path]);
+        let opened = Opened::load(Path::new(path), &args, &LoadProgress::default());
+        let mut data = opened.expect("a scene").data;
+        let Accel::Bvh(tree) = &data.tree else {
+            panic!("a tree")
+        };
+        // The same picture, without its last leaf.
+        let mut losing = tree.clone();
+        let leaf = |node: &&mut kit::BvhNode| matches!(node.kind, kit::NodeKind::Leaf { .. });
+        let last = losing.nodes.iter_mut().rfind(leaf).expect("a leaf");
+        last.kind = kit::NodeKind::Leaf { first: 0, count: 0 };
+        let right = data.tree.clone();
+        assert!(!differs_with(&mut data.prepared, &right));
+        assert!(differs_with(&mut data.prepared, &Accel::Bvh(losing)));
+    }
 }

@@ -1,9 +1,10 @@
 //! What is drawn of a case in 3D.
 
-use super::colors;
+use super::colors::{self, Palette, Pattern};
 use super::lines::{Hidden, Lines};
 use super::ray_lines::{draw_walk, frustum};
-use crate::report::case_view::is_drawn;
+use crate::digits;
+use crate::project::is_drawn;
 use crate::report::light_case::LightCase;
 use crate::report::tree_case::TreeCase;
 use crate::report::visit_case::VisitCase;
@@ -11,6 +12,7 @@ use crate::report::{CaseView, OpenCase, RayCase};
 use crate::topology::corners;
 use crate::tree_walk;
 use egui::{Color32, Stroke, Ui};
+use judge::shown::ShownRay;
 use kit::{FilmSize, Scene, Vec3};
 use pathtracer::RayRole;
 
@@ -19,32 +21,56 @@ const MAX_SHAPES: usize = 1500;
 /// The most rays of an estimate that are drawn.
 const MAX_RAYS: usize = 400;
 
-/// What the colours mean.
-pub(super) fn legend(view: &CaseView) -> Vec<(Color32, &'static str)> {
-    let ray = colors::ray(RayRole::Camera);
+/// What stands for a line of a legend.
+#[derive(Clone, Copy)]
+pub(super) enum Sample {
+    Dot,
+    Ring,
+    Cross,
+    Line(Pattern),
+}
+
+/// What the colours and marks mean.
+pub(super) fn legend(view: &CaseView, palette: &Palette) -> Vec<(Sample, Color32, &'static str)> {
+    let ray = (
+        Sample::Line(Pattern::Solid),
+        palette.ray(RayRole::Camera),
+        "the ray",
+    );
+    let (right, wrong) = (palette.right, palette.wrong);
+    let (solid, dashed) = (Sample::Line(Pattern::Solid), Sample::Line(Pattern::Dashed));
     match view {
         CaseView::Ray(_) => vec![
-            (ray, "the ray"),
-            (colors::WRONG, "your answer"),
-            (colors::RIGHT, "the exact answer"),
+            ray,
+            (Sample::Cross, wrong, "your answer"),
+            (Sample::Ring, right, "the exact answer"),
         ],
         CaseView::Tree(_) => vec![
-            (colors::SELECTED, "the box of the node"),
-            (colors::RIGHT, "what it must contain"),
-            (colors::WRONG, "wrong nodes"),
-            (Color32::from_gray(150), "primitives"),
+            (solid, palette.selected, "the box of the node"),
+            (solid, right, "what it must contain"),
+            (dashed, wrong, "wrong nodes"),
+            (Sample::Line(Pattern::Dotted), palette.line, "primitives"),
         ],
         CaseView::Visits(_) => vec![
-            (ray, "the ray"),
-            (colors::RIGHT, "boxes that it enters, the exact hit"),
-            (colors::WRONG, "your hit"),
-            (colors::HOVERED, "behind a hit, or the walked test"),
+            ray,
+            (solid, right, "boxes that it enters"),
+            (Sample::Ring, right, "the exact hit"),
+            (Sample::Cross, wrong, "your hit"),
+            (
+                dashed,
+                palette.attention,
+                "behind a hit, or the walked test",
+            ),
         ],
         CaseView::Light(_) => vec![
-            (colors::ray(RayRole::Bounce), "your rays that hit nothing"),
-            (colors::WRONG, "your rays that hit something"),
-            (colors::RIGHT, "right directions, where there is one"),
-            (colors::HOVERED, "lights"),
+            (
+                dashed,
+                palette.ray(RayRole::Bounce),
+                "your rays that hit nothing",
+            ),
+            (solid, wrong, "your rays that hit something"),
+            (solid, right, "right directions, where there is one"),
+            (Sample::Dot, palette.attention, "lights"),
         ],
     }
 }
@@ -60,6 +86,7 @@ pub(super) fn draw(lines: &Lines<'_>, ui: &Ui, opened: &OpenCase, view: &CaseVie
 }
 
 fn ray(lines: &Lines<'_>, ui: &Ui, case: &RayCase) {
+    let max_t = case.max_t.filter(|max_t| !max_t.is_right());
     let case = &case.shown;
     let edge = Stroke::new(1.5, ui.visuals().text_color());
     let fill = Color32::from_rgb(120, 140, 200).gamma_multiply(0.3);
@@ -81,25 +108,71 @@ fn ray(lines: &Lines<'_>, ui: &Ui, case: &RayCase) {
     let farthest = case.yours.iter().chain(&case.expected).copied();
     let reach = farthest.fold(1.5 * size / ray.d.length(), f64::max);
     let end = ray.max_t.min(reach);
-    let color = colors::ray(RayRole::Camera);
+    let color = lines.palette.ray(RayRole::Camera);
     let start = ray.min_t.max(-reach);
     let stroke = Stroke::new(2.5, color);
     lines.line(ray.at(start), ray.at(end), stroke, Hidden::Shown);
     lines.disc(ray.o, 4.0, color);
+    if let Some([right, yours]) = case.normals {
+        let at = case.expected.first().or(case.yours.first());
+        normals(
+            lines,
+            ray.at(at.copied().unwrap_or(0.0)),
+            right,
+            yours,
+            0.25 * shape_size(case),
+        );
+    }
     hits(lines, ray, &case.expected, &case.yours);
-}
-
-/// The exact hits, and over them those of the stage.
-fn hits(lines: &Lines<'_>, ray: &kit::Ray, right: &[f64], student: &[f64]) {
-    for (hits, radius, color) in [(right, 7.0, colors::RIGHT), (student, 4.5, colors::WRONG)] {
-        for &t in hits {
-            lines.disc(ray.at(t), radius, color);
+    if let Some(max_t) = max_t {
+        for (t, name, color, side) in [
+            (max_t.right, "exact max_t", lines.palette.right, 1.0),
+            (max_t.yours, "your max_t", lines.palette.wrong, -1.0),
+        ] {
+            // An endless range is marked where the drawing of the ray ends.
+            let name = format!("{name} = {}", digits::shortened(&format!("{t:?}")));
+            lines.end_mark(ray.at(t.clamp(-reach, reach)), ray.d, color, &name, side);
         }
     }
 }
 
+/// The size of the shapes of a case.
+fn shape_size(case: &ShownRay) -> f64 {
+    let boxes = case.boxes.iter();
+    let bounds = boxes.fold(case.scene.bounds(), |all, b| all.union(*b));
+    match bounds.extent().length() {
+        size if size.is_finite() && size > 0.0 => size,
+        _ => 1.0,
+    }
+}
+
+/// The exact normal and that of the stage as arrows, or one arrow if they are alike.
+fn normals(lines: &Lines<'_>, p: Vec3, right: Vec3, yours: Vec3, length: f64) {
+    let is_alike = right.distance(yours) < SAME_NORMAL;
+    let name = if is_alike { "n" } else { "exact n" };
+    lines.arrow(p, right, length, lines.palette.right, name);
+    if !is_alike && yours.is_finite() {
+        // The length of a normal may be what is wrong: it is drawn as it is, within reason.
+        let shown = yours.clamp_length_max(3.0) * length;
+        let color = lines.palette.wrong;
+        lines.patterned_arrow(p, shown, color, "your n", Pattern::Dashed);
+    }
+}
+
+/// Normals that are closer than this look alike.
+const SAME_NORMAL: f64 = 1e-3;
+
+/// The exact hits, and over them those of the stage.
+fn hits(lines: &Lines<'_>, ray: &kit::Ray, right: &[f64], student: &[f64]) {
+    for &t in right {
+        lines.ring(ray.at(t), lines.palette.right);
+    }
+    for &t in student {
+        lines.cross(ray.at(t), lines.palette.wrong);
+    }
+}
+
 fn tree(lines: &Lines<'_>, case: &TreeCase, node: u32) {
-    let thin = |gray, opacity| Stroke::new(1.0, Color32::from_gray(gray).gamma_multiply(opacity));
     let below: Vec<_> = tree_walk::primitives(&case.tree, node).collect();
     let step = below.len().div_ceil(MAX_SHAPES).max(1);
     for prim in below.iter().step_by(step) {
@@ -107,26 +180,27 @@ fn tree(lines: &Lines<'_>, case: &TreeCase, node: u32) {
             continue;
         };
         if is_drawn(b) {
-            lines.aabb(b, thin(150, 0.7), Hidden::Shown);
+            let stroke = Stroke::new(1.0, lines.palette.line);
+            lines.patterned_box(b, stroke, Hidden::Shown, Pattern::Dotted);
         }
     }
     let bounds = |node: u32| case.tree.nodes.get(node as usize).map(|node| node.bounds);
     for wrong in case.wrong.iter().take(MAX_SHAPES) {
         if let Some(b) = bounds(wrong.node) {
-            let stroke = Stroke::new(1.5, colors::WRONG.gamma_multiply(0.6));
-            lines.aabb(&b, stroke, Hidden::Shown);
+            let stroke = Stroke::new(1.5, lines.palette.wrong);
+            lines.patterned_box(&b, stroke, Hidden::Shown, Pattern::Dashed);
         }
     }
     for child in tree_walk::children(&case.tree, node).into_iter().flatten() {
         if let Some(b) = bounds(child) {
-            lines.aabb(&b, thin(210, 0.9), Hidden::Shown);
+            lines.aabb(&b, Stroke::new(1.0, lines.palette.line), Hidden::Shown);
         }
     }
     if let Some(b) = bounds(node) {
-        lines.aabb(&b, Stroke::new(3.5, colors::SELECTED), Hidden::Shown);
+        lines.aabb(&b, Stroke::new(3.5, lines.palette.selected), Hidden::Shown);
     }
     if let Some(b) = case.exact.get(node as usize) {
-        lines.aabb(b, Stroke::new(1.5, colors::RIGHT), Hidden::Shown);
+        lines.aabb(b, Stroke::new(1.5, lines.palette.right), Hidden::Shown);
     }
 }
 
@@ -169,7 +243,7 @@ fn visits(lines: &Lines<'_>, ui: &Ui, case: &VisitCase, step: usize) {
     let right: Vec<f64> = case.right.iter().map(|(_, t)| *t).collect();
     let ray = &record.ray;
     let end = student.first().copied().unwrap_or(ray.max_t).min(reach);
-    let stroke = Stroke::new(2.5, colors::ray(record.role));
+    let stroke = Stroke::new(2.5, lines.palette.ray(record.role));
     lines.line(
         ray.at(ray.min_t.max(-reach)),
         ray.at(end),
@@ -192,7 +266,7 @@ fn light(lines: &Lines<'_>, ui: &Ui, case: &LightCase) {
     let size = case.bounds().extent().length().max(1e-3);
     for panel in &case.panels {
         let color = match panel.shines {
-            true => colors::HOVERED,
+            true => lines.palette.attention,
             false => ui.visuals().text_color(),
         };
         let [a, b, c, d] = panel.corners;
@@ -205,21 +279,21 @@ fn light(lines: &Lines<'_>, ui: &Ui, case: &LightCase) {
         }
     }
     for &at in &case.lights {
-        lines.disc(at, 6.0, colors::HOVERED);
+        lines.disc(at, 6.0, lines.palette.attention);
     }
     let length = 0.12 * size;
     for traced in case.rays.iter().take(MAX_RAYS) {
-        let color = match traced.is_hit {
-            true => colors::WRONG,
-            false => colors::ray(RayRole::Bounce),
+        let (color, pattern) = match traced.is_hit {
+            true => (lines.palette.wrong, Pattern::Solid),
+            false => (lines.palette.ray(RayRole::Bounce), Pattern::Dashed),
         };
         let ray = &traced.ray;
         let end = ray.max_t.min(0.5 * size / ray.d.length());
         let stroke = Stroke::new(1.2, color.gamma_multiply(0.8));
-        lines.line(ray.o, ray.at(end), stroke, Hidden::Shown);
+        lines.patterned(ray.o, ray.at(end), stroke, Hidden::Shown, pattern);
     }
     for &(o, d) in &case.right {
-        lines.arrow(o, d, 1.5 * length, colors::RIGHT, "");
+        lines.arrow(o, d, 1.5 * length, lines.palette.right, "");
     }
     for point in &case.points {
         lines.arrow(
@@ -229,10 +303,10 @@ fn light(lines: &Lines<'_>, ui: &Ui, case: &LightCase) {
             ui.visuals().strong_text_color(),
             "n",
         );
-        lines.disc(point.p, 4.0, colors::SELECTED);
+        lines.disc(point.p, 4.0, lines.palette.selected);
     }
     for &(p, wo) in &case.viewers {
-        let color = colors::ray(RayRole::Camera);
+        let color = lines.palette.ray(RayRole::Camera);
         let towards: Vec3 = wo;
         lines.arrow(p, towards, length, color, "to the viewer");
     }

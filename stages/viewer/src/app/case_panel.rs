@@ -1,10 +1,13 @@
 //! The opened case of a report: its parts, in 3D or as pictures, and the mouse over them.
 
-use super::lines::Lines;
+use super::case_lines::Sample;
+use super::colors::Palette;
+use super::lines::{self, Lines};
 use super::pair_view::{self, PairTextures, dragged_wipe};
 use super::picture_panel::{fitted, hint};
 use super::{case_lines, colors};
 use crate::command::Command;
+use crate::digits;
 use crate::orbit::Orbit;
 use crate::report::{CasePart, CaseView, OpenCase};
 use crate::session::Session;
@@ -134,15 +137,9 @@ fn view(ui: &mut Ui, rect: Rect, response: &Response, opened: &mut OpenCase) {
     let Some(view) = opened.view() else { return };
     case_lines::draw(&lines, ui, opened, view);
     let painter = ui.painter_at(rect);
-    for (i, (color, text)) in case_lines::legend(view).into_iter().enumerate() {
-        let at = rect.min + egui::vec2(16.0, 18.0 + 18.0 * i as f32);
-        let font = FontId::proportional(13.0);
-        painter.circle_filled(at, 4.0, color);
-        let at = at + egui::vec2(10.0, 0.0);
-        let color = ui.visuals().text_color();
-        painter.text(at, Align2::LEFT_CENTER, text, font, color);
-    }
-    if let Some((color, text)) = verdict(view, opened) {
+    legend(ui, &painter, rect, view);
+    if let Some((verdict, text)) = verdict(view, opened) {
+        let color = verdict.color(colors::palette(ui));
         let at = rect.left_bottom() + egui::vec2(10.0, -8.0);
         let font = FontId::proportional(14.0);
         let galley = painter.layout(text, font, color, rect.width() - 20.0);
@@ -153,33 +150,89 @@ fn view(ui: &mut Ui, rect: Rect, response: &Response, opened: &mut OpenCase) {
     }
 }
 
-/// The sentence below the case: the first event where it parts from the truth.
-fn verdict(view: &CaseView, opened: &OpenCase) -> Option<(Color32, String)> {
+fn legend(ui: &Ui, painter: &egui::Painter, rect: Rect, view: &CaseView) {
+    let lines = case_lines::legend(view, colors::palette(ui));
+    for (i, (sample, color, text)) in lines.into_iter().enumerate() {
+        let at = rect.min + egui::vec2(22.0, 18.0 + 18.0 * i as f32);
+        match sample {
+            Sample::Dot => {
+                painter.circle_filled(at, 4.0, color);
+            }
+            Sample::Ring => lines::ring(painter, at, color),
+            Sample::Cross => lines::cross(painter, at, color),
+            Sample::Line(pattern) => {
+                lines::sample(painter, at, egui::Stroke::new(2.5, color), pattern);
+            }
+        }
+        let at = at + egui::vec2(20.0, 0.0);
+        let font = FontId::proportional(13.0);
+        let color = ui.visuals().text_color();
+        painter.text(at, Align2::LEFT_CENTER, text, font, color);
+    }
+}
+
+/// What the sentence below a case says.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Verdict {
+    Right,
+    Attention,
+    Wrong,
+}
+
+impl Verdict {
+    fn color(self, palette: &Palette) -> Color32 {
+        match self {
+            Verdict::Right => palette.right,
+            Verdict::Attention => palette.attention,
+            Verdict::Wrong => palette.wrong,
+        }
+    }
+}
+
+/// The sentence below the case: the first event where it parts from the truth, or else what the case
+/// loses points for. It is right only if the whole case is.
+fn verdict(view: &CaseView, opened: &OpenCase) -> Option<(Verdict, String)> {
+    let wrong_now = opened.content()?.wrong_now.as_deref();
+    let of_case = match wrong_now? {
+        [] => (Verdict::Right, "Your code passes this case now.".to_owned()),
+        [first, ..] => (Verdict::Wrong, digits::shortened(first)),
+    };
     Some(match view {
-        CaseView::Visits(case) => match &case.parting {
-            Some(parting) => (colors::WRONG, parting.sentence.clone()),
-            None => (colors::RIGHT, "This ray's result is right.".to_owned()),
+        CaseView::Visits(case) => match (&case.parting, case.wrong_order()) {
+            (Some(parting), _) => (Verdict::Wrong, digits::shortened(&parting.sentence)),
+            (None, Some(order)) => {
+                // A few more tests than with the best order are allowed.
+                let verdict = match of_case.0 {
+                    Verdict::Right => Verdict::Attention,
+                    verdict => verdict,
+                };
+                (verdict, digits::shortened(&order.sentence()))
+            }
+            (None, None) => of_case,
         },
         CaseView::Tree(case) => {
             let node = opened.walk.node();
             let faults: Vec<&str> = case.fault_of(node).collect();
             match (faults.as_slice(), &case.fault) {
-                ([], Some(fault)) => (colors::WRONG, fault.clone()),
+                ([], Some(fault)) => (Verdict::Wrong, fault.clone()),
                 ([], None) if case.is_loose(node) => (
-                    colors::HOVERED,
+                    Verdict::Attention,
                     format!("node {node}: its box is larger than what it contains"),
                 ),
-                ([], None) => return None,
-                (faults, _) => (colors::WRONG, format!("node {node}: {}", faults.join("; "))),
+                ([], None) => of_case,
+                (faults, _) => (
+                    Verdict::Wrong,
+                    format!("node {node}: {}", faults.join("; ")),
+                ),
             }
         }
-        _ => return None,
+        CaseView::Ray(_) | CaseView::Light(_) => of_case,
     })
 }
 
-/// A view of everything that the case shows, from a corner.
+/// A view of what differs in the case, or of everything that it shows, from a corner.
 fn framed(view: &CaseView, film: FilmSize) -> Orbit {
-    let bounds = view.bounds();
+    let bounds = view.focus();
     // The two corners of the bounds as points of a scene.
     let scene = Scene {
         spheres: [bounds.min, bounds.max]

@@ -36,9 +36,10 @@ pub(super) fn show(ui: &mut Ui, session: &mut Session, commands: &mut Vec<Comman
         return;
     };
     let pair = compared.pair.clone();
+    let compared_pixels = compared.errors.map(|errors| errors.pixels as u64);
     match compared.errors {
         None => {
-            ui.colored_label(colors::WRONG, "The sizes differ.");
+            ui.colored_label(colors::palette(ui).wrong, "The sizes differ.");
         }
         Some(errors) => {
             let mut rows = vec![
@@ -54,7 +55,8 @@ pub(super) fn show(ui: &mut Ui, session: &mut Session, commands: &mut Vec<Comman
         }
     }
     if let Some(pair) = pair {
-        pair_view::legend(ui, &pair.legend);
+        let differing = compared_pixels.unwrap_or(0);
+        pair_view::legend(ui, &pair.legend, differing);
     }
     if let Some(comparison) = session.comparison_mut() {
         ui.checkbox(

@@ -1,8 +1,10 @@
 //! The replay of a pixel: its values, its rays as a tree, and the walk through their tests.
 
-use super::colors;
 use super::side_panel::facts;
+use super::text::{SMALL, short};
+use super::{colors, lines};
 use crate::command::Command;
+use crate::digits;
 use crate::inspector::{Inspected, Inspector};
 use crate::session::Session;
 use egui::{Color32, Label, RichText, ScrollArea, Sense, Ui};
@@ -17,7 +19,10 @@ pub(super) fn show(ui: &mut Ui, session: &mut Session, commands: &mut Vec<Comman
         });
     }
     if let Some(failure) = session.inspector.failure() {
-        ui.colored_label(colors::HOVERED, format!("No replay: {failure}"));
+        ui.colored_label(
+            colors::palette(ui).attention,
+            format!("No replay: {failure}"),
+        );
     }
     if session.inspector.inspected().is_none() {
         return;
@@ -40,6 +45,17 @@ pub(super) fn show(ui: &mut Ui, session: &mut Session, commands: &mut Vec<Comman
     let Some(inspected) = inspector.inspected() else {
         return;
     };
+    ui.horizontal(|ui| {
+        let scene = inspected.scene.scene();
+        if ui.button("Copy pixel").clicked() {
+            ui.copy_text(text::pixel(scene, inspected.job.film, &inspected.replay));
+        }
+        if let Some(record) = inspector.ray()
+            && ui.button("Copy ray").clicked()
+        {
+            ui.copy_text(text::ray(scene, record));
+        }
+    });
     values(ui, inspected);
     truth(ui, inspected, commands);
     ui.horizontal_wrapped(|ui| {
@@ -79,9 +95,12 @@ fn values(ui: &mut Ui, inspected: &Inspected) {
         .collect();
     facts(ui, "values", &rows);
     match inspected.agrees() {
-        Some(true) => ui.colored_label(colors::RIGHT, "The replay is the pixel, bit for bit."),
+        Some(true) => ui.colored_label(
+            colors::palette(ui).right,
+            "The replay is the pixel, bit for bit.",
+        ),
         Some(false) => ui.colored_label(
-            colors::WRONG,
+            colors::palette(ui).wrong,
             "The replay is not the pixel: two ways to find hits disagree.",
         ),
         None => ui.weak("The pixel is not rendered yet."),
@@ -97,17 +116,20 @@ fn truth(ui: &mut Ui, inspected: &Inspected, commands: &mut Vec<Command>) {
         } else {
             format!("the first {} rays", truth.checked)
         };
-        ui.colored_label(colors::RIGHT, format!("Exactly checked: {rays} are right."));
+        ui.colored_label(
+            colors::palette(ui).right,
+            format!("Exactly checked: {rays} are right."),
+        );
         return;
     };
     let Some(parting) = &of_ray.parting else {
         return;
     };
     ui.colored_label(
-        colors::WRONG,
+        colors::palette(ui).wrong,
         format!("First wrong: sample {}, ray {}.", sample + 1, ray + 1),
     );
-    ui.label(&parting.sentence);
+    short(ui, &parting.sentence, 14.0);
     if ui.button("Go there").clicked() {
         commands.push(Command::SelectSample(*sample));
         commands.push(Command::SelectRay(*ray));
@@ -170,17 +192,24 @@ fn ray_line(ui: &mut Ui, scene: &Scene, record: &RayRecord, selected: bool, wron
     let (boxes, prims) = record.test_counts();
     ui.horizontal(|ui| {
         ui.add_space(8.0 * record.depth as f32);
-        colors::dot(
-            ui,
-            if wrong {
-                colors::WRONG
-            } else {
-                colors::ray(record.role)
-            },
-        );
-        let line = format!("{}: {found}", text::role(record.role));
+        let palette = colors::palette(ui);
+        let (rect, _) = ui.allocate_exact_size(egui::vec2(24.0, 12.0), Sense::hover());
+        match wrong {
+            true => lines::cross(ui.painter(), rect.center(), palette.wrong),
+            false => {
+                let stroke = egui::Stroke::new(2.5, palette.ray(record.role));
+                lines::sample(
+                    ui.painter(),
+                    rect.center(),
+                    stroke,
+                    colors::pattern(record.role),
+                );
+            }
+        }
+        let wrong = if wrong { "WRONG: " } else { "" };
+        let line = format!("{wrong}{}: {found}", text::role(record.role));
         let hover = format!("{boxes} box tests, {prims} primitive tests");
-        let label = egui::Button::selectable(selected, RichText::new(line).size(11.0)).truncate();
+        let label = egui::Button::selectable(selected, RichText::new(line).size(SMALL)).truncate();
         ui.add(label).on_hover_text(hover).clicked()
     })
     .inner
@@ -206,24 +235,25 @@ fn tests(ui: &mut Ui, inspector: &Inspector, commands: &mut Vec<Command>) {
     for line in
         std::iter::once(format!("max_t = {:?}", record.ray.max_t)).chain(text::surface(record))
     {
-        ui.add(Label::new(RichText::new(line).size(11.0)).wrap());
+        short(ui, &line, SMALL);
     }
     let parting = inspected.truth.first_wrong.as_ref();
     let parting = parting.filter(|(s, r, _)| (*s, *r) == (sample, ray));
     let wrong = parting.and_then(|(_, _, truth)| truth.parting.as_ref()?.test);
+    let wrong = wrong.map(|test| (test, "WRONG"));
     if let Some(test) = test_list(ui, scene, record, step, wrong) {
         commands.push(Command::SelectTest(test));
     }
 }
 
-/// The tests of a ray, of which `step` were walked; `wrong` is the first wrong one. Returns the one
-/// that was clicked.
+/// The tests of a ray, of which `step` were walked; `differing` is the first that differs from a right
+/// traversal's, and a word about it. Returns the one that was clicked.
 pub(super) fn test_list(
     ui: &mut Ui,
     scene: &Scene,
     record: &RayRecord,
     step: usize,
-    wrong: Option<usize>,
+    differing: Option<(usize, &str)>,
 ) -> Option<usize> {
     let mut clicked = None;
     ScrollArea::vertical()
@@ -232,19 +262,24 @@ pub(super) fn test_list(
         .auto_shrink([false, true])
         .show(ui, |ui| {
             for (i, test) in record.tests.iter().enumerate() {
-                let color = match wrong {
-                    Some(wrong) if wrong == i => colors::WRONG,
-                    _ => test_color(ui, test),
-                };
-                let mut line = RichText::new(text::test(scene, test))
-                    .size(11.0)
-                    .color(color);
-                if i + 1 == step {
-                    line = line
-                        .strong()
-                        .background_color(ui.visuals().selection.bg_fill);
+                let note = differing.filter(|(test, _)| *test == i);
+                let is_wrong = note.is_some();
+                let full = text::test(scene, test);
+                let mut shown = digits::shortened(&full);
+                if let Some((_, note)) = note {
+                    shown = format!("{note}: {shown}");
                 }
+                let selection = ui.visuals().selection;
+                let line = match (i + 1 == step, is_wrong) {
+                    (true, _) => RichText::new(shown)
+                        .color(selection.stroke.color)
+                        .background_color(selection.bg_fill),
+                    (false, true) => RichText::new(shown).color(colors::palette(ui).wrong),
+                    (false, false) => RichText::new(shown).color(test_color(ui, test)),
+                };
+                let line = line.size(SMALL);
                 let response = ui.add(Label::new(line).wrap().sense(Sense::click()));
+                let response = response.on_hover_text(full);
                 if i + 1 == step {
                     response.scroll_to_me(None);
                 }
@@ -265,7 +300,7 @@ fn test_color(ui: &Ui, test: &Test) -> Color32 {
         },
         Test::Primitive { answer, .. } => match answer {
             pathtracer::replay::PrimAnswer::Hit(_) | pathtracer::replay::PrimAnswer::Blocks => {
-                colors::RIGHT
+                colors::palette(ui).right
             }
             _ => weak,
         },

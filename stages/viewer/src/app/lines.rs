@@ -1,8 +1,9 @@
 //! Lines in a 3D view: projected, and hidden by the surfaces of the traced picture.
 
+use super::colors::{self, Palette, Pattern};
 use crate::project::Projection;
 use crate::view_picture::ViewPicture;
-use egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, Ui};
+use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Shape, Stroke, Ui, Vec2 as Vector};
 use kit::{Aabb, Camera, Vec2, Vec3};
 
 /// What happens to the hidden part of a line.
@@ -18,6 +19,8 @@ pub(super) enum Hidden {
 
 /// Draws lines of world space into a view.
 pub(super) struct Lines<'a> {
+    /// The colours of the theme.
+    pub(super) palette: &'static Palette,
     painter: Painter,
     rect: Rect,
     projection: Projection,
@@ -29,6 +32,11 @@ pub(super) struct Lines<'a> {
 const PIECE: f32 = 5.0;
 /// The opacity of hidden lines.
 const FAINT: f32 = 0.22;
+/// The radius of the marks of points.
+const MARK: f32 = 7.0;
+/// The width of the lines of marks and arrows.
+const MARK_WIDTH: f32 = 2.5;
+
 impl<'a> Lines<'a> {
     pub(super) fn new(
         ui: &Ui,
@@ -37,6 +45,7 @@ impl<'a> Lines<'a> {
         picture: Option<&'a ViewPicture>,
     ) -> Lines<'a> {
         Lines {
+            palette: colors::palette(ui),
             painter: ui.painter_at(rect),
             rect,
             projection: Projection::new(camera),
@@ -54,9 +63,10 @@ impl<'a> Lines<'a> {
         )
     }
 
-    /// Where a point appears in the window; `None` behind the camera.
+    /// Where a point appears in the window; `None` behind the camera, and for a point that is none.
     pub(super) fn point(&self, p: Vec3) -> Option<Pos2> {
-        self.projection.point(p).map(|film| self.at(film))
+        let film = self.projection.point(p).filter(|film| film.is_finite());
+        film.map(|film| self.at(film))
     }
 
     fn hides(&self, p: Vec3) -> bool {
@@ -69,27 +79,37 @@ impl<'a> Lines<'a> {
 
     /// A line from `a` to `b`.
     pub(super) fn line(&self, a: Vec3, b: Vec3, stroke: Stroke, hidden: Hidden) {
+        self.patterned(a, b, stroke, hidden, Pattern::Solid);
+    }
+
+    /// A line from `a` to `b` with a pattern.
+    pub(super) fn patterned(
+        &self,
+        a: Vec3,
+        b: Vec3,
+        stroke: Stroke,
+        hidden: Hidden,
+        pattern: Pattern,
+    ) {
         let Some((a, b)) = self.projection.segment(a, b) else {
             return;
         };
         let (Some(from), Some(to)) = (self.point(a), self.point(b)) else {
             return;
         };
+        // Outside the window a line near the camera may be millions of points long.
+        let Some([first, last]) = shares_inside(self.rect.expand(4.0), from, to) else {
+            return;
+        };
         if hidden == Hidden::Shown || self.picture.is_none() {
-            self.painter.line_segment([from, to], stroke);
+            self.stroke([from, to], [first, last], stroke, pattern);
             return;
         }
-        let visible = self
-            .rect
-            .expand(1.0)
-            .intersects(Rect::from_two_pos(from, to));
-        if !visible {
-            return;
-        }
-        let pieces = ((from.distance(to) / PIECE).ceil() as usize).clamp(1, 600);
-        let share = |i: usize| i as f64 / pieces as f64;
+        let length = from.distance(to) * (last - first);
+        let pieces = ((length / PIECE).ceil() as usize).clamp(1, 600);
+        let share = |i: f64| f64::from(first) + f64::from(last - first) * i / pieces as f64;
         // The middle of a piece decides; equal neighbours become one stroke.
-        let is_hidden = |i: usize| self.hides(self.between(a, b, share(i) + 0.5 / pieces as f64));
+        let is_hidden = |i: usize| self.hides(self.between(a, b, share(i as f64 + 0.5)));
         let mut start = 0;
         let mut state = is_hidden(0);
         for i in 1..=pieces {
@@ -97,14 +117,34 @@ impl<'a> Lines<'a> {
             if i < pieces && next == state {
                 continue;
             }
-            let ends = [share(start), share(i)].map(|s| from.lerp(to, s as f32));
+            let shares = [start, i].map(|i| share(i as f64) as f32);
             if !state {
-                self.painter.line_segment(ends, stroke);
+                self.stroke([from, to], shares, stroke, pattern);
             } else if hidden == Hidden::Faint {
                 let color = stroke.color.gamma_multiply(FAINT);
-                self.painter.line_segment(ends, Stroke { color, ..stroke });
+                self.stroke([from, to], shares, Stroke { color, ..stroke }, pattern);
             }
             (start, state) = (i, next);
+        }
+    }
+
+    /// The part of a line between two shares of its length. Its pattern starts where the line does.
+    fn stroke(&self, [from, to]: [Pos2; 2], shares: [f32; 2], stroke: Stroke, pattern: Pattern) {
+        let ends = shares.map(|share| from.lerp(to, share));
+        let Some([dash, gap]) = pattern.dash(stroke.width) else {
+            self.painter.line_segment(ends, stroke);
+            return;
+        };
+        let before = from.distance(ends[0]) % (dash + gap);
+        let length = ends[0].distance(ends[1]);
+        let mut at = -before;
+        while at < length {
+            let [start, end] = [at.max(0.0), (at + dash).min(length)];
+            if end > start {
+                let part = [start, end].map(|along| ends[0].lerp(ends[1], along / length));
+                self.painter.line_segment(part, stroke);
+            }
+            at += dash + gap;
         }
     }
 
@@ -118,6 +158,11 @@ impl<'a> Lines<'a> {
 
     /// The twelve edges of a box.
     pub(super) fn aabb(&self, b: &Aabb, stroke: Stroke, hidden: Hidden) {
+        self.patterned_box(b, stroke, hidden, Pattern::Solid);
+    }
+
+    /// The twelve edges of a box, with a pattern.
+    pub(super) fn patterned_box(&self, b: &Aabb, stroke: Stroke, hidden: Hidden, pattern: Pattern) {
         if b.is_empty() || !(b.min.is_finite() && b.max.is_finite()) {
             return;
         }
@@ -130,7 +175,7 @@ impl<'a> Lines<'a> {
         };
         for i in 0..8 {
             for axis in [1, 2, 4].into_iter().filter(|axis| i & axis == 0) {
-                self.line(corner(i), corner(i | axis), stroke, hidden);
+                self.patterned(corner(i), corner(i | axis), stroke, hidden, pattern);
             }
         }
     }
@@ -182,16 +227,163 @@ impl<'a> Lines<'a> {
         }
     }
 
-    /// An arrow along `d` from `o`, as long as `length` points in the window if possible.
-    pub(super) fn arrow(&self, o: Vec3, d: Vec3, length: f64, color: Color32, name: &str) {
-        let end = o + length * d;
-        self.line(o, end, Stroke::new(2.0, color), Hidden::Shown);
-        if let Some(at) = self.point(end) {
-            self.painter.circle_filled(at, 3.0, color);
-            let font = egui::FontId::proportional(12.0);
-            let offset = egui::vec2(6.0, -6.0);
-            self.painter
-                .text(at + offset, egui::Align2::LEFT_BOTTOM, name, font, color);
+    /// The mark of what is exact: a ring.
+    pub(super) fn ring(&self, p: Vec3, color: Color32) {
+        if let Some(at) = self.point(p) {
+            ring(&self.painter, at, color);
         }
+    }
+
+    /// The mark of what the student's code returned: a cross.
+    pub(super) fn cross(&self, p: Vec3, color: Color32) {
+        if let Some(at) = self.point(p) {
+            cross(&self.painter, at, color);
+        }
+    }
+
+    /// The end of a range at `p` of a line along `d`: a bar across the line, with a name. `side` is 1 or
+    /// -1: where the name is.
+    pub(super) fn end_mark(&self, p: Vec3, d: Vec3, color: Color32, name: &str, side: f32) {
+        let Some(at) = self.point(p) else { return };
+        let small = 1e-3 * self.projection.distance(p) / d.length();
+        let along = self
+            .point(p + small * d)
+            .map_or(Vector::X, |next| next - at);
+        let across = MARK * 1.4 * side * along.normalized().rot90();
+        let across = if across.length() > 0.0 {
+            across
+        } else {
+            Vector::X * MARK
+        };
+        let stroke = Stroke::new(MARK_WIDTH, color);
+        self.painter
+            .line_segment([at - across, at + across], stroke);
+        let align = match across.x < 0.0 {
+            true => Align2::RIGHT_CENTER,
+            false => Align2::LEFT_CENTER,
+        };
+        self.name(at + 1.5 * across, align, color, name);
+    }
+
+    /// An arrow along `d` from `o`, with a name at its head.
+    pub(super) fn arrow(&self, o: Vec3, d: Vec3, length: f64, color: Color32, name: &str) {
+        self.patterned_arrow(o, length * d, color, name, Pattern::Solid);
+    }
+
+    /// An arrow from `o` to `o + d` with a pattern, and a name at its head.
+    pub(super) fn patterned_arrow(
+        &self,
+        o: Vec3,
+        d: Vec3,
+        color: Color32,
+        name: &str,
+        pattern: Pattern,
+    ) {
+        let stroke = Stroke::new(2.0, color);
+        self.patterned(o, o + d, stroke, Hidden::Shown, pattern);
+        let (Some(from), Some(to)) = (self.point(o), self.point(o + d)) else {
+            return;
+        };
+        let back = (from - to).normalized();
+        if back == Vector::ZERO {
+            self.painter.circle_filled(to, 3.0, color);
+        }
+        let head = [
+            to,
+            to + 9.0 * back + 4.0 * back.rot90(),
+            to + 9.0 * back - 4.0 * back.rot90(),
+        ];
+        let head = Shape::convex_polygon(head.to_vec(), color, Stroke::NONE);
+        self.painter.add(head);
+        self.name(to - 12.0 * back, Align2::CENTER_CENTER, color, name);
+    }
+
+    /// A name at a point of the window, on a shade of the background.
+    fn name(&self, at: Pos2, align: Align2, color: Color32, name: &str) {
+        if name.is_empty() {
+            return;
+        }
+        let font = FontId::proportional(12.0);
+        let galley = self.painter.layout_no_wrap(name.to_owned(), font, color);
+        let mut area = align.anchor_size(at, galley.size());
+        // A name at the edge of the view stays in it.
+        let inside = self.rect.shrink(4.0);
+        let low = (inside.min - area.min).max(Vector::ZERO);
+        let high = (area.max - inside.max).max(Vector::ZERO);
+        area = area.translate(low - high);
+        let shade = self.palette.backdrop.gamma_multiply(0.8);
+        self.painter.rect_filled(area.expand(2.0), 2.0, shade);
+        self.painter.galley(area.min, galley, color);
+    }
+
+    /// Names a point of the world.
+    pub(super) fn name_at(&self, p: Vec3, color: Color32, name: &str) {
+        if let Some(at) = self.point(p) {
+            let above = at + Vector::new(0.0, -16.0);
+            self.name(above, Align2::CENTER_CENTER, color, name);
+        }
+    }
+}
+
+/// The mark of what is exact, in a view and in its legend.
+pub(super) fn ring(painter: &Painter, at: Pos2, color: Color32) {
+    painter.circle_stroke(at, MARK, Stroke::new(MARK_WIDTH, color));
+}
+
+/// The mark of what is the student's, in a view and in its legend.
+pub(super) fn cross(painter: &Painter, at: Pos2, color: Color32) {
+    let arm = 0.75 * MARK;
+    for arm in [Vector::new(arm, arm), Vector::new(arm, -arm)] {
+        painter.line_segment([at - arm, at + arm], Stroke::new(MARK_WIDTH, color));
+    }
+}
+
+/// A short piece of a line, for a legend.
+pub(super) fn sample(painter: &Painter, at: Pos2, stroke: Stroke, pattern: Pattern) {
+    let [from, to] = [at - Vector::X * 12.0, at + Vector::X * 12.0];
+    match pattern.dash(stroke.width) {
+        None => {
+            painter.line_segment([from, to], stroke);
+        }
+        Some([dash, gap]) => {
+            painter.extend(Shape::dashed_line(&[from, to], stroke, dash, gap));
+        }
+    }
+}
+
+/// The shares of the segment from `from` to `to` between which it is in `rect` (Liang and Barsky, "A
+/// New Concept and Method for Line Clipping", 1984); `None` if it is outside.
+fn shares_inside(rect: Rect, from: Pos2, to: Pos2) -> Option<[f32; 2]> {
+    let d = to - from;
+    let (mut first, mut last) = (0.0_f32, 1.0_f32);
+    for (start, step, low, high) in [
+        (from.x, d.x, rect.min.x, rect.max.x),
+        (from.y, d.y, rect.min.y, rect.max.y),
+    ] {
+        if step == 0.0 {
+            if start < low || start > high {
+                return None;
+            }
+            continue;
+        }
+        let [a, b] = [(low - start) / step, (high - start) / step];
+        first = first.max(a.min(b));
+        last = last.min(a.max(b));
+    }
+    (first <= last).then_some([first, last])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lines_are_cut_at_the_edge_of_the_view() {
+        let rect = Rect::from_min_max(Pos2::ZERO, Pos2::new(100.0, 100.0));
+        let cut = |from: [f32; 2], to: [f32; 2]| shares_inside(rect, from.into(), to.into());
+        assert_eq!(cut([10.0, 10.0], [90.0, 20.0]), Some([0.0, 1.0]));
+        assert_eq!(cut([-100.0, 50.0], [300.0, 50.0]), Some([0.25, 0.5]));
+        assert_eq!(cut([-10.0, 50.0], [-10.0, 60.0]), None);
+        assert_eq!(cut([-50.0, 90.0], [50.0, 190.0]), None);
     }
 }

@@ -2,25 +2,28 @@
 //!
 //! Reading order: this file (the layout), `input` (keys and files), `view_panel` (the 3D view and
 //! its mouse), `lines` with `scene_lines` and `ray_lines` (grid, boxes, rays), `picture_panel` (the
-//! picture and its mouse), `pair_view` (two pictures), `case_panel` with `case_lines` (a case of a
+//! picture and its mouse), `pair_view` (two pictures), `divider` (between them and the view), `case_panel` with `case_lines` (a case of a
 //! report), `side_panel` with `settings_panel`, `compare_panel`, `tree_panel`, `inspector_panel` and
-//! `report_panel`, `sheets` (help, questions).
+//! `report_panel`, `text` (short numbers), `problem_panel` (a scene that is not loaded), `sheets` (help, questions).
 
 mod case_lines;
 mod case_panel;
 mod colors;
 mod compare_panel;
+mod divider;
 mod input;
 mod inspector_panel;
 mod lines;
 mod pair_view;
 mod picture_panel;
+mod problem_panel;
 mod ray_lines;
 mod report_panel;
 mod scene_lines;
 mod settings_panel;
 mod sheets;
 mod side_panel;
+mod text;
 mod tree_panel;
 mod view_panel;
 
@@ -39,14 +42,17 @@ pub struct App {
     view: view_panel::ViewPanel,
     picture: picture_panel::PicturePanel,
     case: case_panel::CasePanel,
+    divider: divider::Divider,
     frames: FrameRate,
     title: String,
     /// Why the last screenshot of the window was not written.
     failed_screenshot: Arc<Mutex<Option<String>>>,
 }
 
-/// The width of the panel at the side.
-const SIDE_WIDTH: f32 = 290.0;
+/// The least width of the panel at the side.
+const SIDE_WIDTH: f32 = 240.0;
+/// The widths of the panel at the side before it is dragged.
+const FIRST_SIDE_WIDTH: std::ops::RangeInclusive<f32> = 270.0..=340.0;
 
 impl App {
     /// Draws `session`.
@@ -56,6 +62,7 @@ impl App {
             view: Default::default(),
             picture: Default::default(),
             case: Default::default(),
+            divider: Default::default(),
             frames: FrameRate::default(),
             title: String::new(),
             failed_screenshot: Arc::default(),
@@ -83,10 +90,18 @@ impl App {
 
         egui::Panel::top("top").show(ui, |ui| self.top_bar(ui, &mut commands));
         egui::Panel::bottom("bottom").show(ui, |ui| self.status_bar(ui));
-        let side = SIDE_WIDTH.min(0.4 * ui.available_width());
-        egui::Panel::right("side").exact_size(side).show(ui, |ui| {
-            side_panel::show(ui, &mut self.session, &mut commands);
-        });
+        let width = ui.available_width();
+        let first = (0.27 * width).clamp(*FIRST_SIDE_WIDTH.start(), *FIRST_SIDE_WIDTH.end());
+        egui::Panel::right("side")
+            .resizable(true)
+            .default_size(first)
+            .size_range(SIDE_WIDTH..=(0.7 * width).max(SIDE_WIDTH))
+            .show(ui, |ui| {
+                side_panel::show(ui, &mut self.session, &mut commands);
+            });
+        if let Some(problem) = self.session.problem() {
+            problem_panel::show(ui, problem, &mut commands);
+        }
         egui::CentralPanel::default()
             .frame(egui::Frame::new())
             .show(ui, |ui| is_busy |= self.central(ui, &mut commands));
@@ -126,14 +141,9 @@ impl App {
             return false;
         }
         // The picture, and beside it the rays of the pixel in 3D.
-        let (left, right) = rect.split_left_right_at_fraction(0.5);
-        self.picture.show(
-            ui,
-            left.shrink2(egui::vec2(1.0, 0.0)),
-            &mut self.session,
-            commands,
-        );
-        self.view.show(ui, right, &mut self.session, commands, fps)
+        let [picture, view] = self.divider.show(ui, rect);
+        self.picture.show(ui, picture, &mut self.session, commands);
+        self.view.show(ui, view, &mut self.session, commands, fps)
     }
 
     fn top_bar(&mut self, ui: &mut Ui, commands: &mut Vec<Command>) {

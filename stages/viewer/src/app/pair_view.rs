@@ -92,8 +92,8 @@ fn wipe(ui: &Ui, area: Rect, wipe: f32, second: &TextureHandle) {
     let painter = ui.painter_at(area);
     painter.image(second.id(), right, uv, Color32::WHITE);
     let line = [right.left_top(), right.left_bottom()];
-    painter.line_segment(line, Stroke::new(1.5, colors::SELECTED));
-    painter.circle_filled(right.left_center(), 5.0, colors::SELECTED);
+    painter.line_segment(line, Stroke::new(1.5, colors::palette(ui).selected));
+    painter.circle_filled(right.left_center(), 5.0, colors::palette(ui).selected);
 }
 
 /// A name in a corner of a picture, readable on every colour.
@@ -142,9 +142,19 @@ pub(super) fn buttons(ui: &mut Ui, view: PairView, names: [&str; 2], commands: &
 }
 
 /// The causes of differences, with their colours and numbers of pixels.
-pub(super) fn legend(ui: &mut Ui, causes: &[CauseCount]) {
-    if causes.is_empty() {
-        ui.colored_label(colors::RIGHT, "No pixel differs.");
+/// `differing` is the number of pixels that are not equal: some differ only within the noise.
+pub(super) fn legend(ui: &mut Ui, causes: &[CauseCount], differing: u64) {
+    match (causes, differing) {
+        ([], 0) => {
+            let right = colors::palette(ui).right;
+            ui.colored_label(right, "No pixel differs.");
+        }
+        ([], differing) => {
+            ui.label(format!(
+                "{differing} pixels differ, none of them beyond the noise."
+            ));
+        }
+        _ => {}
     }
     for cause in causes {
         ui.horizontal(|ui| {

@@ -76,7 +76,7 @@ impl PicturePanel {
             let end = response.interact_pointer_pos().and_then(clamped);
             if let (Some(start), Some(end)) = (self.cell_start, end) {
                 let cell = cell_between(start, end);
-                outline(ui, area, film, cell, colors::WRONG);
+                outline(ui, area, film, cell, colors::palette(ui).wrong);
                 if response.drag_stopped() {
                     commands.push(Command::SetCell(cell));
                     self.cell_start = None;
@@ -149,6 +149,7 @@ impl PicturePanel {
             return;
         }
         let film = &shown.film;
+        let cell = render.job().cell;
         let image = match map {
             Some((kind, map)) => {
                 let most = map
@@ -170,7 +171,7 @@ impl PicturePanel {
                 })
             }
             None => image_of(film.size(), |x, y| {
-                pixel_bytes(film, shown.preview.as_ref(), x, y)
+                pixel_bytes(film, shown.preview.as_ref(), cell, x, y)
             }),
         };
         let options = TextureOptions::NEAREST;
@@ -194,7 +195,7 @@ impl PicturePanel {
 
     fn paint_marks(&self, ui: &Ui, area: Rect, session: &Session, film: FilmSize) {
         if let Some(cell) = session.settings().and_then(|settings| settings.cell) {
-            outline(ui, area, film, cell, colors::WRONG);
+            outline(ui, area, film, cell, colors::palette(ui).wrong);
         }
         let of_replay = session.inspector.inspected().map(|i| i.replay.pixel);
         if let Some((x, y)) = session.inspector.running().or(of_replay) {
@@ -204,10 +205,19 @@ impl PicturePanel {
                 x1: x + 1,
                 y1: y + 1,
             };
-            outline(ui, area.expand(0.0), film, cell, colors::SELECTED);
+            outline(
+                ui,
+                area.expand(0.0),
+                film,
+                cell,
+                colors::palette(ui).selected,
+            );
             let center = screen_rect(area, film, cell).center();
-            ui.painter_at(area)
-                .circle_stroke(center, 9.0, Stroke::new(1.5, colors::SELECTED));
+            ui.painter_at(area).circle_stroke(
+                center,
+                9.0,
+                Stroke::new(1.5, colors::palette(ui).selected),
+            );
         }
     }
 }
@@ -219,12 +229,14 @@ fn rate_bytes(samples: u32, most: u32) -> [u8; 3] {
 }
 
 /// The bytes of a pixel: of the film, else of the preview; `None` before both.
-fn pixel_bytes(film: &Film, preview: Option<&Film>, x: u32, y: u32) -> Option<[u8; 3]> {
+fn pixel_bytes(film: &Film, preview: Option<&Film>, cell: Cell, x: u32, y: u32) -> Option<[u8; 3]> {
     let pixel = film.get(x, y);
     if pixel.samples > 0 {
         return Some(tone::to_bytes(pixel.radiance));
     }
-    let preview = preview?;
+    // The pixels of the preview are larger than those of the cell: some reach beyond it.
+    let is_in_cell = (cell.x0..cell.x1).contains(&x) && (cell.y0..cell.y1).contains(&y);
+    let preview = preview.filter(|_| is_in_cell)?;
     let (size, small) = (film.size(), preview.size());
     let scaled =
         |at: u32, from: u32, to: u32| (u64::from(at) * u64::from(to) / u64::from(from)) as u32;
@@ -293,4 +305,31 @@ pub(super) fn hint(ui: &Ui, rect: Rect, text: &str) {
     let color = ui.visuals().text_color();
     ui.painter_at(rect)
         .text(rect.center(), Align2::CENTER_CENTER, text, font, color);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use kit::{PixelEstimate, Spectrum};
+
+    /// A preview of 2 by 2 pixels covers more than a cell of 3 by 3 of 8 by 8 pixels.
+    #[test]
+    fn the_preview_ends_where_the_cell_does() {
+        let mut preview = Film::new(FilmSize { w: 2, h: 2 });
+        let pixel = PixelEstimate {
+            radiance: Spectrum::WHITE,
+            samples: 1,
+        };
+        preview.set(0, 0, pixel);
+        let film = Film::new(FilmSize { w: 8, h: 8 });
+        let cell = Cell {
+            x0: 0,
+            y0: 0,
+            x1: 3,
+            y1: 3,
+        };
+        let shown = |x, y| pixel_bytes(&film, Some(&preview), cell, x, y).is_some();
+        assert!(shown(0, 0) && shown(2, 2));
+        assert!(!shown(3, 2) && !shown(2, 3));
+    }
 }

@@ -1,6 +1,6 @@
 //! The lines of rays: a camera's pyramid, the rays of a replay, the boxes of their walk.
 
-use super::colors;
+use super::colors::{self, Pattern, pattern};
 use super::lines::{Hidden, Lines};
 use crate::inspector::Inspector;
 use crate::session::Session;
@@ -51,7 +51,7 @@ pub(super) fn frustum(
     }
     if let Some((x, y)) = pixel {
         let (x, y) = (f64::from(x), f64::from(y));
-        let stroke = Stroke::new(2.0, colors::SELECTED);
+        let stroke = Stroke::new(2.0, lines.palette.selected);
         rectangle(x / w, y / h, (x + 1.0) / w, (y + 1.0) / h, stroke);
     }
 }
@@ -81,27 +81,34 @@ pub(super) fn replay(lines: &Lines<'_>, inspector: &Inspector) {
         && (*s, *r) == (sample, ray)
         && let (Some((_, t)), Some(record)) = (truth.right, inspector.ray())
     {
-        lines.disc(record.ray.at(t), 6.0, colors::RIGHT);
+        lines.ring(record.ray.at(t), lines.palette.right);
     }
 }
 
 fn draw_ray(lines: &Lines<'_>, record: &RayRecord, size: f64, is_selected: bool) {
-    let color = colors::ray(record.role);
+    let color = lines.palette.ray(record.role);
     let end = record
         .ray
         .at(record.end().unwrap_or(size / record.ray.d.length()));
     let width = if is_selected { 3.0 } else { 1.2 };
-    lines.line(record.ray.o, end, Stroke::new(width, color), Hidden::Faint);
+    let stroke = Stroke::new(width, color);
+    lines.patterned(
+        record.ray.o,
+        end,
+        stroke,
+        Hidden::Faint,
+        pattern(record.role),
+    );
     if record.role == RayRole::Shadow && record.outcome == Outcome::Blocked {
-        lines.disc(end, 3.0, colors::WRONG);
+        lines.disc(end, 3.0, color);
     }
     if let Outcome::Hit(hit) = record.outcome
         && is_selected
     {
         lines.disc(hit.p, 4.0, color);
-        lines.arrow(hit.p, hit.n, 0.08 * size, colors::RIGHT, "n");
+        lines.arrow(hit.p, hit.n, 0.08 * size, lines.palette.right, "n");
         if hit.n.distance(hit.ng) > 1e-6 {
-            lines.arrow(hit.p, hit.ng, 0.08 * size, colors::HOVERED, "ng");
+            lines.arrow(hit.p, hit.ng, 0.08 * size, lines.palette.attention, "ng");
         }
     }
 }
@@ -112,23 +119,26 @@ pub(super) fn draw_walk(lines: &Lines<'_>, record: &RayRecord, step: usize, scen
         let is_last = i + 1 == step;
         match test {
             Test::Box { bounds, visit, .. } => {
-                let color = match visit {
-                    Visit::Entered { .. } => colors::RIGHT,
-                    Visit::Missed => Color32::from_gray(150),
-                    Visit::Behind { .. } | Visit::Pruned { .. } => colors::HOVERED,
+                let (color, pattern) = match visit {
+                    Visit::Entered { .. } => (lines.palette.right, Pattern::Solid),
+                    Visit::Missed => (lines.palette.line, Pattern::Dotted),
+                    Visit::Behind { .. } | Visit::Pruned { .. } => {
+                        (lines.palette.attention, Pattern::Dashed)
+                    }
                 };
                 let entered = matches!(visit, Visit::Entered { .. });
                 if is_last || entered {
                     let width = if is_last { 2.5 } else { 1.0 };
-                    lines.aabb(bounds, Stroke::new(width, color), Hidden::Faint);
+                    let stroke = Stroke::new(width, color);
+                    lines.patterned_box(bounds, stroke, Hidden::Faint, pattern);
                 }
             }
             // Where only the results of tests are given there are no shapes.
             Test::Primitive { prim, .. } if is_last && (prim.0 as usize) < scene.len() => {
-                let stroke = Stroke::new(2.5, colors::HOVERED);
+                let stroke = Stroke::new(2.5, lines.palette.attention);
                 match scene.primitive(*prim) {
                     kit::Primitive::Triangle(triangle) => {
-                        let fill = colors::HOVERED.gamma_multiply(0.3);
+                        let fill = lines.palette.attention.gamma_multiply(0.3);
                         lines.triangle(corners(triangle), fill, stroke);
                     }
                     kit::Primitive::Sphere(sphere) => {
@@ -150,7 +160,7 @@ pub(super) fn camera_rays(lines: &Lines<'_>, ui: &Ui, session: &Session) {
     let depth = 0.3 * scene.bounds.extent().length();
     let job = render.job();
     frustum(lines, &job.camera, job.film, depth, colors::line(ui), None);
-    let stroke = Stroke::new(1.2, colors::ray(RayRole::Camera));
+    let stroke = Stroke::new(1.2, lines.palette.ray(RayRole::Camera));
     for ray in session.camera_rays() {
         lines.line(ray.o, ray.at(4.0 * depth), stroke, Hidden::Shown);
     }

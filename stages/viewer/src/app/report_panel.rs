@@ -2,15 +2,19 @@
 
 use super::case_panel::NAMES;
 use super::side_panel::{facts, short};
-use super::{colors, inspector_panel, key_button, pair_view};
+use super::text::{self, SMALL};
+use super::{colors, inspector_panel, key_button, lines, pair_view};
 use crate::command::Command;
+use crate::digits;
+use crate::report::child_order::{ChildOrder, EnteredChild};
 use crate::report::tree_case::TreeCase;
 use crate::report::visit_case::VisitCase;
 use crate::report::{CasePart, CaseView, FailedCase, OpenCase, RayCase};
 use crate::session::Session;
 use crate::tree_walk::{NodeStatistics, Side};
-use egui::{Key, Label, RichText, ScrollArea, Ui};
-use pathtracer::replay::text;
+use egui::{Key, RichText, ScrollArea, Ui};
+use judge::shown::ComparedNumber;
+use pathtracer::replay;
 
 pub(super) fn show(ui: &mut Ui, session: &Session, commands: &mut Vec<Command>) {
     let Some(report) = session.report() else {
@@ -18,11 +22,14 @@ pub(super) fn show(ui: &mut Ui, session: &Session, commands: &mut Vec<Command>) 
     };
     ui.heading("Report");
     if report.cases.is_empty() {
-        ui.colored_label(colors::RIGHT, "No case lost points.");
+        ui.colored_label(colors::palette(ui).right, "No case lost points.");
         return;
     }
     ui.horizontal(|ui| {
-        ui.weak(format!("{} cases lost points", report.cases.len()));
+        ui.weak(match report.cases.len() {
+            1 => "1 case lost points".to_owned(),
+            cases => format!("{cases} cases lost points"),
+        });
         if key_button(ui, "Next", Key::Enter) {
             commands.push(Command::NeighbourCase { forward: true });
         }
@@ -34,7 +41,7 @@ pub(super) fn show(ui: &mut Ui, session: &Session, commands: &mut Vec<Command>) 
         .auto_shrink([false, true])
         .show(ui, |ui| {
             for (i, case) in report.cases.iter().enumerate() {
-                let text = RichText::new(format!("{} {}", case.task, case.name)).size(11.0);
+                let text = RichText::new(format!("{} {}", case.task, case.name)).size(SMALL);
                 let response = ui.add(egui::Button::selectable(opened == Some(i), text).truncate());
                 if opened == Some(i) {
                     response.scroll_to_me(None);
@@ -92,9 +99,9 @@ fn about(ui: &mut Ui, case: &FailedCase) {
             "{}: wrong on {} of {}",
             finding.aspect, finding.wrong, finding.judged
         );
-        ui.colored_label(colors::WRONG, text);
+        ui.colored_label(colors::palette(ui).wrong, text);
         if let Some((_, sentence)) = &finding.worst {
-            ui.label(RichText::new(sentence).size(11.0));
+            text::short(ui, sentence, SMALL);
         }
     }
 }
@@ -108,14 +115,14 @@ fn now(ui: &mut Ui, opened: &OpenCase) {
         });
     }
     if let Some(failure) = opened.failure() {
-        ui.colored_label(colors::HOVERED, failure.to_string());
+        ui.colored_label(colors::palette(ui).attention, failure.to_string());
     }
     let Some(content) = opened.content() else {
         return;
     };
     ui.separator();
     if let Some(silent) = &content.silent {
-        ui.colored_label(colors::HOVERED, silent);
+        ui.colored_label(colors::palette(ui).attention, silent);
     }
     if content.is_untouched {
         ui.weak("The task still has the start that the course provides.");
@@ -125,35 +132,51 @@ fn now(ui: &mut Ui, opened: &OpenCase) {
         // Nothing was judged where nothing is written.
         Some([]) if content.silent.is_some() => {}
         Some([]) => {
-            ui.colored_label(colors::RIGHT, "Your code passes this case now.");
+            let right = colors::palette(ui).right;
+            ui.colored_label(right, "Your code passes this case now.");
         }
         Some([first, ..]) => {
-            ui.colored_label(colors::WRONG, "Your code now:");
-            ui.add(Label::new(RichText::new(first).size(11.0)).wrap());
+            ui.colored_label(colors::palette(ui).wrong, "Your code now:");
+            text::short(ui, first, SMALL);
         }
     }
+}
+
+/// A ring for what is right, a cross for what is wrong.
+fn verdict_mark(ui: &mut Ui, is_right: bool) {
+    let (rect, response) = ui.allocate_exact_size(egui::Vec2::splat(16.0), egui::Sense::hover());
+    let palette = colors::palette(ui);
+    match is_right {
+        true => lines::ring(ui.painter(), rect.center(), palette.right),
+        false => lines::cross(ui.painter(), rect.center(), palette.wrong),
+    }
+    let name = if is_right { "right" } else { "wrong" };
+    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, name));
 }
 
 /// The numbers of a ray, side by side.
 fn rows(ui: &mut Ui, view: &RayCase) {
     ui.separator();
     if let Some(failure) = &view.failure {
-        ui.colored_label(colors::HOVERED, failure);
+        ui.colored_label(colors::palette(ui).attention, failure);
     }
     ui.weak("Your code now, and the exact answer:");
-    for row in &view.shown.rows {
+    // What is wrong comes first.
+    let mut rows: Vec<&ComparedNumber> = view.shown.rows.iter().collect();
+    rows.sort_by_key(|row| row.is_right);
+    for row in rows {
         ui.horizontal(|ui| {
-            let color = match row.is_right {
-                true => colors::RIGHT,
-                false => colors::WRONG,
-            };
-            colors::dot(ui, color);
+            verdict_mark(ui, row.is_right);
             ui.label(RichText::new(row.name).strong());
         });
-        for (who, value) in [("yours", &row.yours), ("exact", &row.expected)] {
-            let value = value.as_deref().unwrap_or("-");
-            let text = RichText::new(format!("{who}: {value}")).size(11.0);
-            ui.add(Label::new(text).wrap());
+        let values = [&row.yours, &row.expected].map(|value| value.as_deref().unwrap_or("-"));
+        let [yours, exact] = match row.is_right {
+            true => values.map(digits::shortened),
+            false => digits::compared(values[0], values[1]),
+        };
+        for (who, shown, full) in [("yours", yours, values[0]), ("exact", exact, values[1])] {
+            let shown = format!("{who}: {shown}");
+            text::shown_short(ui, RichText::new(shown).size(SMALL), full);
         }
     }
     if !view.is_of_report {
@@ -191,7 +214,7 @@ fn tree_facts(ui: &mut Ui, opened: &OpenCase, case: &TreeCase, commands: &mut Ve
         facts(ui, "tree case", &rows);
     }
     if let Some(fault) = &case.fault {
-        ui.colored_label(colors::WRONG, fault);
+        ui.colored_label(colors::palette(ui).wrong, fault);
     }
     if case.wrong.is_empty() {
         return;
@@ -207,7 +230,7 @@ fn tree_facts(ui: &mut Ui, opened: &OpenCase, case: &TreeCase, commands: &mut Ve
             for i in range {
                 let wrong = &case.wrong[i];
                 let line = format!("{}: {}", wrong.node, wrong.sentence);
-                let line = RichText::new(line).size(11.0);
+                let line = RichText::new(line).size(SMALL);
                 let is_shown = opened.step == i + 1;
                 let button = egui::Button::selectable(is_shown, line).truncate();
                 if ui.add(button).clicked() {
@@ -231,20 +254,74 @@ fn visit_facts(ui: &mut Ui, opened: &OpenCase, case: &VisitCase, commands: &mut 
         &[
             (
                 "your result",
-                text::outcome(&case.scene, case.record.outcome),
+                replay::text::outcome(&case.scene, case.record.outcome),
             ),
             ("exactly hit", right),
             ("tests", format!("{boxes} boxes, {prims} primitives")),
         ],
     );
+    if let Some(test) = case.first_difference() {
+        let first = ui.button("Go to the first difference");
+        if first.clicked() {
+            commands.push(Command::FrameEvent(test + 1));
+        }
+    }
+    orders(ui, &case.orders, commands);
     let count = case.record.tests.len();
     ui.label(RichText::new(format!("Tests {} of {count}", opened.step)).strong());
     ui.weak("N, B: next, back");
-    let wrong = case.parting.as_ref().and_then(|parting| parting.test);
+    let is_wrong = case
+        .parting
+        .as_ref()
+        .is_some_and(|parting| parting.test.is_some());
+    let word = if is_wrong { "WRONG" } else { "FARTHER CHILD" };
+    let wrong = case.first_difference().map(|test| (test, word));
     let clicked = inspector_panel::test_list(ui, &case.scene, &case.record, opened.step, wrong);
     if let Some(test) = clicked {
         commands.push(Command::GoToEvent(test + 1));
     }
+}
+
+/// The order of the children of each node, as visited and by distance, side by side.
+fn orders(ui: &mut Ui, orders: &[ChildOrder], commands: &mut Vec<Command>) {
+    if orders.is_empty() {
+        return;
+    }
+    let wrong = orders.iter().filter(|order| !order.is_nearer_first());
+    let wrong = wrong.count();
+    ui.label(RichText::new("Order of children").strong());
+    ui.weak(format!(
+        "nearer first at {} of {} nodes",
+        orders.len() - wrong,
+        orders.len()
+    ));
+    let names =
+        |children: [EnteredChild; 2]| children.map(|child| child.node.to_string()).join(", ");
+    ScrollArea::vertical()
+        .id_salt("orders")
+        .max_height(120.0)
+        .auto_shrink([false, true])
+        .show(ui, |ui| {
+            egui::Grid::new("orders").num_columns(4).show(ui, |ui| {
+                for title in ["", "node", "yours", "nearer first"] {
+                    ui.weak(title);
+                }
+                ui.end_row();
+                for order in orders {
+                    verdict_mark(ui, order.is_nearer_first());
+                    let hover = digits::shortened(&order.sentence());
+                    let node = ui.button(order.node.to_string()).on_hover_text(hover);
+                    if let Some(test) = order.visited[0].first_test
+                        && node.clicked()
+                    {
+                        commands.push(Command::FrameEvent(test + 1));
+                    }
+                    ui.label(names(order.visited));
+                    ui.label(names(order.by_distance()));
+                    ui.end_row();
+                }
+            });
+        });
 }
 
 /// What a picture shows, how it is shown, and the causes of differences.
@@ -257,5 +334,5 @@ fn picture_facts(ui: &mut Ui, opened: &OpenCase, part: CasePart, commands: &mut 
         ui.weak(about);
     }
     pair_view::buttons(ui, opened.display.view, NAMES, commands);
-    pair_view::legend(ui, &pair.legend);
+    pair_view::legend(ui, &pair.legend, 0);
 }

@@ -8,6 +8,7 @@ use crate::topology::{Element, corners};
 use crate::tree_walk;
 use egui::{Color32, Rect, Stroke, Ui};
 use kit::Vec3;
+use pathtracer::RayRole;
 
 /// The number of boxes of the tree that are drawn.
 const MAX_BOXES: usize = 400;
@@ -33,21 +34,24 @@ fn axes_and_grid(lines: &Lines<'_>, ui: &Ui) {
         );
     }
     let axes = [
-        (Vec3::X, Color32::from_rgb(220, 70, 70)),
-        (Vec3::Y, Color32::from_rgb(80, 180, 80)),
-        (Vec3::Z, Color32::from_rgb(80, 120, 240)),
+        (Vec3::X, "x", lines.palette.wrong),
+        (Vec3::Y, "y", lines.palette.right),
+        (Vec3::Z, "z", lines.palette.ray(RayRole::Camera)),
     ];
-    for (axis, color) in axes {
+    for (axis, name, color) in axes {
         lines.line(Vec3::ZERO, axis, Stroke::new(2.0, color), Hidden::Faint);
+        lines.name_at(axis, color, name);
     }
 }
 
 /// What is selected, and what is under the mouse.
 fn selection(lines: &Lines<'_>, session: &Session) {
-    let hovered = session.hovered().map(|element| (element, colors::HOVERED));
+    let hovered = session
+        .hovered()
+        .map(|element| (element, lines.palette.attention));
     let selected = session
         .selection()
-        .map(|element| (element, colors::SELECTED));
+        .map(|element| (element, lines.palette.selected));
     for (element, color) in hovered.into_iter().chain(selected) {
         let (Some(topology), Some(scene)) = (session.topology(), session.scene()) else {
             return;
@@ -99,7 +103,7 @@ fn tree_boxes(lines: &Lines<'_>, session: &Session) {
         }
     }
     if let Some(selected) = tree.nodes.get(node as usize) {
-        let stroke = Stroke::new(3.0, colors::SELECTED.gamma_multiply(0.8));
+        let stroke = Stroke::new(3.0, lines.palette.selected.gamma_multiply(0.8));
         lines.aabb(&selected.bounds, stroke, Hidden::Faint);
     }
 }
@@ -109,7 +113,7 @@ fn wide_boxes(lines: &Lines<'_>, session: &Session) {
     let depth = session.walk().depth();
     for (b, at) in session.wide_boxes().iter().filter(|(_, at)| *at <= depth) {
         let stroke = if *at == depth {
-            Stroke::new(1.5, colors::SELECTED.gamma_multiply(0.8))
+            Stroke::new(1.5, lines.palette.selected.gamma_multiply(0.8))
         } else {
             Stroke::new(1.0, Color32::from_gray(140).gamma_multiply(0.35))
         };

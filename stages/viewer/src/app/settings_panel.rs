@@ -1,6 +1,7 @@
 //! The settings of renders, and the progress of the one that runs.
 
 use super::side_panel::facts;
+use super::text::SMALL;
 use super::{compare_panel, key_button};
 use crate::command::Command;
 use crate::features::{Feature, MissingFeatures};
@@ -112,7 +113,7 @@ pub(super) fn settings(ui: &mut Ui, session: &mut Session, commands: &mut Vec<Co
         if ui.button("Camera to file (D)").clicked() {
             commands.push(Command::DumpCamera);
         }
-        ui.label(RichText::new(settings.flags()).size(11.0).weak());
+        ui.label(RichText::new(settings.flags()).size(SMALL).weak());
     });
 }
 
@@ -120,7 +121,7 @@ pub(super) fn settings(ui: &mut Ui, session: &mut Session, commands: &mut Vec<Co
 fn missing_features(ui: &mut Ui, missing: &MissingFeatures) {
     for (feature, why) in missing.iter() {
         let text = RichText::new(format!("{}: {why}", feature.name()));
-        ui.add_enabled(false, egui::Label::new(text.size(11.0)));
+        ui.add_enabled(false, egui::Label::new(text.size(SMALL)));
     }
 }
 
@@ -194,7 +195,12 @@ pub(super) fn progress(ui: &mut Ui, session: &mut Session, commands: &mut Vec<Co
         (false, false) => format!("stopped at {:.0} %", 100.0 * progress),
     };
     ui.add(ProgressBar::new(progress as f32).text(state));
-    let mut rows = vec![("pass", pass.to_string())];
+    let scene = render.scene();
+    let mut rows = vec![("traced by", scene.traced_by().to_owned())];
+    if scene.has_no_light() {
+        rows.push(("shows", "normals, since the scene has no light".to_owned()));
+    }
+    rows.push(("pass", pass.to_string()));
     let seconds = render.time().as_secs_f64();
     // Snapshots are the same on every machine: they show no times.
     let is_timed = !session.patience.always_sharp;
@@ -220,7 +226,10 @@ pub(super) fn progress(ui: &mut Ui, session: &mut Session, commands: &mut Vec<Co
     }
     facts(ui, "render", &rows);
     ui.horizontal_wrapped(|ui| {
-        if key_button(ui, if is_running { "Stop" } else { "Resume" }, Key::P) {
+        let name = if is_running { "Stop (P)" } else { "Resume (P)" };
+        let button = ui.add_enabled(!is_done, egui::Button::new(name));
+        let button = button.on_disabled_hover_text("The picture is complete");
+        if button.clicked() {
             commands.push(Command::StopOrResume);
         }
         if key_button(ui, "More samples", Key::O) {
@@ -231,12 +240,19 @@ pub(super) fn progress(ui: &mut Ui, session: &mut Session, commands: &mut Vec<Co
         }
     });
     ui.horizontal_wrapped(|ui| {
+        let compares = session.comparison().is_some();
         let toggle =
             |ui: &mut Ui, is_on: bool, label: &str| ui.selectable_label(is_on, label).clicked();
+        let toggle_alone = |ui: &mut Ui, is_on: bool, label: &str| {
+            let button = egui::Button::selectable(is_on && !compares, label);
+            let response = ui.add_enabled(!compares, button);
+            let response = response.on_disabled_hover_text("A and B are shown: end the comparison");
+            response.clicked()
+        };
         if toggle(ui, session.cell_mode(), "Cell (C)") {
             commands.push(Command::ToggleCell);
         }
-        if toggle(ui, session.shows_rate(), "Rate (T)") {
+        if toggle_alone(ui, session.shows_rate(), "Rate (T)") {
             commands.push(Command::ToggleRate);
         }
         let heat = match session.heat().kind {
@@ -244,11 +260,11 @@ pub(super) fn progress(ui: &mut Ui, session: &mut Session, commands: &mut Vec<Co
             Some(HeatKind::Boxes) => "Heat map: boxes (X)",
             Some(HeatKind::Primitives) => "Heat map: primitives (X)",
         };
-        if toggle(ui, session.heat().kind.is_some(), heat) {
+        if toggle_alone(ui, session.heat().kind.is_some(), heat) {
             commands.push(Command::NextHeat);
         }
-        if ui.button("Dearest pixel (G)").clicked() {
-            commands.push(Command::GoToDearest);
+        if ui.button("Costliest pixel (G)").clicked() {
+            commands.push(Command::GoToCostliest);
         }
     });
     under_pointer(ui, session);

@@ -44,13 +44,20 @@ pub(super) fn show(ctx: &Context, session: &mut Session, commands: &mut Vec<Comm
     }
 }
 
+/// The width of a column of keys, in points.
+const COLUMN: f32 = 400.0;
+
 fn help(ui: &mut Ui) {
+    mouse(ui);
+    ui.separator();
     // Keys that differ only in their direction have one line.
     let bindings: Vec<Binding> = keys::bindings()
         .into_iter()
         .filter(|binding| !binding.label.is_empty())
         .collect();
-    let half = bindings.len().div_ceil(2);
+    // As many columns as are visible side by side.
+    let columns = ((ui.available_width() / COLUMN) as usize).clamp(1, 2);
+    let half = bindings.len().div_ceil(columns);
     ui.horizontal_top(|ui| {
         for (i, column) in bindings.chunks(half).enumerate() {
             Grid::new(("keys", i))
@@ -67,7 +74,10 @@ fn help(ui: &mut Ui) {
                 });
         }
     });
-    ui.separator();
+    ui.weak("In the assignment's program S, D, C and H mean other things in edit mode. Here every key has one meaning.");
+}
+
+fn mouse(ui: &mut Ui) {
     Grid::new("mouse")
         .num_columns(2)
         .spacing([10.0, 3.0])
@@ -87,5 +97,4 @@ fn help(ui: &mut Ui) {
                 ui.end_row();
             }
         });
-    ui.weak("In the assignment's program S, D, C and H mean other things in edit mode. Here every key has one meaning.");
 }

@@ -1,7 +1,8 @@
 //! The panel at the side: what belongs to the mode, the inspector, the report.
 
-use super::{inspector_panel, report_panel, settings_panel, tree_panel};
+use super::{inspector_panel, report_panel, settings_panel, text, tree_panel};
 use crate::command::Command;
+use crate::digits;
 use crate::session::{Mode, Session};
 use egui::{Grid, RichText, ScrollArea, Ui};
 use kit::Vec3;
@@ -84,12 +85,12 @@ fn scene_facts(ui: &mut Ui, session: &Session, commands: &mut Vec<Command>) {
                 ],
             );
             for warning in &data.source.warnings {
-                ui.label(RichText::new(warning).size(11.0));
+                ui.label(RichText::new(warning).size(text::SMALL));
             }
             if let Some(failure) = &data.missing_accel {
                 ui.label(
                     RichText::new(format!("{failure}: a simpler way to find hits is used"))
-                        .size(11.0),
+                        .size(text::SMALL),
                 );
             }
             for path in session.recent().iter().skip(1) {
@@ -108,7 +109,7 @@ pub(super) fn facts(ui: &mut Ui, id: &str, rows: &[(&str, String)]) {
         .show(ui, |ui| {
             for (name, value) in rows {
                 ui.weak(*name);
-                ui.add(egui::Label::new(value).wrap());
+                text::shown_short(ui, RichText::new(digits::shortened(value)), value);
                 ui.end_row();
             }
         });
@@ -118,7 +119,10 @@ pub(super) fn facts(ui: &mut Ui, id: &str, rows: &[(&str, String)]) {
 pub(super) fn short(v: Vec3) -> String {
     let number = |x: f64| {
         let text = format!("{x:.4}");
-        text.trim_end_matches('0').trim_end_matches('.').to_owned()
+        match text.trim_end_matches('0').trim_end_matches('.') {
+            "-0" => "0".to_owned(),
+            text => text.to_owned(),
+        }
     };
     format!("{} {} {}", number(v.x), number(v.y), number(v.z))
 }

@@ -19,7 +19,10 @@ pub(super) fn show(ui: &mut Ui, session: &mut Session, commands: &mut Vec<Comman
         return;
     };
     let Some(tree) = scene.bvh() else {
-        ui.colored_label(colors::HOVERED, "construct_bvh built no tree.");
+        ui.colored_label(
+            colors::palette(ui).attention,
+            "construct_bvh built no tree.",
+        );
         return;
     };
     ui.horizontal(|ui| {
@@ -55,7 +58,7 @@ pub(super) fn show(ui: &mut Ui, session: &mut Session, commands: &mut Vec<Comman
         for (color, name) in [
             (colors::of(LEFT_COLOR), "left"),
             (colors::of(RIGHT_COLOR), "right"),
-            (colors::SELECTED, "node"),
+            (colors::palette(ui).selected, "node"),
         ] {
             colors::dot(ui, color);
             ui.label(name);

@@ -6,8 +6,8 @@ use crate::project::Projection;
 use crate::session::{Mode, Session};
 use crate::topology::Element;
 use egui::{
-    Align2, Color32, ColorImage, FontId, PointerButton, Pos2, Rect, Sense, TextureHandle,
-    TextureOptions, Ui,
+    Align2, Color32, ColorImage, FontId, PointerButton, Pos2, Rect, RichText, ScrollArea, Sense,
+    TextureHandle, TextureOptions, Ui,
 };
 use kit::Vec2;
 
@@ -150,7 +150,13 @@ impl ViewPanel {
         if let Some(failure) = session.view.failure(scene) {
             let at = rect.center_top() + egui::vec2(0.0, 34.0);
             let text = format!("{failure}: the scene is shown as lines");
-            painter.text(at, Align2::CENTER_TOP, text, font.clone(), colors::HOVERED);
+            painter.text(
+                at,
+                Align2::CENTER_TOP,
+                text,
+                font.clone(),
+                colors::palette(ui).attention,
+            );
         }
         if !session.overlay() {
             return;
@@ -212,7 +218,7 @@ fn grabs(session: &Session, rect: Rect, at: Pos2) -> bool {
 fn empty(ui: &mut Ui, rect: Rect, session: &Session, commands: &mut Vec<Command>) {
     let mut inner = ui.new_child(egui::UiBuilder::new().max_rect(rect.shrink(24.0)));
     inner.vertical_centered(|ui| {
-        ui.add_space(0.3 * rect.height());
+        ui.add_space(0.1 * rect.height());
         ui.heading("Drop a .dae file here");
         ui.label("or start with one: viewer SCENE.dae");
         for path in session.recent() {
@@ -220,5 +226,18 @@ fn empty(ui: &mut Ui, rect: Rect, session: &Session, commands: &mut Vec<Command>
                 commands.push(Command::Open(path.clone()));
             }
         }
+        if session.course_scenes().is_empty() {
+            return;
+        }
+        ui.add_space(16.0);
+        ui.label(RichText::new("The scenes of the course").strong());
+        ScrollArea::vertical().id_salt("scenes").show(ui, |ui| {
+            for path in session.course_scenes() {
+                let name = path.file_stem().unwrap_or_default().to_string_lossy();
+                if ui.link(name).clicked() {
+                    commands.push(Command::Open(path.clone()));
+                }
+            }
+        });
     });
 }

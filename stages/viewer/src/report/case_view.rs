@@ -5,7 +5,9 @@ use super::light_case::LightCase;
 use super::ray_case::RayCase;
 use super::tree_case::TreeCase;
 use super::visit_case::VisitCase;
+use crate::project::is_drawn;
 use kit::Aabb;
+use wire::work::ScriptedWorld;
 use wire::{Answer, Work};
 
 /// The view of a case, at the call with the worst answer.
@@ -38,9 +40,7 @@ impl CaseView {
             (Work::Build(work), Some(Answer::Build(answer))) => {
                 CaseView::Tree(TreeCase::of(work, answer))
             }
-            (Work::Traverse(world), _) => {
-                CaseView::Visits(VisitCase::in_script(world, world.rays.get(call)?))
-            }
+            (Work::Traverse(world), _) => CaseView::Visits(scripted(world, call)?),
             (Work::SceneHits(work), _) => CaseView::Visits(VisitCase::in_scene(
                 &work.scene,
                 &work.tree,
@@ -63,6 +63,35 @@ impl CaseView {
         })
     }
 
+    /// A box around what differs from the truth, or else around what is drawn.
+    pub fn focus(&self) -> Aabb {
+        let all = self.bounds();
+        match self {
+            CaseView::Ray(case) => case.focus(),
+            CaseView::Tree(case) => {
+                let wrong = case.wrong.first();
+                let node = wrong.and_then(|wrong| case.tree.nodes.get(wrong.node as usize));
+                let needed = wrong.and_then(|wrong| case.exact.get(wrong.node as usize));
+                let boxes = node
+                    .map(|node| node.bounds)
+                    .into_iter()
+                    .chain(needed.copied());
+                let place = boxes.filter(is_drawn).fold(Aabb::EMPTY, Aabb::union);
+                if place.is_empty() { all } else { place }
+            }
+            CaseView::Visits(case) => {
+                let hit = case.right.map(|(_, t)| case.record.ray.at(t));
+                let place = case.place_of_difference().filter(is_drawn);
+                match (place, hit) {
+                    (Some(place), Some(hit)) => place.grown_by(hit),
+                    (Some(place), None) => place,
+                    (None, _) => all,
+                }
+            }
+            CaseView::Light(_) => all,
+        }
+    }
+
     /// A box around what is drawn.
     pub fn bounds(&self) -> Aabb {
         match self {
@@ -82,7 +111,20 @@ impl CaseView {
     }
 }
 
-/// Whether a box can be drawn.
-pub fn is_drawn(b: &Aabb) -> bool {
-    !b.is_empty() && b.min.is_finite() && b.max.is_finite()
+/// The ray with this number of a scripted world. Where the sentence is about all rays of the case, such
+/// as the number of their tests, that one may be right: then it is the first one that is not.
+fn scripted(world: &ScriptedWorld, call: usize) -> Option<VisitCase> {
+    let named = VisitCase::in_script(world, world.rays.get(call)?);
+    if named.first_difference().is_some() || named.parting.is_some() {
+        return Some(named);
+    }
+    let mut others = world.rays.iter().take(MAX_RAYS);
+    let differing = others.find_map(|ray| {
+        let case = VisitCase::in_script(world, ray);
+        case.first_difference().is_some().then_some(case)
+    });
+    Some(differing.unwrap_or(named))
 }
+
+/// The most rays of a case that are traced to find one that is wrong.
+const MAX_RAYS: usize = 300;

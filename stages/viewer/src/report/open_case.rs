@@ -157,12 +157,20 @@ impl OpenCase {
     pub fn start(index: usize, case: &Arc<FailedCase>, report: &Path, wake: &Wake) -> OpenCase {
         let run = Arc::clone(case);
         OpenCase {
-            index,
-            case: Arc::clone(case),
-            report: report.to_owned(),
             running: Some(Task::spawn(Arc::clone(wake), move |_| {
                 CaseContent::of(&run)
             })),
+            ..OpenCase::empty(index, case, report)
+        }
+    }
+
+    /// A case about which nothing is known yet.
+    fn empty(index: usize, case: &Arc<FailedCase>, report: &Path) -> OpenCase {
+        OpenCase {
+            index,
+            case: Arc::clone(case),
+            report: report.to_owned(),
+            running: None,
             content: None,
             rendering: None,
             pictures: CasePictures::default(),
@@ -174,6 +182,22 @@ impl OpenCase {
             walk: TreeWalk::default(),
             step: 0,
         }
+    }
+
+    /// The case with what was computed about it before. Its pictures are not rendered.
+    pub fn with_content(
+        index: usize,
+        case: &Arc<FailedCase>,
+        report: &Path,
+        content: CaseContent,
+    ) -> OpenCase {
+        let mut opened = OpenCase {
+            content: Some(content),
+            is_rendered: true,
+            ..OpenCase::empty(index, case, report)
+        };
+        opened.go_to_difference();
+        opened
     }
 
     /// Takes what was computed. Waits for it at most `wait`.
@@ -205,16 +229,15 @@ impl OpenCase {
             Ok(content) => self.content = Some(content),
             Err(failure) => self.failure = Some(failure),
         }
-        // The walk starts where something is wrong.
-        match self
-            .content
-            .as_ref()
-            .and_then(|content| content.view.as_ref())
-        {
+        self.go_to_difference();
+    }
+
+    /// The walk starts where something is wrong.
+    fn go_to_difference(&mut self) {
+        match self.view() {
             Some(CaseView::Tree(_)) => self.step_test(true),
             Some(CaseView::Visits(case)) => {
-                let parting = case.parting.as_ref().and_then(|parting| parting.test);
-                self.step = parting.map_or(0, |test| test + 1);
+                self.step = case.first_difference().map_or(0, |test| test + 1);
             }
             _ => {}
         }

@@ -1,11 +1,12 @@
 //! A ray through a given tree: what the stage's traversal tested, and where it leaves the truth.
 
+use super::child_order::{ChildOrder, child_orders};
 use crate::truth::{Parting, check_ray};
 use judge::convert;
 use judge::scene;
-use kit::{Bvh, NodeKind, PrimId, Ray, Scene};
-use pathtracer::SceneWorld;
+use kit::{Aabb, Bvh, NodeKind, PrimId, Ray, Scene};
 use pathtracer::replay::{Outcome, RayRecord, Test, Visit, record_ray};
+use pathtracer::{RayRole, SceneWorld};
 use wire::work::{SceneSource, ScriptedRay, ScriptedWorld, Tree};
 use worker::bvh::{TraverseScript, kit_tree, nodes_by_box};
 
@@ -22,9 +23,44 @@ pub struct VisitCase {
     pub right: Option<(PrimId, f64)>,
     /// The first event that is wrong.
     pub parting: Option<Parting>,
+    /// The nodes of which the ray enters both children. Empty for a shadow ray, for which any order is
+    /// as good.
+    pub orders: Vec<ChildOrder>,
 }
 
 impl VisitCase {
+    /// The first node whose farther child was visited before the nearer one.
+    pub fn wrong_order(&self) -> Option<&ChildOrder> {
+        self.orders.iter().find(|order| !order.is_nearer_first())
+    }
+
+    /// The index of the first test that differs from a right traversal's, nearer children first.
+    pub fn first_difference(&self) -> Option<usize> {
+        let wrong = self.parting.as_ref().and_then(|parting| parting.test);
+        let order = self
+            .wrong_order()
+            .and_then(|order| order.visited[0].first_test);
+        wrong.into_iter().chain(order).min()
+    }
+
+    /// The box around the first difference; `None` if there is none.
+    pub fn place_of_difference(&self) -> Option<Aabb> {
+        let bounds = |node: u32| self.tree.nodes.get(node as usize).map(|node| node.bounds);
+        let order = self.wrong_order().and_then(|order| bounds(order.node));
+        let test = self.parting.as_ref().and_then(|parting| parting.test);
+        let test = test.and_then(|test| match self.record.tests.get(test)? {
+            Test::Box { bounds, .. } => Some(*bounds),
+            Test::Primitive { prim, .. } => {
+                let index = prim.0 as usize;
+                (index < self.scene.len()).then(|| match self.scene.primitive(*prim) {
+                    kit::Primitive::Triangle(triangle) => triangle.bounds(),
+                    kit::Primitive::Sphere(sphere) => sphere.bounds(),
+                })
+            }
+        });
+        test.or(order)
+    }
+
     /// Traces ray `call` of a case whose scene is traced with all stages.
     pub fn in_scene(
         source: &SceneSource,
@@ -40,6 +76,7 @@ impl VisitCase {
         let primitives: Vec<kit::Primitive<'_>> = scene.primitives().collect();
         let truth = check_ray(&primitives, &record);
         VisitCase {
+            orders: orders(&tree, &record),
             tree,
             record,
             right: truth.right,
@@ -65,12 +102,21 @@ impl VisitCase {
         let right = right_hit(scripted, &ray);
         let parting = parting(&tree, &record, right);
         VisitCase {
+            orders: orders(&tree, &record),
             scene: Scene::default(),
             tree,
             record,
             right,
             parting,
         }
+    }
+}
+
+/// The orders that matter: those of a ray that looks for its closest hit.
+fn orders(tree: &Bvh, record: &RayRecord) -> Vec<ChildOrder> {
+    match record.role {
+        RayRole::Shadow => Vec::new(),
+        _ => child_orders(tree, record),
     }
 }
 

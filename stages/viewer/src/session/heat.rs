@@ -35,7 +35,7 @@ pub struct Heat {
     /// The counts, and what they are of.
     map: Option<(Arc<SceneData>, Job, LightSettings, HeatMap)>,
     counting: Option<(Arc<SceneData>, Job, LightSettings, Task<HeatMap>)>,
-    goes_to_dearest: bool,
+    goes_to_costliest: bool,
 }
 
 impl Heat {
@@ -52,6 +52,9 @@ impl Heat {
 
 impl Session {
     pub(super) fn next_heat(&mut self) {
+        if self.comparison.is_some() {
+            return self.say("A and B are shown: end the comparison to see the heat map");
+        }
         self.heat.kind = match self.heat.kind {
             None => Some(HeatKind::Boxes),
             Some(HeatKind::Boxes) => Some(HeatKind::Primitives),
@@ -60,8 +63,8 @@ impl Session {
         self.count_heat();
     }
 
-    pub(super) fn go_to_dearest(&mut self) {
-        self.heat.goes_to_dearest = true;
+    pub(super) fn go_to_costliest(&mut self) {
+        self.heat.goes_to_costliest = true;
         self.heat.kind = self.heat.kind.or(Some(HeatKind::Boxes));
         self.count_heat();
     }
@@ -115,20 +118,20 @@ impl Session {
                 Ok(map) => self.heat.map = Some((scene, job, settings, map)),
                 Err(failure) => {
                     self.heat.kind = None;
-                    self.heat.goes_to_dearest = false;
+                    self.heat.goes_to_costliest = false;
                     self.say(format!("Nothing was counted: {failure}"));
                 }
             }
         }
         if let (true, None, Some(kind), Some(map)) = (
-            self.heat.goes_to_dearest,
+            self.heat.goes_to_costliest,
             &self.heat.counting,
             self.heat.kind,
             self.heat.map(),
         ) {
-            let dearest = map.dearest(|counters| kind.of(counters));
-            self.heat.goes_to_dearest = false;
-            if let Some((x, y)) = dearest {
+            let costliest = map.dearest(|counters| kind.of(counters));
+            self.heat.goes_to_costliest = false;
+            if let Some((x, y)) = costliest {
                 self.inspect(x, y);
             }
         }

@@ -7,6 +7,8 @@ use crate::scene_data::{Opened, modified};
 use crate::settings::RenderSettings;
 use crate::task::Task;
 use crate::tree_walk::TreeWalk;
+use std::env;
+use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -27,10 +29,27 @@ pub struct Loading {
     task: Task<Result<Opened, String>>,
 }
 
+/// The scenes of the course's folder `scenes/dae` above the current folder or the program.
+pub(super) fn course_scenes() -> Vec<PathBuf> {
+    let starts = [env::current_dir().ok(), env::current_exe().ok()];
+    let mut folders = starts.iter().flatten().flat_map(|start| start.ancestors());
+    let folder = folders.find_map(|folder| fs::read_dir(folder.join("scenes/dae")).ok());
+    let files = folder
+        .into_iter()
+        .flatten()
+        .flatten()
+        .map(|file| file.path());
+    let is_scene = |path: &PathBuf| path.extension().is_some_and(|end| end == "dae");
+    let mut scenes: Vec<PathBuf> = files.filter(is_scene).collect();
+    scenes.sort();
+    scenes
+}
+
 impl Session {
     /// Starts to read a scene.
     pub(super) fn open(&mut self, path: PathBuf) {
         self.message = format!("Loading {}", path.display());
+        self.problem = None;
         let mut args = self.args.clone();
         // The camera of `-c` belongs to the scene of the command line.
         if path != self.args.scene {
@@ -68,8 +87,8 @@ impl Session {
         match loaded {
             Ok(Ok(opened)) => self.show(opened, time),
             // The last scene stays.
-            Ok(Err(why)) => self.message = format!("Not loaded: {why}"),
-            Err(failure) => self.message = format!("{} is not loaded: {failure}", path.display()),
+            Ok(Err(why)) => self.tell_problem(&path, why),
+            Err(failure) => self.tell_problem(&path, failure.to_string()),
         }
     }
 
@@ -78,8 +97,7 @@ impl Session {
             (_, Some(settings)) => settings,
             (Ok(settings), None) => settings,
             (Err(why), None) => {
-                self.message = format!("Not loaded: {why}");
-                return;
+                return self.tell_problem(&opened.data.source.path, why);
             }
         };
         let path = opened.data.source.path.clone();
@@ -119,6 +137,20 @@ impl Session {
         self.recent.retain(|recent| *recent != path);
         self.recent.insert(0, path);
         self.recent.truncate(MAX_RECENT);
+    }
+
+    /// Says why a scene is not loaded: in a line, and in full.
+    fn tell_problem(&mut self, path: &Path, why: String) {
+        let name = path.file_name().unwrap_or(path.as_os_str());
+        self.message = format!("{} is not loaded: see above", name.to_string_lossy());
+        let file = path.display().to_string();
+        // A sentence about the content names no file.
+        let is_named = why.contains(&file);
+        self.problem = Some(if is_named {
+            why
+        } else {
+            format!("{file}: {why}")
+        });
     }
 
     /// Reads the scene file again if it was changed on the disk.

@@ -122,6 +122,10 @@ pub struct Session {
     pointer_in_view: Option<Vec2>,
     pointer_pixel: Option<(u32, u32)>,
     message: String,
+    /// Why the last scene was not loaded: the whole text, with the line of the file.
+    problem: Option<String>,
+    /// The scenes that come with the course.
+    course_scenes: Vec<PathBuf>,
     saved: Vec<Saved>,
     overlay: bool,
     help: bool,
@@ -171,6 +175,8 @@ impl Session {
             pointer_in_view: None,
             pointer_pixel: None,
             message: String::new(),
+            problem: None,
+            course_scenes: loading::course_scenes(),
             saved: Vec::new(),
             overlay: true,
             help: false,
@@ -232,9 +238,9 @@ impl Session {
             Command::SetCell(cell) => self.set_cell(cell),
             Command::StopOrResume => self.stop_or_resume(),
             Command::AddSamples => self.add_samples(),
-            Command::ToggleRate => self.show_rate = !self.show_rate,
+            Command::ToggleRate => self.toggle_rate(),
             Command::NextHeat => self.next_heat(),
-            Command::GoToDearest => self.go_to_dearest(),
+            Command::GoToCostliest => self.go_to_costliest(),
             Command::KeepForComparison => self.keep_for_comparison(),
             Command::CompareWith(path) => self.compare_with_file(&path),
             Command::EndComparison => self.comparison = None,
@@ -266,6 +272,7 @@ impl Session {
             Command::ToggleHelp => self.help = !self.help,
             Command::Open(path) => self.open(path),
             Command::Reload => self.reload(),
+            Command::CloseProblem => self.problem = None,
             Command::ShowReport => self.show_report(),
             Command::OpenCase(case) => self.open_case(case),
             Command::NeighbourCase { forward } => self.open_neighbour(forward),
@@ -277,6 +284,12 @@ impl Session {
             Command::GoToEvent(step) => {
                 if let Some(opened) = self.opened_case_mut() {
                     opened.go_to_event(step);
+                }
+            }
+            Command::FrameEvent(step) => {
+                if let Some(opened) = self.opened_case_mut() {
+                    opened.go_to_event(step);
+                    opened.orbit = None;
                 }
             }
             Command::SaveCaseAsTest => self.save_case_as_test(),

@@ -88,6 +88,13 @@ impl Session {
         }
     }
 
+    pub(super) fn toggle_rate(&mut self) {
+        if self.comparison.is_some() {
+            return self.say("A and B are shown: end the comparison to see the sample rate");
+        }
+        self.show_rate = !self.show_rate;
+    }
+
     pub(super) fn stop_or_resume(&mut self) {
         let Some(render) = &mut self.render else {
             return self.start_render();

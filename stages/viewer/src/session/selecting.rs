@@ -25,6 +25,10 @@ impl Session {
 
     pub(super) fn select(&mut self) {
         self.selection = self.hovered();
+        match self.selection_info() {
+            Some(info) => self.say(format!("Selected {}", info.kind)),
+            None => self.say("Nothing is selected"),
+        }
     }
 
     pub(super) fn select_next(&mut self, kind: ElementKind, forward: bool) {

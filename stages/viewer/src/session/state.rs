@@ -82,6 +82,21 @@ impl Session {
         &self.message
     }
 
+    /// Why the last scene was not loaded, in full.
+    pub fn problem(&self) -> Option<&str> {
+        self.problem.as_deref()
+    }
+
+    /// The scenes that come with the course.
+    pub fn course_scenes(&self) -> &[PathBuf] {
+        &self.course_scenes
+    }
+
+    /// Offers these scenes in place of those of the course.
+    pub fn set_course_scenes(&mut self, scenes: Vec<PathBuf>) {
+        self.course_scenes = scenes;
+    }
+
     /// Says what happened.
     pub fn say(&mut self, message: impl Into<String>) {
         self.message = message.into();

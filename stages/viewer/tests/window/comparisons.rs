@@ -2,6 +2,7 @@
 
 use super::common::{Window, session};
 use egui::Key;
+use egui_kittest::kittest::Queryable;
 use image::RgbImage;
 use std::path::PathBuf;
 use viewer::command::Command;
@@ -76,4 +77,36 @@ fn a_picture_of_another_size_has_no_errors() {
     let missing = folder.path().join("none.png");
     window.session().apply(Command::CompareWith(missing));
     assert!(window.session().message().contains("none.png"));
+}
+
+/// Two pictures that differ only within their noise are not said to be equal, and what only the picture
+/// of a render has is not offered.
+#[test]
+fn noise_is_no_difference_and_maps_wait_for_the_end_of_a_comparison() {
+    let mut window = Window::open("-r 40 30 -s 4 -m 2", "cornell_spheres.dae");
+    window.press(Key::R);
+    window.press(Key::K);
+    let equal = "No pixel differs.";
+    assert!(window.harness.query_by_label(equal).is_some());
+    let other = |settings: &viewer::settings::RenderSettings| viewer::settings::RenderSettings {
+        seed: 7,
+        ..*settings
+    };
+    let settings = other(window.session().settings().expect("a scene"));
+    window.session().set_settings(settings);
+    window.settle();
+    let compared = window.session().compared().expect("two pictures");
+    let differing = compared.errors.expect("one size").pixels;
+    assert!(differing > 0 && compared.pair.as_ref().expect("one size").legend.is_empty());
+    assert!(window.harness.query_by_label(equal).is_none());
+    let noise = format!("{differing} pixels differ, none of them beyond the noise.");
+    window.harness.get_by_label(&noise);
+    for (key, name) in [(Key::T, "sample rate"), (Key::X, "heat map")] {
+        window.press(key);
+        assert!(window.session().message().contains(name));
+    }
+    assert!(!window.session().shows_rate() && window.session().heat().kind.is_none());
+    window.session().apply(Command::EndComparison);
+    window.press(Key::T);
+    assert!(window.session().shows_rate());
 }

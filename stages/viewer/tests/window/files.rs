@@ -2,6 +2,7 @@
 
 use super::common::{Window, scene, session};
 use egui::Key;
+use egui_kittest::kittest::Queryable;
 use kit::FilmSize;
 use pathtracer::args::Args;
 use pathtracer::{Picture, PreparedScene, ProgressiveRender, Textures};
@@ -211,4 +212,65 @@ fn a_clicked_ray_is_saved_as_a_test() {
             .expect("the test")
             .contains("intersect_bbox")
     );
+}
+
+#[test]
+fn a_broken_file_is_shown_with_its_line_and_a_missing_one_is_named() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let broken = folder.path().join("broken.dae");
+    let text = std::fs::read_to_string(scene("spheres.dae")).expect("a scene");
+    std::fs::write(&broken, text.replacen("</COLLADA>", "</COLLADO>", 1)).expect("a file");
+    let mut window = Window::open("", "spheres.dae");
+    for (path, parts) in [
+        (broken, ["broken.dae:", "^"]),
+        (folder.path().join("none.dae"), ["none.dae", "No such file"]),
+    ] {
+        window.session().apply(Command::Open(path));
+        window.settle();
+        let problem = window.session().problem().expect("a problem").to_owned();
+        for part in parts {
+            assert!(problem.contains(part), "{part}: {problem}");
+        }
+        // What is read from the screen is the whole text, as the program prints it.
+        window.harness.get_by_label(problem.trim_end());
+        assert!(window.session().scene().is_some(), "the last scene stays");
+    }
+    window.harness.get_by_label("Close").click();
+    window.settle();
+    assert_eq!(window.session().problem(), None);
+}
+
+#[test]
+fn the_scenes_of_the_course_are_found_and_open() {
+    let mut window = Window::open("", "");
+    let scenes = window.session().course_scenes().to_vec();
+    assert!(
+        scenes
+            .iter()
+            .any(|path| path.ends_with("scenes/dae/gallery.dae")),
+        "{scenes:?}"
+    );
+    let first = scenes[0]
+        .file_stem()
+        .expect("a name")
+        .to_string_lossy()
+        .into_owned();
+    window.harness.get_by_label(&first).click();
+    window.settle();
+    let opened = window
+        .session()
+        .scene()
+        .map(|scene| scene.source.path.clone());
+    assert_eq!(opened, Some(scenes[0].clone()));
+}
+
+#[test]
+fn a_scene_without_light_says_that_normals_are_shown() {
+    for (name, has_no_light) in [("dusk.dae", true), ("cornell_spheres.dae", false)] {
+        let mut window = Window::open("-r 20 15", name);
+        window.press(Key::R);
+        let text = "normals, since the scene has no light";
+        let shown = window.harness.query_by_label(text).is_some();
+        assert_eq!(shown, has_no_light, "{name}");
+    }
 }

@@ -6,6 +6,7 @@
 
 mod common;
 mod comparisons;
+mod contrast;
 mod files;
 mod keyboard;
 mod keys;

@@ -256,7 +256,7 @@ fn a_dropped_scene_is_opened_and_a_bad_one_leaves_the_last() {
     window.session().apply(Command::Open(bad));
     window.settle();
     assert!(
-        window.session().message().starts_with("Not loaded"),
+        window.session().message().ends_with("is not loaded: see above"),
         "{}",
         window.session().message()
     );
@@ -295,4 +295,26 @@ fn closing_during_a_render_asks() {
     let render = session.render().expect("a render");
     assert!(!render.is_running() && !render.is_done());
     assert!(session.may_close());
+}
+
+/// The line between the picture and the rays of a pixel moves with the mouse.
+#[test]
+fn the_picture_and_the_view_share_the_window_as_one_drags() {
+    let mut window = Window::open("-r 32 24 -s 2 -m 2", "cornell_spheres.dae");
+    window.press(Key::R);
+    window.session().apply(Command::Inspect(16, 12));
+    window.settle();
+    // The column of the line, by its colour in a row above the picture.
+    let column = |window: &mut Window| {
+        window.harness.remove_cursor();
+        window.settle();
+        let picture = window.harness.render().expect("a picture");
+        let found = (20..600).find(|x| picture.get_pixel(*x, 80).0[..3] == [0x8a; 3]);
+        found.expect("there is a line") as f32
+    };
+    let before = column(&mut window);
+    let at = Pos2::new(before, 400.0);
+    window.drag(PointerButton::Primary, at, at + egui::vec2(90.0, 0.0));
+    let moved = column(&mut window) - before;
+    assert!((moved - 90.0).abs() <= 2.0, "{moved}");
 }

@@ -86,6 +86,9 @@ fn keys() {
 #[test]
 fn without_a_scene() {
     let mut window = window("", "", SMALL);
+    let names = ["cornell_box", "gallery", "spheres"];
+    let scenes = names.map(|name| format!("{name}.dae").into());
+    window.session().set_course_scenes(scenes.to_vec());
     check(&mut window, "empty");
 }
 

@@ -2,6 +2,7 @@
 
 use super::common::{Window, session};
 use egui::Key;
+use egui_kittest::kittest::Queryable;
 use std::path::{Path, PathBuf};
 use viewer::command::Command;
 use viewer::picture_pair::PairView;
@@ -255,6 +256,96 @@ fn a_case_is_drawn_and_saved_as_a_test() {
         .max_failed_pixels(30);
     window.settle();
     window.harness.snapshot_options("report", &options);
+}
+
+/// A window with the first case of a report, about which `content` is known.
+fn window_with(case: FailedCase, content: CaseContent) -> Window {
+    let case = std::sync::Arc::new(case);
+    let path = PathBuf::from("report.json");
+    let opened = OpenCase::with_content(0, &case, &path, content);
+    let mut session = session("", "");
+    session.set_report(OpenReport {
+        path,
+        cases: vec![case],
+        opened: Some(opened),
+    });
+    let mut window = Window::with(session, [1000.0, 700.0]);
+    window.press(Key::Y);
+    window.harness.remove_cursor();
+    window.session().say("");
+    window.settle();
+    window
+}
+
+fn check(window: &mut Window, name: &str) {
+    let snapshots = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/snapshots");
+    let options = egui_kittest::SnapshotOptions::new()
+        .output_path(snapshots)
+        .max_failed_pixels(30);
+    window.harness.snapshot_options(name, &options);
+}
+
+#[test]
+fn a_turned_normal_and_a_ray_that_was_not_shortened_are_drawn() {
+    let mut case = failed("part1.task3", "back_face");
+    case.findings[0].worst = Some((3, String::new()));
+    let mut content = CaseContent::of(&case);
+    let Some(CaseView::Ray(view)) = &mut content.view else {
+        panic!("a ray")
+    };
+    let max_t = view.max_t.expect("the call shortens the ray");
+    assert!(max_t.is_right());
+    assert_eq!(max_t.right, view.shown.yours[0]);
+    let [right, yours] = view.shown.normals.as_mut().expect("there are normals");
+    *yours = -*right;
+    view.max_t = Some(viewer::report::ray_case::MaxT {
+        yours: 1.4 * max_t.right,
+        right: max_t.right,
+    });
+    let row = view.shown.rows.iter_mut().find(|row| row.name == "max_t");
+    row.expect("it is compared").is_right = false;
+    content.wrong_now = Some(vec!["max_t: wrong on 1 of 1".to_owned()]);
+    check(&mut window_with(case, content), "report_difference");
+}
+
+#[test]
+fn orders_of_children_are_side_by_side_with_a_way_to_the_first_difference() {
+    let case = failed("part2.task3", "both_children");
+    let mut content = CaseContent::of(&case);
+    let Some(CaseView::Visits(view)) = &mut content.view else {
+        panic!("a traversal")
+    };
+    assert_eq!(
+        view.wrong_order(),
+        None,
+        "the reference visits the nearer child first"
+    );
+    let order = view
+        .orders
+        .last_mut()
+        .expect("a node with two entered children");
+    order.visited.swap(0, 1);
+    order.visited[0].first_test = order.visited[1].first_test;
+    let test = view.first_difference().expect("it differs");
+    content.wrong_now = Some(vec!["work: too many box tests".to_owned()]);
+    let mut window = window_with(case, content);
+    let step = |window: &mut Window| window.session().opened_case().expect("a case").step;
+    assert_eq!(
+        step(&mut window),
+        test + 1,
+        "the walk starts at the difference"
+    );
+    window.session().apply(Command::GoToEvent(0));
+    window.settle();
+    window
+        .harness
+        .get_by_label("Go to the first difference")
+        .click();
+    window.settle();
+    assert_eq!(step(&mut window), test + 1);
+    window.harness.remove_cursor();
+    window.settle();
+    check(&mut window, "report_order");
 }
 
 #[test]

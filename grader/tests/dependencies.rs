@@ -28,8 +28,9 @@ const MAY_DEPEND_ON: &[(&str, &[&str])] = &[
     (
         "pathtracer",
         &[
-            // How a program prints.
+            // How a program prints, and shows how far it is.
             "base",
+            "progress",
             "kit",
             "scenes",
             "raygen",
@@ -93,6 +94,8 @@ const MAY_DEPEND_ON: &[(&str, &[&str])] = &[
     ),
     ("pages", &["base", "pictures"]),
     ("plots", &["base", "pages"]),
+    // It links indicatif, which `grader part1` does not compile.
+    ("progress", &["base"]),
     ("submission", &["base", "grader", "judge", "sandbox"]),
     ("formats", &["base", "grader", "judge", "submission"]),
     ("export", &["base", "grader", "judge", "submission"]),
@@ -118,6 +121,7 @@ const MAY_DEPEND_ON: &[(&str, &[&str])] = &[
             "grader",
             "judge",
             "pictures",
+            "progress",
             "submission",
             "wire",
         ],
@@ -130,7 +134,7 @@ const MAY_DEPEND_ON: &[(&str, &[&str])] = &[
         "cost",
         &[
             "base", "kit", "grader", "judge", "kernels", "meshes", "oracle", "pages", "pictures",
-            "plots", "wire",
+            "plots", "progress", "wire",
         ],
     ),
     // It measures the stages side by side and judges nothing.
@@ -148,6 +152,7 @@ const MAY_DEPEND_ON: &[(&str, &[&str])] = &[
             "kernels",
             "meshes",
             "plots",
+            "progress",
         ],
     ),
     ("golden", &[]),

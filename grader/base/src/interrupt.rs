@@ -95,12 +95,25 @@ pub fn was_interrupted() -> bool {
     INTERRUPTED.load(Ordering::SeqCst)
 }
 
+/// What else to do on Ctrl-C.
+static AT_INTERRUPT: Mutex<Vec<fn()>> = Mutex::new(Vec::new());
+
+/// Calls `action` on Ctrl-C, before the program ends.
+pub fn at_interrupt(action: fn()) {
+    if let Ok(mut actions) = AT_INTERRUPT.lock() {
+        actions.push(action);
+    }
+}
+
 /// Installs the handler for Ctrl-C and the signals TERM and HUP. It ends child processes, removes
 /// temporary folders and lock files, and ends the program with exit code 2.
 pub fn install_handler() {
     // If this fails, Ctrl-C still ends the program, but temporary folders stay.
     let _ = ctrlc::set_handler(|| {
         INTERRUPTED.store(true, Ordering::SeqCst);
+        if let Ok(actions) = AT_INTERRUPT.lock() {
+            actions.iter().for_each(|action| action());
+        }
         clean_up();
         errln!("\ninterrupted: temporary files were removed");
         std::process::exit(2);

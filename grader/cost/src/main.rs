@@ -42,19 +42,30 @@ fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
         seed: seed_of(matches),
     };
     check_folders_of(matches, &["html", "svg"])?;
-    let cost = cost::measure(Some(&workspace), &request)?;
-    if let Some(path) = matches.get_one::<PathBuf>("html") {
-        base::write_whole(path, page(&cost)?.as_bytes())?;
-    }
+    let progress = progress::start("cost", request.parts());
+    let format = Format::of(matches);
+    let mut printed = table::Printed::default();
+    // After each part, so that a run that is stopped has printed and written what it measured.
+    let cost = cost::measure(Some(&workspace), &request, &mut |cost| {
+        if format == Format::Table {
+            progress::pause();
+            out!("{}", printed.rest_of(cost));
+        }
+        if let Some(path) = matches.get_one::<PathBuf>("html") {
+            base::write_whole(path, page(cost)?.as_bytes())?;
+        }
+        Ok(())
+    })?;
+    drop(progress);
     if let Some(path) = matches.get_one::<PathBuf>("svg") {
         let plot = plot(&cost)?.ok_or_else(|| {
             GraderError::new("--svg: nothing to plot; name a shape (triangle, sphere, box) or bvh")
         })?;
         base::write_whole(path, plot.as_bytes())?;
     }
-    match Format::of(matches) {
+    match format {
         Format::Json => outln!("{}", report::json(&cost)?),
-        Format::Table => out!("{}", table::show(&cost)),
+        Format::Table => out!("{}", printed.end_of(&cost)),
     }
     Ok(Exit::Passed)
 }

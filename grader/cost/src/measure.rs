@@ -57,16 +57,45 @@ impl SampleCounts {
     };
 }
 
-/// Measures what `request` selects: the kernels, and the code in `workspace`, if there is one.
+impl CostRequest {
+    /// The number of parts that are measured one after another.
+    pub fn parts(&self) -> usize {
+        let pictures = match self.pictures {
+            true => picture::plan::all(self.is_quick()).len(),
+            false => 0,
+        };
+        self.shapes.len() + usize::from(self.trees) + pictures
+    }
+
+    fn is_quick(&self) -> bool {
+        self.size != SampleCounts::FULL
+    }
+}
+
+/// Measures what `request` selects: the kernels, and the code in `workspace`, if there is one. Calls
+/// `report` with the results so far after each shape and the trees: whoever stops the program keeps
+/// them.
+///
+/// # Errors
+///
+/// Also the error of `report`, after which nothing is measured.
 pub fn measure(
     workspace: Option<&Workspace>,
     request: &CostRequest,
+    report: &mut dyn FnMut(&CostReport) -> Result<(), GraderError>,
 ) -> Result<CostReport, GraderError> {
     let size = request.size;
-    let is_quick = size != SampleCounts::FULL;
-    let mut families = Vec::new();
+    let mut cost = CostReport {
+        machine: machine::describe(),
+        seed: request.seed,
+        quick: request.is_quick(),
+        families: Vec::new(),
+        bvh: None,
+        pictures: None,
+    };
     for shape in &request.shapes {
-        families.push(match shape {
+        progress::stage(shape.name());
+        cost.families.push(match shape {
             Shape::Triangle => {
                 let closed = [Precision::F64, Precision::F32]
                     .map(|precision| ClosedMeshes::new(request.seed, size.leak_rays, precision));
@@ -85,20 +114,17 @@ pub fn measure(
                 measure_kernels::family::<Aabb, _>(workspace, kernels::boxes(), request.seed, size)?
             }
         });
+        report(&cost)?;
     }
-    Ok(CostReport {
-        machine: machine::describe(),
-        seed: request.seed,
-        quick: is_quick,
-        families,
-        bvh: if request.trees {
-            trees::measure(workspace, request.seed, size)?
-        } else {
-            None
-        },
-        pictures: match workspace.filter(|_| request.pictures) {
-            Some(workspace) => Some(picture::measure(workspace, request.seed, is_quick)?),
-            None => None,
-        },
-    })
+    if request.trees {
+        progress::stage("trees");
+        cost.bvh = trees::measure(workspace, request.seed, size)?;
+        report(&cost)?;
+    }
+    if let Some(workspace) = workspace.filter(|_| request.pictures) {
+        let pictures = picture::measure(workspace, request.seed, request.is_quick())?;
+        cost.pictures = Some(pictures);
+        report(&cost)?;
+    }
+    Ok(cost)
 }

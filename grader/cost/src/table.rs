@@ -11,11 +11,64 @@ use std::fmt::Write;
 
 /// Formats all results as text.
 pub fn show(report: &CostReport) -> String {
+    let mut printed = Printed::default();
+    printed.rest_of(report) + &printed.end_of(report)
+}
+
+/// What is printed of a report that grows part by part.
+#[derive(Debug, Default)]
+pub struct Printed {
+    head: bool,
+    families: usize,
+    legend: bool,
+    trees: bool,
+    pictures: bool,
+}
+
+impl Printed {
+    /// What is not printed yet, as text.
+    pub fn rest_of(&mut self, report: &CostReport) -> String {
+        let mut text = String::new();
+        if !std::mem::replace(&mut self.head, true) {
+            text += &head(report);
+        }
+        for family in &report.families[self.families..] {
+            text += &family_text(family);
+        }
+        self.families = report.families.len();
+        if let Some(trees) = report.bvh.as_ref().filter(|_| !self.trees) {
+            self.trees = true;
+            text += self.legend(report);
+            text += &trees::table::show(trees);
+        }
+        if let Some(pictures) = report.pictures.as_ref().filter(|_| !self.pictures) {
+            self.pictures = true;
+            text += self.legend(report);
+            text += &picture::table::show(pictures);
+        }
+        text
+    }
+
+    /// What follows the last part, as text.
+    pub fn end_of(&mut self, report: &CostReport) -> String {
+        self.rest_of(report) + self.legend(report)
+    }
+
+    /// The legend of the kernels' tables, once after the last of them.
+    fn legend(&mut self, report: &CostReport) -> &'static str {
+        let has_rows = report.families.iter().any(|family| !family.rows.is_empty());
+        match has_rows && !std::mem::replace(&mut self.legend, true) {
+            true => LEGEND,
+            false => "",
+        }
+    }
+}
+
+/// The machine and the settings.
+fn head(report: &CostReport) -> String {
     let machine = &report.machine;
-    let mut text = String::new();
-    let _ = writeln!(
-        text,
-        "{}, {} threads (one is used), {}, built for {}\nseed {}{}",
+    format!(
+        "{}, {} threads (one is used), {}, built for {}\nseed {}{}\n",
         machine.cpu,
         machine.cores,
         machine.rustc,
@@ -26,37 +79,31 @@ pub fn show(report: &CostReport) -> String {
         } else {
             ""
         },
-    );
-    for family in &report.families {
-        // A handout before this task has no kernels to compare with, because they would be a
-        // solution.
-        if family.rows.is_empty() {
-            let missing = family
-                .student_missing
-                .as_deref()
-                .unwrap_or("there is nothing to measure");
-            let _ = writeln!(text, "\n{}: no rows: {missing}.", family.shape.name());
-            continue;
-        }
-        let _ = writeln!(text, "\n{}", times(family));
-        let _ = writeln!(text, "{}", errors(family));
-        let _ = writeln!(text, "{}", decisions(family));
-        let _ = writeln!(text, "{}", bits(family));
-        if let Some(missing) = &family.student_missing {
-            let _ = writeln!(text, "Your code is not measured: {missing}.");
-        }
-        for column in &family.columns {
-            let _ = writeln!(text, "  {}: {}", column.family.name(), column.about);
-        }
+    )
+}
+
+/// The tables of the kernels of one shape.
+fn family_text(family: &KernelFamily) -> String {
+    let mut text = String::new();
+    // A handout before this task has no kernels to compare with, because they would be a
+    // solution.
+    if family.rows.is_empty() {
+        let missing = family
+            .student_missing
+            .as_deref()
+            .unwrap_or("there is nothing to measure");
+        let _ = writeln!(text, "\n{}: no rows: {missing}.", family.shape.name());
+        return text;
     }
-    if report.families.iter().any(|family| !family.rows.is_empty()) {
-        text.push_str(LEGEND);
+    let _ = writeln!(text, "\n{}", times(family));
+    let _ = writeln!(text, "{}", errors(family));
+    let _ = writeln!(text, "{}", decisions(family));
+    let _ = writeln!(text, "{}", bits(family));
+    if let Some(missing) = &family.student_missing {
+        let _ = writeln!(text, "Your code is not measured: {missing}.");
     }
-    if let Some(trees) = &report.bvh {
-        text.push_str(&trees::table::show(trees));
-    }
-    if let Some(pictures) = &report.pictures {
-        text.push_str(&picture::table::show(pictures));
+    for column in &family.columns {
+        let _ = writeln!(text, "  {}: {}", column.family.name(), column.about);
     }
     text
 }

@@ -22,7 +22,7 @@ fn small(shape: Shape, seed: u64) -> CostReport {
         size: SMALL,
         seed,
     };
-    measure(None, &request).expect("kernels need no workspace")
+    measure(None, &request, &mut |_| Ok(())).expect("kernels need no workspace")
 }
 
 fn family(shape: Shape) -> KernelFamily {
@@ -194,7 +194,10 @@ fn traversal_needs_slack_to_equal_brute_force() {
         },
         seed: 0,
     };
-    let trees = measure(None, &request).unwrap().bvh.expect("trees");
+    let trees = measure(None, &request, &mut |_| Ok(()))
+        .unwrap()
+        .bvh
+        .expect("trees");
     let crafted: Vec<WrongHits> = trees
         .by_slack
         .iter()

@@ -29,8 +29,10 @@ fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     if format == Format::Table {
         out!("{}", table::head(request.mesh));
     }
+    let _progress = progress::start("speedup", request.sizes().count());
     // After each size, so that a run that is stopped has printed and written what it measured.
     let ladder = measure(&request, &mut |ladder| {
+        progress::pause();
         if format == Format::Table {
             out!("{}", table::latest_rows(ladder));
         }

@@ -26,6 +26,15 @@ pub struct LadderRequest {
     pub seed: u64,
 }
 
+impl LadderRequest {
+    /// The numbers of triangles that are measured, in order.
+    pub fn sizes(&self) -> impl Iterator<Item = usize> + use<> {
+        let largest = self.largest;
+        let sizes = (3..).map(|exponent| 10_usize.pow(exponent));
+        sizes.take_while(move |&size| size <= largest)
+    }
+}
+
 /// The results for one mesh.
 #[derive(Clone, Debug, Serialize)]
 pub struct Ladder {
@@ -100,8 +109,8 @@ pub fn measure(
         rows: Vec::new(),
         missing: BTreeSet::new(),
     };
-    let sizes = (3..).map(|exponent| 10_usize.pow(exponent));
-    for size in sizes.take_while(|&size| size <= request.largest) {
+    for size in request.sizes() {
+        progress::stage(&format!("{size} triangles"));
         let known = ladder.rows.len();
         measure_size(request, size, &mut ladder);
         if ladder.rows.len() > known {
@@ -134,8 +143,10 @@ fn measure_size(request: &LadderRequest, size: usize, ladder: &mut Ladder) {
     };
     let mut truth = Vec::new();
     let mut steps: Vec<Step> = RungKind::ALL.map(|kind| Step::new(kind, &sets)).into();
+    progress::expect((rounds * steps.len()) as u64);
     for _ in 0..rounds {
         steps.retain_mut(|step| {
+            progress::advance(1);
             let measured = guarded(step.kind, || step.measure_round(&triangles, &mut truth));
             measured.unwrap_or_else(|why| {
                 ladder.missing.insert(why);

@@ -106,7 +106,9 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
         }
         return Ok(verdict);
     }
-    for task in course.select(what)? {
+    let tasks = course.select(what)?;
+    let _progress = progress::start("mutants", tasks.len());
+    for task in tasks {
         if matches.get_flag("stored") {
             print_stored(&workspace, &task.key)?;
             continue;

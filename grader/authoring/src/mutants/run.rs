@@ -145,9 +145,18 @@ impl<'a> VersionsWorker<'a> {
         let endings = self.workers(0).run(&chosen, &mut Vec::new())?;
         let reference = ReferenceAnswers::of(&chosen, &endings);
         let versions: Vec<usize> = versions.collect();
+        progress::stage(&task.key);
+        progress::expect(versions.len() as u64);
         let each = versions.into_par_iter();
-        each.map(|version| self.grade_one(task, specs, version, Some(&reference)))
-            .collect()
+        let graded = each
+            .map(|version| {
+                let graded = self.grade_one(task, specs, version, Some(&reference));
+                progress::advance(1);
+                graded
+            })
+            .collect();
+        progress::pause();
+        graded
     }
 
     /// Grades one of the versions, by its number. Without `reference`, a mutant is not compared

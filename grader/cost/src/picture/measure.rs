@@ -39,9 +39,10 @@ pub fn measure(
         }
     };
     let plans = plan::all(quick);
-    let experiments = plans
-        .iter()
-        .map(|plan| experiment(workspace, &program, plan, seed));
+    let experiments = plans.iter().map(|plan| {
+        progress::stage(plan.title);
+        experiment(workspace, &program, plan, seed)
+    });
     Ok(PictureReport {
         experiments: experiments.collect::<Result<_, _>>()?,
         missing: None,

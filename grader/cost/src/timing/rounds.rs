@@ -29,6 +29,7 @@ impl Rounds {
             .map(|contender| repeats(clock, contender))
             .collect();
         let count = contenders.len();
+        progress::expect(rounds as u64);
         let mut seconds: Vec<Result<Vec<f64>, MissingReason>> = vec![Ok(Vec::new()); count];
         for round in 0..rounds {
             for turn in 0..count {
@@ -44,6 +45,7 @@ impl Rounds {
                     Err(missing) => seconds[i] = Err(missing),
                 }
             }
+            progress::advance(1);
         }
         Ok(Rounds(seconds))
     }

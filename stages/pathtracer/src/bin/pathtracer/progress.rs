@@ -1,8 +1,7 @@
 //! A progress bar, if stderr is a terminal.
 
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use indicatif::ProgressBar;
 use pathtracer::TileDone;
-use std::io::{IsTerminal, stderr};
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
@@ -17,7 +16,7 @@ impl Progress {
     /// A bar for `samples` samples of all pixels together.
     pub(crate) fn new(samples: u64) -> Progress {
         Progress {
-            bar: bar(samples),
+            bar: ::progress::bar("Rendering", samples),
             start: Instant::now(),
             rays: AtomicU64::new(0),
         }
@@ -40,7 +39,7 @@ impl Progress {
         if !self.bar.is_hidden() {
             let seconds = self.start.elapsed().as_secs_f64().max(1e-9);
             let rate = rays as f64 / seconds / 1e6;
-            self.bar.set_message(format!("{rate:.1} Mrays/s"));
+            self.bar.set_message(format!("{rate:.1} Mrays/s, "));
         }
     }
 
@@ -48,16 +47,4 @@ impl Progress {
     pub(crate) fn finish(&self) {
         self.bar.finish_and_clear();
     }
-}
-
-fn bar(samples: u64) -> ProgressBar {
-    if !stderr().is_terminal() {
-        return ProgressBar::hidden();
-    }
-    let template = "Rendering {bar:40} {percent:>3}%  {msg}  {eta} left";
-    let style = ProgressStyle::with_template(template).expect("the template is valid");
-    let bar = ProgressBar::with_draw_target(Some(samples), ProgressDrawTarget::stderr());
-    bar.set_style(style);
-    bar.enable_steady_tick(Duration::from_millis(200));
-    bar
 }

@@ -277,6 +277,7 @@ impl Stop {
         let handler = move || {
             flag.store(true, Ordering::Relaxed);
             if interrupted.get_or_init(Instant::now).elapsed() > ONE_CTRL_C {
+                ::progress::clear();
                 process::exit(i32::from(INTERRUPTED));
             }
         };

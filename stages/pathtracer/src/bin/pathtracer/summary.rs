@@ -29,7 +29,8 @@ pub(crate) fn accel(accel: &Accel, build: Duration) -> String {
             seconds(build)
         ),
         Accel::Simd(tree) => format!(
-            "Wide BVH    {} nodes of 8 over {} blocks of up to 8 primitives, built in {}",
+            "Wide BVH    {} nodes of 8 over {} blocks of up to 8 primitives, built in {}\n\
+             Code        Part 6; --accel bvh traces with the stages of Parts 1 to 5",
             tree.node_count(),
             tree.block_count(),
             seconds(build)

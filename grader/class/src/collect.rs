@@ -4,8 +4,9 @@ mod points;
 mod report;
 
 pub use formats::gradebook::points_text as points;
-pub use report::{Case, Diagnosis, Finding, StudentReport, Task};
+pub use report::{Case, Diagnosis, Finding, Simplest, StudentReport, Task};
 
+use crate::late;
 use crate::out::Out;
 use crate::plan::{Plan, Planned, State};
 use crate::unit::{self, Outcome, Unit, WrongAnswers};
@@ -59,10 +60,12 @@ pub struct TaskOutcome {
     pub stage: String,
     /// Its status, such as `failed`.
     pub status: String,
-    /// Whether core points were lost.
-    pub lost_points: bool,
+    /// The core points that were lost.
+    pub lost: f64,
     /// The likely mistake.
     pub diagnosis: Option<Diagnosis>,
+    /// The simplest call that shows what is wrong.
+    pub simplest: Option<Simplest>,
 }
 
 impl Row {
@@ -90,6 +93,8 @@ pub enum Status {
     /// What was handed in is no submission that can be read: what is wrong with it. Nothing of it
     /// could be graded, so it has no points.
     Unreadable(Untrusted),
+    /// Whether it counts is for a person to say: what was found.
+    Question(Untrusted),
     /// It has no score yet: the machine failed. A person has to look at it.
     Infrastructure(Untrusted),
 }
@@ -103,6 +108,7 @@ impl Status {
             Status::Refused => "refused",
             Status::OverLimit(_) => "over a limit",
             Status::Unreadable(_) => "could not be read",
+            Status::Question(_) => "a question",
             Status::Infrastructure(_) => "infrastructure",
         }
     }
@@ -110,9 +116,10 @@ impl Status {
     /// Which limit, which damage or what failure it is.
     pub fn detail(&self) -> Option<&Untrusted> {
         match self {
-            Status::OverLimit(what) | Status::Unreadable(what) | Status::Infrastructure(what) => {
-                Some(what)
-            }
+            Status::OverLimit(what)
+            | Status::Unreadable(what)
+            | Status::Question(what)
+            | Status::Infrastructure(what) => Some(what),
             _ => None,
         }
     }
@@ -158,6 +165,15 @@ impl Class {
         Ok(Class { rows, plan })
     }
 
+    /// What was graded, with the name of the teacher's course.
+    pub fn title(&self) -> String {
+        let what = &self.plan.settings.what;
+        match &self.plan.term {
+            Some(term) => format!("{}: {what}", term.title),
+            None => what.clone(),
+        }
+    }
+
     /// How many submissions ended in each way, by its name in tables.
     pub fn counts(&self) -> BTreeMap<&'static str, usize> {
         let mut counts = BTreeMap::new();
@@ -196,8 +212,14 @@ fn row(out: &Out, plan: &Plan, planned: &Planned) -> Result<(Row, Option<Details
     };
     let about_file =
         |why: &Untrusted| Untrusted::new(format!("{} {}", planned.file.raw(), why.raw()));
-    let (key, notes) = match &planned.state {
-        State::Unit { key, notes, .. } => (key, notes),
+    let (key, notes, commit, as_it_lies) = match &planned.state {
+        State::Unit {
+            key,
+            notes,
+            commit,
+            as_it_lies,
+            ..
+        } => (key, notes, commit, *as_it_lies),
         State::TooLarge(limit) => {
             let status = Status::OverLimit(about_file(limit));
             return Ok(without_unit(status, Some(Score::default())));
@@ -205,6 +227,9 @@ fn row(out: &Out, plan: &Plan, planned: &Planned) -> Result<(Row, Option<Details
         State::Unreadable(why) => {
             let status = Status::Unreadable(about_file(why));
             return Ok(without_unit(status, Some(Score::default())));
+        }
+        State::NoClone(why) => {
+            return Ok(without_unit(Status::Question(about_file(why)), None));
         }
         State::NotRead(why) => {
             return Ok(without_unit(Status::Infrastructure(why.clone()), None));
@@ -230,6 +255,11 @@ fn row(out: &Out, plan: &Plan, planned: &Planned) -> Result<(Row, Option<Details
         }
     };
     let mut notes = notes.clone();
+    let due = plan.term.as_ref().and_then(|term| term.due);
+    notes.extend(commit.as_ref().and_then(|commit| late::note(commit, due)));
+    if as_it_lies {
+        notes.push("no clone: graded as it was handed in, and nobody knows when".into());
+    }
     notes.extend(report.notes());
     let status = match &unit.outcome {
         Outcome::OverLimit(limit) => Status::OverLimit(limit.as_str().into()),
@@ -251,8 +281,9 @@ fn row(out: &Out, plan: &Plan, planned: &Planned) -> Result<(Row, Option<Details
         key: task.key.clone(),
         stage: task.stage.clone(),
         status: task.status.clone(),
-        lost_points: task.score < task.max_score,
+        lost: task.max_score - task.score,
         diagnosis: task.diagnosis.clone(),
+        simplest: task.simplest.clone(),
     });
     let row = Row {
         name: planned.name.clone(),

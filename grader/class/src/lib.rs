@@ -15,6 +15,7 @@
 //! - [`mod@unit`]: the result of one unit, and how it is graded
 //! - [`pool`]: grades units on this machine, several at a time
 //! - [`tables`]: writes what [`collect`] reads: [`gradebook`], [`pages`], with [`likeness`]
+//! - [`late`]: when something was handed in, and what late work loses
 //! - [`roster`]: whose each submission is, and marks as course systems import them
 //! - [`regrade`]: old and new scores, before they are replaced
 
@@ -25,6 +26,7 @@ pub mod course_hash;
 pub mod entries;
 pub mod gradebook;
 pub mod hash;
+pub mod late;
 pub mod likeness;
 pub mod out;
 pub mod pages;

@@ -14,6 +14,7 @@ impl Out {
             path.to_path_buf(),
             path.join("units"),
             path.join("failures"),
+            path.join("pictures"),
         ] {
             std::fs::create_dir_all(&folder)
                 .map_err(|e| GraderError::file("create", &folder, e))?;
@@ -47,6 +48,11 @@ impl Out {
     /// The result of a unit.
     pub fn unit(&self, key: &str) -> PathBuf {
         self.join(Path::new("units").join(format!("{key}.json")))
+    }
+
+    /// A picture of a unit, by the hash of its contents.
+    pub fn picture(&self, name: &str) -> PathBuf {
+        self.join(Path::new("pictures").join(format!("{name}.png")))
     }
 
     /// Why a unit could not be graded.

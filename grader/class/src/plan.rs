@@ -4,10 +4,11 @@
 use crate::course_hash::{self, CourseHash};
 use crate::entries;
 use crate::hash;
-use crate::reading::intake::Revision;
+use crate::reading::intake::{CommitTimes, Revision};
 use crate::reading::{Reader, Unreadable};
 use base::write_whole;
 use base::{GraderError, without_path};
+use grader::course::term::LateRule;
 use grader::course::{Course, Task};
 use judge::Tier;
 use serde::{Deserialize, Serialize};
@@ -80,12 +81,38 @@ impl PlannedTask {
     }
 }
 
+/// What the tables of a class need of a teacher's course.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct PlannedTerm {
+    /// Its name and when it is given.
+    pub title: String,
+    /// When what is graded is due, in seconds since 1970.
+    pub due: Option<i64>,
+    /// What late work loses.
+    pub late: Option<LateRule>,
+}
+
+impl PlannedTerm {
+    fn of(course: &Course, what: &str) -> Option<PlannedTerm> {
+        let term = course.term.as_ref()?;
+        let part = what.strip_prefix("part").and_then(|part| part.parse().ok());
+        Some(PlannedTerm {
+            title: term.title(),
+            due: part.and_then(|part| term.due(part)),
+            late: term.late,
+        })
+    }
+}
+
 /// The plan of a class.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Plan {
     version: u32,
     /// What is graded, and how.
     pub settings: Settings,
+    /// The term of the teacher's course, if it is given in one.
+    #[serde(default)]
+    pub term: Option<PlannedTerm>,
     /// The tasks, in the order of the course.
     pub tasks: Vec<PlannedTask>,
     /// The submissions, sorted by name.
@@ -116,11 +143,20 @@ pub enum State {
         key: String,
         /// What was unusual about its form, as sentences.
         notes: Vec<Untrusted>,
+        /// When its commit was made, if it is one of a clone.
+        #[serde(default)]
+        commit: Option<CommitTimes>,
+        /// It is no clone, and is graded as it lies there although a commit or a time was asked for.
+        #[serde(default)]
+        as_it_lies: bool,
     },
     /// It is larger than a submission may be: the limit.
     TooLarge(Untrusted),
     /// It cannot be read: the reason.
     Unreadable(Untrusted),
+    /// It is no clone, and a commit or a time was asked for: what was found. A person says whether it
+    /// counts.
+    NoClone(Untrusted),
     /// It could not be read, because the machine failed: the reason. The next run tries again.
     NotRead(Untrusted),
 }
@@ -136,12 +172,14 @@ impl Planned {
 }
 
 impl Plan {
-    /// Reads every submission in the folder `class` and makes a plan.
+    /// Reads every submission in the folder `class` and makes a plan. With `with_archives`, what is
+    /// no clone counts as it lies there, even if a commit or a time is asked for.
     pub fn make(
         class: &Path,
         course: &Course,
         reader: &Reader,
         settings: Settings,
+        with_archives: bool,
         mut progress: impl FnMut(usize, usize),
     ) -> Result<Plan, GraderError> {
         let tasks = course.select(&settings.what)?;
@@ -151,15 +189,22 @@ impl Plan {
         let mut submissions = Vec::new();
         for (i, entry) in entries.into_iter().enumerate() {
             progress(i, count);
-            let read = reader.read_entry(class, &entry, settings.revision.as_ref());
+            let mut read = reader.read_entry(class, &entry, settings.revision.as_ref());
+            let as_it_lies = with_archives && matches!(read, Err(Unreadable::NoClone(_)));
+            if as_it_lies {
+                read = reader.read_entry(class, &entry, None);
+            }
             let state = match read {
                 Ok(read) => State::Unit {
                     key: settings.key(&read.hash),
                     submission: read.hash,
                     notes: read.notes,
+                    commit: read.commit,
+                    as_it_lies,
                 },
                 Err(Unreadable::TooLarge(why)) => State::TooLarge(why.into()),
                 Err(Unreadable::Damaged(why)) => State::Unreadable(why.into()),
+                Err(Unreadable::NoClone(why)) => State::NoClone(why.into()),
                 Err(Unreadable::Machine(why)) => State::NotRead(why.into()),
             };
             submissions.push(Planned {
@@ -170,6 +215,7 @@ impl Plan {
         }
         Ok(Plan {
             version: VERSION,
+            term: PlannedTerm::of(course, &settings.what),
             settings,
             tasks,
             submissions,

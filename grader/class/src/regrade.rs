@@ -71,7 +71,10 @@ fn submission<'a>(plan: &'a Plan, name: &Untrusted) -> Option<&'a str> {
         .find(|planned| planned.name == *name)?;
     Some(match &planned.state {
         State::Unit { submission, .. } => submission,
-        State::TooLarge(why) | State::Unreadable(why) | State::NotRead(why) => why.raw(),
+        State::TooLarge(why)
+        | State::Unreadable(why)
+        | State::NoClone(why)
+        | State::NotRead(why) => why.raw(),
     })
 }
 

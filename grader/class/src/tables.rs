@@ -1,4 +1,5 @@
-//! Writes all that a class gets to see: `gradebook.csv`, `class.html` and the students' pages. They
+//! Writes all that a class gets to see: `gradebook.csv`, `class.html`, `lecture.html` and the
+//! students' pages. They
 //! are a function of the plan and of the units in `OUT`: the same bytes, whichever machines graded.
 
 use crate::collect::Class;
@@ -16,13 +17,15 @@ pub fn write(out: &Out, plan: Plan, hint: HintLevel) -> Result<Class, GraderErro
     let students = out.join("students");
     std::fs::create_dir_all(&students).map_err(|e| GraderError::file("create", &students, e))?;
     let class = Class::read(out, plan, |plan, i, row, details| {
-        let page = pages::student::page(plan, row, details, hint);
+        let pictures = |name: &str| std::fs::read(out.picture(name)).ok();
+        let page = pages::student::page(plan, row, details, hint, &pictures);
         let path = students.join(format!("{}.html", page_names[i]));
         write_whole(&path, page.as_bytes())
     })?;
     remove_other_pages(&students, &page_names)?;
     let page = pages::class::page(&class, &page_names);
     write_whole(&out.join("class.html"), page.as_bytes())?;
+    write_whole(&out.join("lecture.html"), pages::lecture(&class).as_bytes())?;
     // Last: where it is, everything is.
     write_whole(
         &out.join("gradebook.csv"),

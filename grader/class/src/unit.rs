@@ -42,6 +42,9 @@ pub struct Unit {
     pub endless_cases: BTreeMap<String, Vec<String>>,
     /// The hashes of the source files of each stage that was handed in.
     pub sources: BTreeMap<String, String>,
+    /// The pictures of tasks that lost core points: the names of their files in `OUT/pictures`.
+    #[serde(default)]
+    pub pictures: BTreeMap<String, String>,
     /// How long it took.
     pub took: Took,
     /// The whole report about the submission, as `grader partN --submission DIR --format json`
@@ -91,7 +94,10 @@ pub fn grade(
     out: &Out,
 ) -> Result<(), GraderError> {
     let State::Unit {
-        submission, key, ..
+        submission,
+        key,
+        as_it_lies,
+        ..
     } = &planned.state
     else {
         return Err(GraderError::new(format!(
@@ -101,7 +107,8 @@ pub fn grade(
     };
     let started = Instant::now();
     let settings = &plan.settings;
-    let read = reader.read(&class.join(planned.file.raw()), settings.revision.as_ref());
+    let revision = settings.revision.as_ref().filter(|_| !as_it_lies);
+    let read = reader.read(&class.join(planned.file.raw()), revision);
     let read = read.map_err(|unreadable| GraderError::new(unreadable.why()))?;
     if read.hash != *submission {
         return Err(GraderError::new(format!(
@@ -115,6 +122,7 @@ pub fn grade(
             seed: settings.seed,
         },
         together: false,
+        pictures: true,
     };
     let graded = one::grade_read(course, &read.submission, &options)?;
     let earned = graded.report.scores.tasks.iter().map(|task| {
@@ -142,6 +150,16 @@ pub fn grade(
         (!cases.is_empty()).then(|| (task.result.key.clone(), cases))
     });
     let endless_cases = endless_cases.collect();
+    let mut pictures = BTreeMap::new();
+    for (task, sheet) in &graded.report.pictures {
+        // Equal pictures, of students who make the same mistake, are one file.
+        let name = hash::of([sheet]);
+        let file = out.picture(&name);
+        if !file.is_file() {
+            write_whole(&file, sheet)?;
+        }
+        pictures.insert(task.clone(), name);
+    }
     let report = serde_json::to_value(&graded.report)
         .map_err(|e| GraderError::new(format!("cannot write the report as JSON: {e}")))?;
     let unit = Unit {
@@ -159,6 +177,7 @@ pub fn grade(
         wrong_answers,
         endless_cases,
         sources: read.sources,
+        pictures,
         took: Took {
             seconds: started.elapsed().as_secs_f64(),
             cpu_seconds: cpu_seconds().unwrap_or_default(),

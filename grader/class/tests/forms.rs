@@ -244,6 +244,45 @@ fn clone(folder: &Path) {
     write(folder, &[(LIB, b"not committed")]);
 }
 
+/// A clone says when its commit was made, and whether the times can be right; what is no clone is a
+/// question to the teacher.
+#[test]
+fn a_clone_says_when_it_was_committed() {
+    let folder = tempfile::tempdir().expect("a folder");
+    clone(folder.path());
+    let read = |revision: &str| {
+        let opened = intake::open(
+            folder.path(),
+            &STAGES,
+            Some(&Revision::Commit(revision.into())),
+        );
+        opened.expect("a clone").commit.expect("its times")
+    };
+    let late = read("main");
+    assert_eq!(
+        (late.author, late.committer),
+        (1_795_255_200, 1_795_255_200)
+    );
+    assert_eq!(late.doubt, None);
+    // Its committer set the clock back, to before the deadline.
+    git(
+        folder.path(),
+        "2026-11-18T10:00:00Z",
+        &["commit", "-qam", "forged"],
+    );
+    let doubt = read("main").doubt.expect("it cannot be");
+    assert_eq!(doubt, "committed before the commit that it follows");
+    assert!(read("main~1").doubt.is_none());
+
+    let other = tempfile::tempdir().expect("a folder");
+    write(other.path(), &[(LIB, b"text")]);
+    let revision = Revision::before("2026-11-20").expect("a time");
+    match intake::open(other.path(), &STAGES, Some(&revision)) {
+        Err(Unreadable::NoClone(why)) => assert!(why.contains("no git clone"), "{why}"),
+        other => panic!("{other:?}"),
+    }
+}
+
 #[test]
 fn the_commit_that_counts_is_read() {
     let folder = tempfile::tempdir().expect("a folder");

@@ -182,7 +182,7 @@ fn read(folder: &Path, containment: Containment, before: Option<&str>) -> BTreeM
         course: BTreeMap::new(),
     };
     let started = Instant::now();
-    let plan = Plan::make(folder, &course, &reader, settings, |_, _| {}).expect("a plan");
+    let plan = Plan::make(folder, &course, &reader, settings, false, |_, _| {}).expect("a plan");
     println!("read in {:.1} s", started.elapsed().as_secs_f64());
     let submissions = plan.submissions.into_iter();
     let said = submissions.map(|planned| {
@@ -190,6 +190,7 @@ fn read(folder: &Path, containment: Containment, before: Option<&str>) -> BTreeM
             State::Unit { .. } => "read".to_string(),
             State::TooLarge(why) => format!("too large: {}", why.raw()),
             State::Unreadable(why) => format!("unreadable: {}", why.raw()),
+            State::NoClone(why) => format!("no clone: {}", why.raw()),
             State::NotRead(why) => format!("not read: {}", why.raw()),
         };
         (planned.name.line(), said)

@@ -35,7 +35,7 @@ fn shards_of_1_3_and_17_collect_to_the_same_bytes() {
         }
         class.tables(&out)
     });
-    assert_eq!(tables[0].len(), 2 + 41);
+    assert_eq!(tables[0].len(), 3 + 41);
     assert!(tables[0] == tables[1] && tables[1] == tables[2]);
     let gradebook = String::from_utf8(tables[0][&PathBuf::from("gradebook.csv")].clone());
     let gradebook = gradebook.expect("it is UTF-8");
@@ -47,6 +47,49 @@ fn shards_of_1_3_and_17_collect_to_the_same_bytes() {
         gradebook.ends_with("zz,,could not be read,0,10,0,2,0,0,zz is empty\r\n"),
         "{gradebook}"
     );
+}
+
+/// The page of the class has the ideas that were missing, and who lost points by it; the page for a
+/// lecture has the same and names nobody.
+#[test]
+fn mistakes_are_grouped_by_idea_and_a_lecture_names_nobody() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let class = FakeClass::new(folder.path(), 40);
+    let out = class.out("out");
+    std::fs::write(out.picture("picture"), b"PNG").expect("a picture");
+    grade(&class, &out, 0, 1, Behaviour::Fine);
+    let tables = class.tables(&out);
+    let text = |name: &str| String::from_utf8(tables[&PathBuf::from(name)].clone()).expect("UTF-8");
+    let (page, lecture) = (text("class.html"), text("lecture.html"));
+    for page in [&page, &lecture] {
+        for words in [
+            "how samples are drawn",
+            "code that divides x by the height",
+            "N = 0",
+            "The derivation",
+        ] {
+            assert!(page.contains(words), "{words}: {page}");
+        }
+    }
+    // 40 has no unit of its own; 10, 21 and 32 have full points.
+    let section = page.split_once("how samples are drawn").expect("an idea").1;
+    let section = section
+        .split_once("units and lengths")
+        .expect("another idea")
+        .0;
+    assert!(
+        section.contains(">student04<") && !section.contains(">student32<"),
+        "{section}"
+    );
+    assert!(
+        !lecture.contains("student") && !lecture.contains("zz"),
+        "{lecture}"
+    );
+    let student = text("students/student04.html");
+    assert!(student.contains("data:image/png;base64,UE5H"), "{student}");
+    assert!(student.contains("N = 4"), "{student}");
+    let full = text("students/student10.html");
+    assert!(!full.contains("Some answers are wrong"), "{full}");
 }
 
 /// Names of students and files, what their code prints, what the compiler says: nothing of it is

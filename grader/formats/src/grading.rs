@@ -44,6 +44,7 @@ fn attempt(matches: &ArgMatches) -> Result<Outcome, GraderError> {
     match matches.get_one::<PathBuf>("submission") {
         Some(folder) => {
             let options = Options {
+                pictures: false,
                 request: seeded_request(matches)?,
                 together: matches.get_flag("together"),
             };

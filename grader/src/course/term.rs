@@ -1,9 +1,9 @@
 //! The term in which a teacher gives the course: its name, its dates, its rule for late work.
 
 use base::GraderError;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 use std::fmt::Write;
-use toml::value::Datetime;
+use toml::value::{Datetime, Offset};
 
 /// What `[term]` of `course.toml` says. First Light itself has none.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
@@ -34,7 +34,7 @@ pub struct PartDates {
 }
 
 /// What late work loses.
-#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct LateRule {
     /// What is handed in so many minutes after the deadline is not late.
@@ -55,6 +55,12 @@ impl Term {
     /// The dates of a part.
     pub fn dates_of(&self, part: u32) -> Option<&PartDates> {
         self.dates.iter().find(|dates| dates.part == part)
+    }
+
+    /// When a part is due, in seconds since 1970; `None` if it has no date. A day alone lasts until
+    /// its end in UTC.
+    pub fn due(&self, part: u32) -> Option<i64> {
+        seconds_of_due(&self.dates_of(part)?.due?)
     }
 
     /// The dates as a table in Markdown; empty if there are none.
@@ -95,6 +101,29 @@ impl Term {
     }
 }
 
+/// A deadline in seconds since 1970.
+pub fn seconds_of_due(due: &Datetime) -> Option<i64> {
+    let date = due.date?;
+    let minutes = match due.offset {
+        Some(Offset::Custom { minutes }) => i64::from(minutes),
+        _ => 0,
+    };
+    let in_day = match due.time {
+        Some(time) => {
+            let second = i64::from(time.second.unwrap_or(0));
+            (i64::from(time.hour) * 60 + i64::from(time.minute) - minutes) * 60 + second
+        }
+        None => 24 * 60 * 60 - 1,
+    };
+    // Howard Hinnant, "chrono-Compatible Low-Level Date Algorithms", days_from_civil.
+    let (month, day) = (i64::from(date.month), i64::from(date.day));
+    let year = i64::from(date.year) - i64::from(month <= 2);
+    let (era, year_of_era) = (year.div_euclid(400), year.rem_euclid(400));
+    let day_of_year = (153 * ((month + 9) % 12) + 2) / 5 + day - 1;
+    let day_of_era = year_of_era * 365 + year_of_era / 4 - year_of_era / 100 + day_of_year;
+    Some((era * 146_097 + day_of_era - 719_468) * 86_400 + in_day)
+}
+
 /// A date for people: with a space between day and time, and without seconds that are 0.
 fn shown(date: &Datetime) -> String {
     let text = date.to_string().replacen('T', " ", 1);
@@ -122,6 +151,23 @@ mod tests {
             term.table(),
             "| part | handed out | due |\n|---|---|---|\n| 1 | 2027-02-01 | 2027-02-15 23:59+01:00 |\n| 2 |  |  |\n"
         );
+    }
+
+    #[test]
+    fn deadlines_are_seconds_since_1970() {
+        // As `date -u -d 2027-02-15T22:59:00Z +%s` prints them.
+        for (due, seconds) in [
+            ("1970-01-01T00:00:00Z", 0),
+            ("2027-02-15T23:59:00+01:00", 1_802_732_340),
+            ("2028-02-29T12:00:00-03:30", 1_835_451_000),
+            ("2026-12-31", 1_798_761_599),
+        ] {
+            let term = term(&format!(
+                "name = \"G\"\nwhen = \"S\"\ndates = [{{ part = 2, due = {due} }}]"
+            ));
+            assert_eq!(term.due(2), Some(seconds), "{due}");
+            assert_eq!(term.due(1), None);
+        }
     }
 
     #[test]

@@ -42,6 +42,9 @@ pub struct Graded {
     pub compiler: String,
     /// The limit that the compiler exceeded, if it did.
     pub limit: Option<BuildLimit>,
+    /// Pictures of tasks that lost core points, if they were asked for: PNG files of expected, yours
+    /// and their difference, by the keys of the tasks.
+    pub pictures: Vec<(String, Vec<u8>)>,
 }
 
 /// Grades the code in `workspace` in place. With `times` it also measures the speedups by the BVH,
@@ -95,21 +98,39 @@ pub fn in_place(
         printed: run.printed,
         compiler: workers.compiler,
         limit: workers.limit,
+        pictures: Vec::new(),
     })
 }
 
-/// Grades `tasks` with the code in `build_root`, without times.
+/// Grades `tasks` with the code in `build_root`, without times. With `pictures` it also renders
+/// those of tasks that lost core points.
 pub fn at(
     workspace: &Workspace,
     course: &Course,
     tasks: &[&Task],
     seed: u64,
     build_root: &BuildRoot,
+    pictures: bool,
 ) -> Result<Graded, GraderError> {
     let specs = specs(seed)?;
     let workers = workers(build_root, tasks, &specs, false)?;
     let run = run(&workers, course, tasks, &specs)?;
+    let lost = |task: &&Task| {
+        let result = run.results.iter().find(|result| result.key == task.key);
+        result.is_some_and(|result| {
+            result.score < result.max_score && result.status != Status::NotAttempted
+        })
+    };
+    let mut sheets = Vec::new();
+    for task in tasks.iter().copied().filter(|task| pictures && lost(task)) {
+        let rendered = picture::render(workspace, course, task, &workers)?;
+        if let Some(rendered) = rendered.filter(|rendered| rendered.yours.is_ok()) {
+            let sheet = pictures::png::encode(&rendered.sheet());
+            sheets.push((task.key.clone(), sheet));
+        }
+    }
     Ok(Graded {
+        pictures: sheets,
         report: Report::new(
             explain(workspace, course, run.results, &specs, seed, &workers)?,
             None,

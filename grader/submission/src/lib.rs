@@ -35,10 +35,11 @@ use base::{GraderError, Workspace};
 use clean_workspace::CleanWorkspace;
 use grader::build::BuildLimit;
 use grader::course::{Course, Task};
-use grader::grade::{self, GradeRequest};
+use grader::grade;
 use grader::report::{Report, TaskReport};
 use grader::score::{CaseResult, Status, TaskResult};
 use grader::workers::printed;
+use one::Options;
 use read::Submission;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -76,6 +77,10 @@ pub struct SubmissionReport {
     pub compiler: String,
     /// What the student's code printed, case by case.
     pub printed: String,
+    /// Pictures of tasks that lost core points, if they were asked for: PNG files of expected, yours
+    /// and their difference, by the keys of the tasks.
+    #[serde(skip)]
+    pub pictures: BTreeMap<String, Vec<u8>>,
 }
 
 impl SubmissionReport {
@@ -96,9 +101,13 @@ impl SubmissionReport {
         submission: &Submission,
         workspace: &Workspace,
         clean: &CleanWorkspace,
-        request: &GradeRequest,
-        together: bool,
+        options: &Options,
     ) -> Result<SubmissionReport, GraderError> {
+        let Options {
+            request,
+            together,
+            pictures,
+        } = options;
         let course = Course::read(workspace)?;
         let tasks = course.select(&request.what)?;
         let mut report = SubmissionReport {
@@ -115,6 +124,7 @@ impl SubmissionReport {
             limit: None,
             compiler: String::new(),
             printed: String::new(),
+            pictures: BTreeMap::new(),
         };
         let mut ungraded = Vec::new();
         let mut results = Vec::new();
@@ -141,7 +151,9 @@ impl SubmissionReport {
             let of_stage: Vec<&Task> = of_stage.collect();
             let folder = clean.with_stages(&[(stage, sources)], end)?;
             let build_root = folder.build_root();
-            let graded = grade::at(workspace, &course, &of_stage, request.seed, &build_root)?;
+            let (seed, pictures) = (request.seed, *pictures);
+            let graded = grade::at(workspace, &course, &of_stage, seed, &build_root, pictures)?;
+            report.pictures.extend(graded.pictures);
             report.limit = report.limit.or(graded.limit);
             let printed = printed::format(&graded.printed);
             report
@@ -175,7 +187,7 @@ impl SubmissionReport {
             graded_tasks.extend(of_stage);
         }
         report.scores = combine(results, &ungraded);
-        if together {
+        if *together {
             let all = submission
                 .stages
                 .iter()
@@ -185,7 +197,8 @@ impl SubmissionReport {
                 .collect();
             let folder = clean.with_stages(&all, end_of_all_stages())?;
             let build_root = folder.build_root();
-            let graded = grade::at(workspace, &course, &graded_tasks, request.seed, &build_root)?;
+            let seed = request.seed;
+            let graded = grade::at(workspace, &course, &graded_tasks, seed, &build_root, false)?;
             report.together = Some(combine(graded.report.tasks, &ungraded));
         }
         Ok(report)

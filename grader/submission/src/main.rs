@@ -12,6 +12,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use submission::arguments::{containment, seeded_request};
 use submission::clean_workspace::CleanWorkspace;
+use submission::one::Options;
 use submission::{Layout, SubmissionReport, read, shown};
 
 fn main() -> ExitCode {
@@ -43,18 +44,16 @@ fn grade_one(
     workspace: &Workspace,
     folder: &Path,
 ) -> Result<Exit, GraderError> {
-    let request = seeded_request(matches)?;
+    let options = Options {
+        request: seeded_request(matches)?,
+        together: matches.get_flag("together"),
+        pictures: false,
+    };
     let course = Course::read(workspace)?;
-    course.select(&request.what)?;
+    course.select(&options.request.what)?;
     let submission = read::Submission::read(folder, &course, workspace.root())?;
     let clean = CleanWorkspace::open(workspace, containment(matches, workspace)?)?;
-    let report = SubmissionReport::of(
-        &submission,
-        workspace,
-        &clean,
-        &request,
-        matches.get_flag("together"),
-    )?;
+    let report = SubmissionReport::of(&submission, workspace, &clean, &options)?;
     let json = report::json(&report)?;
     base::write_whole(&workspace.root().join("report.json"), json.as_bytes())?;
     match Format::of(matches) {

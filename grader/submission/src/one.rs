@@ -60,6 +60,8 @@ pub struct Options {
     pub request: GradeRequest,
     /// Also grades all stages of the submission linked together.
     pub together: bool,
+    /// Also renders the pictures of tasks that lost core points.
+    pub pictures: bool,
 }
 
 /// How a submission that was graded ended. It has a score in every case.
@@ -120,13 +122,7 @@ pub fn grade_read(
     submission: &Submission,
     options: &Options,
 ) -> Result<GradedSubmission, GraderError> {
-    let report = SubmissionReport::of(
-        submission,
-        &course.workspace,
-        &course.clean,
-        &options.request,
-        options.together,
-    )?;
+    let report = SubmissionReport::of(submission, &course.workspace, &course.clean, options)?;
     Ok(GradedSubmission {
         outcome: outcome(&report),
         report,

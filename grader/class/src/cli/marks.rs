@@ -1,6 +1,7 @@
 //! Writes the marks of a class for a course system: `--roster ROSTER --for SYSTEM`.
 
 use crate::collect::Class;
+use crate::late::Lateness;
 use crate::out::Out;
 use crate::roster::Roster;
 use crate::roster::join::{Join, Problem};
@@ -28,13 +29,32 @@ pub(super) fn write(matches: &ArgMatches, out: &Out, class: &Class) -> Result<bo
         assignment: given.unwrap_or_else(|| format!("First Light {}", class.plan.settings.what)),
         add_extra: matches.get_flag("add-extra"),
     };
+    let lateness = Lateness::of(class, &roster, &join);
+    let marked = lateness.as_ref().map(|lateness| lateness.apply(class));
+    let marked = marked.as_ref().unwrap_or(class);
     let file = out.join(system.file());
     write_whole(
         &file,
-        table::write(class, &roster, &join, &marks)?.as_bytes(),
+        table::write(marked, &roster, &join, &marks)?.as_bytes(),
     )?;
 
     let name = |i: usize| class.rows[i].name.line();
+    let mut is_decided = join.problems.is_empty();
+    if let Some(lateness) = &lateness {
+        for (i, (_, about)) in &lateness.late {
+            outln!("late: {}: {about}", name(*i));
+        }
+        for (i, why) in &lateness.questions {
+            outln!("no mark: {}: {why}", name(*i));
+        }
+        if lateness.untimed > 0 {
+            outln!(
+                "in time, as far as anybody knows: {} submissions without a commit time",
+                lateness.untimed
+            );
+        }
+        is_decided &= lateness.questions.is_empty();
+    }
     for (submission, problem) in &join.problems {
         outln!(
             "no mark: {}: {}",
@@ -43,7 +63,7 @@ pub(super) fn write(matches: &ArgMatches, out: &Out, class: &Class) -> Result<bo
         );
     }
     let late: Vec<String> = join.late.iter().map(|i| name(*i)).collect();
-    if !late.is_empty() {
+    if !late.is_empty() && lateness.is_none() {
         outln!("late, as the course system says: {}", late.join(", "));
     }
     let missing = join
@@ -56,7 +76,7 @@ pub(super) fn write(matches: &ArgMatches, out: &Out, class: &Class) -> Result<bo
         roster.students.len(),
         missing.count()
     );
-    Ok(join.problems.is_empty())
+    Ok(is_decided)
 }
 
 fn about(roster: &Roster, problem: &Problem) -> String {

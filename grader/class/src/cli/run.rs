@@ -2,7 +2,7 @@
 
 use super::engines::{Shard, UnitCommand, missing};
 use super::{alike, marks};
-use crate::collect::{Class, Status};
+use crate::collect::{Class, Row, Status};
 use crate::course_hash;
 use crate::out::Out;
 use crate::plan::{Plan, Settings};
@@ -148,7 +148,8 @@ fn plan(
             revision: revision.clone(),
             course: hashes.clone(),
         };
-        let wanted = Plan::make(class, &course, &reader, settings, reading)?;
+        let with_archives = matches.get_flag("with-archives");
+        let wanted = Plan::make(class, &course, &reader, settings, with_archives, reading)?;
         let Some(old) = old else {
             if matches.get_flag("regrade") {
                 return Err(GraderError::new(format!(
@@ -280,11 +281,18 @@ fn write_tables(matches: &ArgMatches, out: &Out, plan: Plan) -> Result<Exit, Gra
     outln!("{}", class.summary());
     for row in &class.rows {
         let what = match (&row.score, &row.status) {
+            (None, Status::Question(_)) => "your decision",
             (None, _) => "no score",
             (Some(_), Status::Unreadable(_)) => "no points",
             _ => continue,
         };
         outln!("{what}: {}: {}", row.name.line(), row.status);
+    }
+    let asks = |row: &&Row| matches!(row.status, Status::Question(_));
+    if class.rows.iter().any(|row| asks(&row)) {
+        outln!(
+            "what is no clone has no commit times. `--with-archives` grades it as it lies there; otherwise ask for a clone"
+        );
     }
     outln!(
         "seed {}; tables: {}",

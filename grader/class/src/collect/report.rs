@@ -74,6 +74,9 @@ pub struct Task {
     /// What the wrong answers have in common.
     #[serde(default)]
     pub regularities: Vec<Untrusted>,
+    /// The simplest call that shows what is wrong.
+    #[serde(default)]
+    pub simplest: Option<Simplest>,
     /// A Rust test of the worst answer.
     pub worst_as_test: Option<Untrusted>,
 }
@@ -119,6 +122,26 @@ pub struct Finding {
 pub struct Worst {
     /// The student's result, the expected one and the input.
     pub message: Untrusted,
+}
+
+/// The simplest call on which the code is wrong in the way of a failed case.
+#[derive(Clone, Debug, Deserialize)]
+pub struct Simplest {
+    /// The case.
+    pub case: String,
+    /// What is wrong; `None` if the code crashes, and says so in its own words.
+    pub aspect: Option<judge::tally::Aspect>,
+    /// What the function is called with.
+    pub input: Untrusted,
+    /// Its result and the expected one.
+    pub result: Untrusted,
+}
+
+impl Simplest {
+    /// How much there is to read.
+    pub fn length(&self) -> usize {
+        self.input.raw().len() + self.result.raw().len()
+    }
 }
 
 /// A known mistake that explains wrong answers.

@@ -1,6 +1,6 @@
 //! The page of the class.
 
-use super::{distribution, expected_pairs, mistakes, page as whole_page, submissions};
+use super::{distribution, expected_pairs, missing, page as whole_page, submissions};
 use crate::collect::{Class, Row, Status, points};
 use crate::likeness::{self, EXPECTED, Pair};
 use maud::{Markup, html};
@@ -10,7 +10,7 @@ use submission::Untrusted;
 pub fn page(class: &Class, page_names: &[String]) -> String {
     let settings = &class.plan.settings;
     let body = html! {
-        h1 { (settings.what) ": the class" }
+        h1 { (class.title()) ": the class" }
         p { (class.summary()) ". " (middle(class)) }
         p.soft {
             "Random inputs: seed " (settings.seed) "."
@@ -23,12 +23,12 @@ pub fn page(class: &Class, page_names: &[String]) -> String {
         }
         (without_score(class))
         (distribution::all(class))
-        (mistakes::section(class, page_names))
+        (missing::section(class, page_names))
         (pairs(class))
         (submissions::section(class, page_names))
     };
     whole_page(
-        &format!("{}, the class", settings.what),
+        &format!("{}, the class", class.title()),
         &body,
         Some(submissions::SCRIPT),
     )

@@ -1,31 +1,77 @@
-//! What students lost points by: the known mistakes of each task, as bars that open the students
-//! behind them. A mistake counts only where it cost points.
+//! What students lost points by: the known mistakes of each task, grouped by idea. A mistake counts
+//! only where it cost points.
 
-use crate::collect::{Class, Row};
-use maud::{Markup, html};
+use super::ideas::{self, Idea};
+use crate::collect::{Class, Simplest, points};
 use std::cmp::Reverse;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
-/// A mistake of a task, and whose it is.
-#[derive(Clone, Debug, Default, PartialEq)]
-struct Mistake<'a> {
-    /// Its names: several where answers cannot tell them apart.
-    name: String,
-    /// What its code does.
-    about: String,
-    /// The numbers of the rows, and whether the mistake is likely.
-    students: Vec<(usize, bool)>,
-    /// Nobody knows the name of the mistakes of these.
-    is_unnamed: bool,
-    task: &'a str,
+/// What points of a task were lost by.
+#[derive(Debug)]
+pub(super) struct TaskMistakes<'a> {
+    /// The task's key.
+    pub(super) task: &'a str,
+    /// Its title.
+    pub(super) title: &'a str,
+    /// The ideas that were missing: that of the most students first.
+    pub(super) ideas: Vec<IdeaMistakes<'a>>,
 }
 
-/// The mistakes of each task, in the order of the plan, the most frequent first.
-fn by_task(class: &Class) -> Vec<(&str, Vec<Mistake<'_>>)> {
+/// An idea, and the mistakes that show that it is missing.
+#[derive(Debug)]
+pub(super) struct IdeaMistakes<'a> {
+    /// The idea.
+    pub(super) idea: &'static Idea,
+    /// The mistakes, the most frequent first.
+    pub(super) mistakes: Vec<Mistake<'a>>,
+}
+
+/// A mistake of a task, and whose it is.
+#[derive(Clone, Debug)]
+pub(super) struct Mistake<'a> {
+    /// Its names: several where answers cannot tell them apart; empty if nobody knows it.
+    pub(super) name: String,
+    /// What its code does.
+    pub(super) about: String,
+    /// The numbers of the rows, and whether the mistake is likely.
+    pub(super) students: Vec<(usize, bool)>,
+    /// The core points of the task that these students lost.
+    pub(super) lost: f64,
+    /// The shortest of the simplest calls that show it.
+    pub(super) simplest: Option<&'a Simplest>,
+}
+
+impl IdeaMistakes<'_> {
+    /// How many students there are.
+    pub(super) fn students(&self) -> usize {
+        self.mistakes
+            .iter()
+            .map(|mistake| mistake.students.len())
+            .sum()
+    }
+
+    /// How many points they lost in the task.
+    pub(super) fn lost(&self) -> String {
+        let lost = self
+            .mistakes
+            .iter()
+            .fold(0.0, |sum, mistake| sum + mistake.lost);
+        points((lost * 4.0).round() / 4.0)
+    }
+
+    /// The shortest of the simplest calls.
+    pub(super) fn simplest(&self) -> Option<&Simplest> {
+        let calls = self.mistakes.iter().filter_map(|mistake| mistake.simplest);
+        calls.min_by_key(|call| call.length())
+    }
+}
+
+/// The mistakes of each task, in the order of the plan.
+pub(super) fn by_task(class: &Class) -> Vec<TaskMistakes<'_>> {
     let mut known: BTreeMap<(&str, Option<String>), Mistake> = BTreeMap::new();
     for (i, row) in class.rows.iter().enumerate() {
         let tasks = row.graded.iter().flat_map(|graded| &graded.tasks);
-        for task in tasks.filter(|task| task.lost_points) {
+        for task in tasks.filter(|task| task.lost > 0.0) {
             let is_judged = ["failed", "crashed"].contains(&task.status.as_str());
             let (name, about, is_likely) = match &task.diagnosis {
                 Some(diagnosis) => (
@@ -36,83 +82,60 @@ fn by_task(class: &Class) -> Vec<(&str, Vec<Mistake<'_>>)> {
                 None if is_judged => (None, String::new(), false),
                 None => continue,
             };
-            let mistake = known.entry((&task.key, name.clone())).or_default();
-            mistake.is_unnamed = name.is_none();
-            mistake.name = name.unwrap_or_default();
-            mistake.about = about;
-            mistake.task = &task.key;
+            let mistake = known.entry((&task.key, name.clone())).or_insert(Mistake {
+                name: name.unwrap_or_default(),
+                about,
+                students: Vec::new(),
+                lost: 0.0,
+                simplest: None,
+            });
             mistake.students.push((i, is_likely));
+            mistake.lost += task.lost;
+            let calls = mistake.simplest.into_iter().chain(&task.simplest);
+            mistake.simplest = calls.min_by_key(|call| call.length());
         }
     }
-    let tasks = class.plan.tasks.iter().map(|task| {
-        let of_task = known.values().filter(|mistake| mistake.task == task.key);
-        let mut of_task: Vec<Mistake> = of_task.cloned().collect();
-        // The sort is stable: equal ones stay in the order of their names.
-        of_task.sort_by_key(|mistake| (mistake.is_unnamed, Reverse(mistake.students.len())));
-        (task.key.as_str(), of_task)
+    let tasks = class.plan.tasks.iter().map(|task| TaskMistakes {
+        task: &task.key,
+        title: &task.title,
+        ideas: by_idea(&known, &task.key),
     });
-    tasks.filter(|(_, mistakes)| !mistakes.is_empty()).collect()
+    tasks.filter(|task| !task.ideas.is_empty()).collect()
 }
 
-/// The section of the page.
-pub(super) fn section(class: &Class, page_names: &[String]) -> Markup {
-    let tasks = by_task(class);
-    let of_all = tasks.iter().flat_map(|(_, mistakes)| mistakes);
-    let most = of_all
-        .map(|mistake| mistake.students.len())
-        .max()
-        .unwrap_or(1);
-    html! {
-        h2 id="mistakes" { "What points were lost by" }
-        @if tasks.is_empty() {
-            p { "No submission lost points by a wrong answer." }
-        } @else {
-            p.soft {
-                "Each bar counts the submissions that lost core points by a mistake. Open it for their names."
-            }
-        }
-        @for (task, mistakes) in &tasks {
-            h3 { (task) }
-            @for mistake in mistakes { (bar(class, page_names, mistake, most)) }
-        }
+fn by_idea<'a>(
+    known: &BTreeMap<(&str, Option<String>), Mistake<'a>>,
+    key: &str,
+) -> Vec<IdeaMistakes<'a>> {
+    let of_task = known.iter().filter(|((task, _), _)| *task == key);
+    let mut by_idea: BTreeMap<&'static Idea, Vec<Mistake>> = BTreeMap::new();
+    for (_, mistake) in of_task {
+        let idea = match mistake.name.as_str() {
+            "" => ideas::unnamed(),
+            name => ideas::of(key, name, &mistake.about),
+        };
+        by_idea.entry(idea).or_default().push(mistake.clone());
     }
+    let mut ideas: Vec<IdeaMistakes> = by_idea
+        .into_iter()
+        .map(|(idea, mut mistakes)| {
+            // The sort is stable: equal ones stay in the order of their names.
+            mistakes.sort_by_key(|mistake| Reverse(mistake.students.len()));
+            IdeaMistakes { idea, mistakes }
+        })
+        .collect();
+    ideas.sort_by_key(|idea| (idea.idea == ideas::unnamed(), Reverse(idea.students())));
+    ideas
 }
 
-fn bar(class: &Class, page_names: &[String], mistake: &Mistake, most: usize) -> Markup {
-    let count = mistake.students.len();
-    let width = 100.0 * count as f64 / most as f64;
-    let perhaps = mistake
-        .students
-        .iter()
-        .filter(|(_, likely)| !likely)
-        .count();
-    html! {
-        details.mistake {
-            summary {
-                span.track { span.fill style=(format!("width: {width:.1}%")) {} }
-                span.count { (count) }
-                span {
-                    @if mistake.is_unnamed {
-                        "mistakes without a name"
-                    } @else {
-                        code { (mistake.name) } " " (mistake.about)
-                        @if perhaps > 0 { span.soft { " (" (perhaps) " perhaps)" } }
-                    }
-                }
-            }
-            p {
-                @for (n, (i, _)) in mistake.students.iter().enumerate() {
-                    @if n > 0 { ", " }
-                    (link(&class.rows[*i], &page_names[*i]))
-                }
-            }
-        }
-    }
-}
-
-/// A link to the page of a student.
-pub(super) fn link(row: &Row, page: &str) -> Markup {
-    html! { a href=(format!("students/{page}.html")) { (row.name.line()) } }
+/// How many students lost points in the tasks.
+pub(super) fn students(tasks: &[TaskMistakes<'_>]) -> usize {
+    let ideas = tasks.iter().flat_map(|task| &task.ideas);
+    let mistakes = ideas.flat_map(|idea| &idea.mistakes);
+    let rows: BTreeSet<usize> = mistakes
+        .flat_map(|mistake| mistake.students.iter().map(|(row, _)| *row))
+        .collect();
+    rows.len()
 }
 
 /// What a diagnosis says about the code, without the student's numbers: of "your answers equal

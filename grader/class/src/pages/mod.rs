@@ -5,9 +5,13 @@
 
 pub mod class;
 mod distribution;
+mod ideas;
+mod missing;
 mod mistakes;
 pub mod student;
 mod submissions;
+
+pub use missing::lecture;
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
@@ -24,7 +28,7 @@ pub(crate) fn page(title: &str, body: &Markup, script: Option<&str>) -> String {
         let hash = STANDARD.encode(Sha256::digest(script));
         format!("; script-src 'sha256-{hash}'")
     });
-    let policy = format!("default-src 'none'; style-src 'unsafe-inline'{allowed}");
+    let policy = format!("default-src 'none'; style-src 'unsafe-inline'; img-src data:{allowed}");
     let page = html! {
         (DOCTYPE)
         html lang="en" {

@@ -1,8 +1,10 @@
 //! The page of one student.
 
-use super::{list, page as whole_page};
+use super::{list, missing, page as whole_page};
 use crate::collect::{Case, Details, Row, Status, StudentReport, Task, points};
 use crate::plan::Plan;
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
 use grader::report::HintLevel;
 use judge::Tier;
 use maud::{Markup, html};
@@ -12,7 +14,14 @@ use submission::Untrusted;
 const MAX_TEXT: usize = 20_000;
 
 /// The page of the submission `row`, which reveals as much as `hint` says.
-pub fn page(plan: &Plan, row: &Row, details: Option<&Details>, hint: HintLevel) -> String {
+/// `picture` reads the pictures of units by their names.
+pub fn page(
+    plan: &Plan,
+    row: &Row,
+    details: Option<&Details>,
+    hint: HintLevel,
+    picture: &dyn Fn(&str) -> Option<Vec<u8>>,
+) -> String {
     let what = &plan.settings.what;
     let [max_core, max_extra] = plan.max_score().map(points);
     let body = html! {
@@ -36,7 +45,10 @@ pub fn page(plan: &Plan, row: &Row, details: Option<&Details>, hint: HintLevel) 
         (list(&row.notes))
         @if let Some((unit, report)) = details {
             (table(report))
-            @for task in &report.tasks { (task_section(task, report, hint)) }
+            @for task in &report.tasks {
+                @let sheet = unit.pictures.get(&task.key).and_then(|name| picture(name));
+                (task_section(task, report, hint, sheet.as_deref()))
+            }
             @if !report.compiler.is_empty() {
                 h2 { "Why code was not compiled" }
                 pre.sentences { (shortened(&report.compiler)) }
@@ -73,7 +85,12 @@ fn table(report: &StudentReport) -> Markup {
     }
 }
 
-fn task_section(task: &Task, report: &StudentReport, hint: HintLevel) -> Markup {
+fn task_section(
+    task: &Task,
+    report: &StudentReport,
+    hint: HintLevel,
+    sheet: Option<&[u8]>,
+) -> Markup {
     let share = match task.max_score > 0.0 {
         true => (100.0 * task.score / task.max_score).clamp(0.0, 100.0),
         false => 100.0,
@@ -89,6 +106,7 @@ fn task_section(task: &Task, report: &StudentReport, hint: HintLevel) -> Markup 
         h2 id=(task.key) { (task.key) " " (task.title) }
         div.meter { span style=(format!("width: {share:.0}%")) {} }
         p { (points(task.score)) " of " (points(task.max_score)) " points. " (status(task, report)) }
+        @if let Some(sheet) = sheet { (picture_of(task, sheet)) }
         @if hint >= HintLevel::Findings { (list(&task.regularities)) }
         @if let Some(diagnosis) = diagnosis.filter(|_| hint >= HintLevel::Mistake) {
             p {
@@ -97,11 +115,21 @@ fn task_section(task: &Task, report: &StudentReport, hint: HintLevel) -> Markup 
             }
             @if hint >= HintLevel::Remedy { p { (diagnosis.hint) } }
         }
+        @if let Some(call) = task.simplest.as_ref().filter(|_| hint >= HintLevel::Findings) { (missing::simplest(call)) }
         @for case in task.cases.iter().filter(is_told) { (case_card(case, hint)) }
         @if let Some(test) = test.filter(|_| hint >= HintLevel::Findings) {
             h3 { "The worst answer as a test" }
             pre { (shortened(test)) }
         }
+    }
+}
+
+/// The picture of a task: expected, the student's, and where they differ.
+fn picture_of(task: &Task, sheet: &[u8]) -> Markup {
+    let data = format!("data:image/png;base64,{}", STANDARD.encode(sheet));
+    html! {
+        div.thirds.soft { span { "expected" } span { "yours" } span { "where they differ" } }
+        img.sheet src=(data) alt=(format!("The picture of {}: expected, yours, and where they differ", task.key));
     }
 }
 

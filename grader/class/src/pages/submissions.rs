@@ -1,7 +1,6 @@
 //! The table of all submissions. A script sorts it by a column and filters it; without one it is in
 //! the order of the names.
 
-use super::mistakes::link;
 use crate::collect::{Class, Row, points};
 use maud::{Markup, html};
 
@@ -33,10 +32,15 @@ pub(super) fn section(class: &Class, page_names: &[String]) -> Markup {
     }
 }
 
+/// A link to the page of a student.
+pub(super) fn link(row: &Row, page: &str) -> Markup {
+    html! { a href=(format!("students/{page}.html")) { (row.name.line()) } }
+}
+
 fn line(class: &Class, row: &Row, page: &str) -> Markup {
     let tasks = class.plan.tasks.iter();
     html! {
-        tr {
+        tr id=(format!("s-{page}")) {
             td.name { (link(row, page)) }
             td.status { (row.status.label()) }
             @match &row.score {

@@ -1,6 +1,6 @@
 //! What is read of a submission: its source files, its hash, what was unusual about it.
 
-use super::intake::{self, Revision};
+use super::intake::{self, CommitTimes, Revision};
 use crate::hash::Hasher;
 use base::GraderError;
 use base::Workspace;
@@ -22,6 +22,8 @@ pub struct Content {
     pub sources: BTreeMap<String, String>,
     /// What was unusual about its form, as sentences.
     pub notes: Vec<Untrusted>,
+    /// When its commit was made, if it is one of a clone.
+    pub commit: Option<CommitTimes>,
 }
 
 /// Why a submission cannot be read.
@@ -31,6 +33,9 @@ pub enum Unreadable {
     TooLarge(String),
     /// It is damaged, in another form, or not a submission. The sentence says what was found.
     Damaged(String),
+    /// It is no clone, and a commit or a time was asked for. The sentence says what was found. Whether
+    /// it counts is for a person to say.
+    NoClone(String),
     /// The machine failed: its disk is full, for example. It may succeed if it is tried again.
     Machine(String),
 }
@@ -39,7 +44,10 @@ impl Unreadable {
     /// The sentence, without its kind.
     pub fn why(self) -> String {
         match self {
-            Unreadable::TooLarge(why) | Unreadable::Damaged(why) | Unreadable::Machine(why) => why,
+            Unreadable::TooLarge(why)
+            | Unreadable::Damaged(why)
+            | Unreadable::NoClone(why)
+            | Unreadable::Machine(why) => why,
         }
     }
 }
@@ -88,5 +96,6 @@ pub fn read(
         hash: hasher.finish(),
         sources,
         notes,
+        commit: opened.commit,
     })
 }

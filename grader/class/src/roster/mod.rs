@@ -32,6 +32,10 @@ pub struct Student {
     pub email: Untrusted,
     /// The section, as Canvas wants it back.
     pub section: Untrusted,
+    /// The teacher's own column `extension`: days, or another deadline.
+    pub extension: Untrusted,
+    /// The teacher's own column `handed_in`: when, if the submission does not say it.
+    pub handed_in: Untrusted,
 }
 
 /// What a column is about.
@@ -46,11 +50,15 @@ enum Field {
     Login,
     Email,
     Section,
+    Extension,
+    HandedIn,
 }
 
 /// The names of columns in the files of Canvas (gradebook), Moodle (participants, grading worksheet,
 /// grades), Gradescope (roster) and GitHub Classroom, and in a table of one's own. In lower case.
-const COLUMNS: [(&str, Field); 25] = [
+const COLUMNS: [(&str, Field); 27] = [
+    ("extension", Field::Extension),
+    ("handed_in", Field::HandedIn),
     ("student", Field::Name),
     ("full name", Field::Name),
     ("name", Field::Name),
@@ -154,6 +162,8 @@ impl Roster {
                 login: value(Field::Login).into(),
                 email: value(Field::Email).into(),
                 section: value(Field::Section).into(),
+                extension: value(Field::Extension).into(),
+                handed_in: value(Field::HandedIn).into(),
             };
             let is_empty = [&student.name, &student.id, &student.login, &student.number]
                 .iter()

@@ -290,6 +290,65 @@ mod tests {
     }
 
     #[test]
+    fn late_work_loses_its_share_and_questions_have_no_mark() {
+        use crate::late::Lateness;
+        let due = 1_802_732_340;
+        let unit = |commit: serde_json::Value| json!({ "submission": "", "key": "", "notes": [], "commit": commit });
+        let at = |seconds: i64, doubt: Option<&str>| json!({ "author": seconds, "committer": seconds, "doubt": doubt });
+        let mut class = class(&[
+            ("ada", Some(8.0)),
+            ("bo", Some(10.0)),
+            ("cy", Some(10.0)),
+            ("di", Some(10.0)),
+            ("ed_LATE_5_6_x", Some(10.0)),
+        ]);
+        let submissions = json!([
+            { "name": "ada", "file": "ada", "unit": unit(at(due + 100_000, None)) },
+            { "name": "bo", "file": "bo", "unit": unit(at(due + 100_000, None)) },
+            { "name": "cy", "file": "cy", "unit": unit(at(due - 5, Some("written after it was committed"))) },
+            { "name": "di", "file": "di", "unit": unit(json!(null)) },
+            { "name": "ed_LATE_5_6_x", "file": "ed.zip", "unit": unit(json!(null)) },
+        ]);
+        class.plan.submissions = serde_json::from_value(submissions).expect("submissions");
+        let term = json!({ "title": "T", "due": due, "late": { "grace_minutes": 5, "percent_per_day": 10.0, "most_days": null } });
+        class.plan.term = Some(serde_json::from_value(term).expect("a term"));
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join("roster.csv");
+        let roster =
+            "id,name,participant number,extension\nada,,1,\nbo,,2,3\ncy,,3,\ndi,,4,\ned,,5,\n";
+        std::fs::write(&path, roster).expect("a file");
+        let roster = Roster::read(&path).expect("a roster");
+        let names: Vec<&str> = class.rows.iter().map(|row| row.name.raw()).collect();
+        let join = Join::of(&roster, &names);
+        assert_eq!(join.problems, []);
+        let lateness = Lateness::of(&class, &roster, &join).expect("a rule");
+        assert_eq!(lateness.late.keys().copied().collect::<Vec<_>>(), [0]);
+        assert_eq!(
+            lateness.questions.keys().copied().collect::<Vec<_>>(),
+            [2, 4]
+        );
+        assert_eq!(lateness.untimed, 1);
+        let marks = Marks {
+            system: System::Csv,
+            assignment: String::new(),
+            add_extra: false,
+        };
+        let written = write(&lateness.apply(&class), &roster, &join, &marks).expect("a table");
+        let scores: Vec<&str> = written
+            .lines()
+            .skip(1)
+            .filter_map(|line| line.split(',').nth(3))
+            .collect();
+        assert_eq!(scores, ["6.4", "10", "", "10", ""]);
+        assert!(
+            written.contains("2 days late, keeps 80 %: 8 points before"),
+            "{written}"
+        );
+        class.plan.term = None;
+        assert_eq!(Lateness::of(&class, &roster, &join), None);
+    }
+
+    #[test]
     fn the_gradebook_has_the_names_of_the_roster() {
         let written = written(
             System::Csv,

@@ -95,7 +95,8 @@ impl FakeClass {
     /// Writes the tables and returns all their bytes.
     pub(crate) fn tables(&self, out: &Out) -> BTreeMap<PathBuf, Vec<u8>> {
         tables::write(out, self.plan.clone(), HintLevel::Remedy).expect("tables");
-        let mut files = vec![out.join("gradebook.csv"), out.join("class.html")];
+        let names = ["gradebook.csv", "class.html", "lecture.html"];
+        let mut files = names.map(|name| out.join(name)).to_vec();
         let pages = std::fs::read_dir(out.join("students")).expect("pages");
         files.extend(pages.map(|page| page.expect("a page").path()));
         let read = files.into_iter().map(|path| {
@@ -114,25 +115,46 @@ impl FakeClass {
 /// What a student may make a report say: markup, and what terminals and readers obey.
 pub(crate) const HOSTILE: &str = "</p><script>\u{1b}[2J\r\u{202e}08 fo 08\u{9b}31m";
 
+/// One student in two makes one of two mistakes.
+fn diagnosis(i: usize) -> Value {
+    let (name, says) = match i % 4 {
+        0 => (
+            "one_sample_for_all",
+            "uses one random place for all samples of a pixel",
+        ),
+        1 => ("sizes_swapped", "divides x by the height"),
+        _ => return Value::Null,
+    };
+    json!({ "mistakes": [name], "says": format!("your answers equal those of code that {says}: on 9 of 9 calls"),
+            "hint": "Look.", "certainty": "likely" })
+}
+
+/// The simplest call of unit number `i`.
+fn simplest(i: usize) -> Value {
+    json!({ "case": "a_case", "aspect": "radiance", "input": format!("N = {i}"), "result": "your result: 0; expected: 1" })
+}
+
 /// The result of unit number `i`.
 fn result(key: &str, i: usize) -> Value {
     let score = (i % 11) as f64;
+    let case = json!({
+        "name": "a_case", "tier": "core", "score": score, "max_score": 10.0, "status": "failed",
+        "about": format!("earns {} points", points(score)), "findings": [], "reductions": [HOSTILE], "detail": HOSTILE,
+    });
+    let task = json!({
+        "key": "part1.task1", "title": "A <task>", "score": score, "max_score": 10.0,
+        "robust_score": 0.0, "robust_max_score": 2.0, "status": "failed", "stage": "raygen", "cases": [case],
+        "diagnosis": diagnosis(i), "simplest": simplest(i), "worst_as_test": HOSTILE, "regularities": [HOSTILE],
+    });
     json!({
         "key": key, "submission": key, "course": "0", "what": "part1", "seed": 7,
-        "outcome": "graded", "earned": { "part1.task1": { "a_case": score / 10.0, "b_case": 0.0 } }, "wrong_answers": {}, "endless_cases": {}, "sources": {},
+        "outcome": "graded", "pictures": { "part1.task1": "picture" },
+        "earned": { "part1.task1": { "a_case": score / 10.0, "b_case": 0.0 } },
+        "wrong_answers": {}, "endless_cases": {}, "sources": {},
         "took": { "seconds": 1.0, "cpu_seconds": 1.0 },
         "report": {
             "score": score, "max_score": 10.0, "robust_score": 0.0, "robust_max_score": 2.0,
-            "compiler": HOSTILE, "printed": HOSTILE,
-            "tasks": [{
-                "key": "part1.task1", "title": "A <task>", "score": score, "max_score": 10.0,
-                "robust_score": 0.0, "robust_max_score": 2.0, "status": "failed", "stage": "raygen",
-                "cases": [{
-                    "name": "a_case", "tier": "core", "score": score, "max_score": 10.0, "status": "failed",
-                    "about": format!("earns {} points", points(score)), "findings": [], "reductions": [HOSTILE], "detail": HOSTILE,
-                }],
-                "diagnosis": null, "worst_as_test": HOSTILE, "regularities": [HOSTILE],
-            }],
+            "compiler": HOSTILE, "printed": HOSTILE, "tasks": [task],
         },
     })
 }

@@ -293,6 +293,7 @@ impl Class {
             seed,
         };
         let options = Options {
+            pictures: false,
             request,
             together: false,
         };

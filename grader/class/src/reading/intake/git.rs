@@ -92,12 +92,43 @@ const MAX_LIST: u64 = 32 << 20;
 /// The most files below `.git/refs` and `.git/objects`.
 const MAX_GIT_FILES: usize = 200_000;
 
-/// Unpacks the files of a commit of the clone in `folder`.
+/// When a commit was made, in seconds since 1970, as the student's machine said.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct CommitTimes {
+    /// When its changes were written.
+    pub author: i64,
+    /// When it was committed. `--before` and deadlines go by it.
+    pub committer: i64,
+    /// Why the times cannot be right, if they cannot.
+    pub doubt: Option<String>,
+}
+
+/// How far the clocks of two machines may be apart, in seconds.
+const CLOCKS: i64 = 10 * 60;
+
+impl CommitTimes {
+    /// The times of a commit whose parents were committed at the times `parents`.
+    fn new(author: i64, committer: i64, parents: &[i64]) -> CommitTimes {
+        let is_earlier = parents.iter().any(|parent| committer + CLOCKS < *parent);
+        let doubt = match author > committer + CLOCKS {
+            _ if is_earlier => Some("committed before the commit that it follows".to_string()),
+            true => Some("written after it was committed".to_string()),
+            false => None,
+        };
+        CommitTimes {
+            author,
+            committer,
+            doubt,
+        }
+    }
+}
+
+/// Unpacks the files of a commit of the clone in `folder`, and returns when it was made.
 pub(super) fn unpack(
     folder: &Path,
     revision: &Revision,
     unpacker: &mut Unpacker,
-) -> Result<(), Unreadable> {
+) -> Result<CommitTimes, Unreadable> {
     let clone = clone_in(folder)?;
     let git = Git::of(&clone)?;
     let commit = match revision {
@@ -141,7 +172,8 @@ pub(super) fn unpack(
             _ => unpacker.link(&path),
         }
     }
-    git.write_blobs(&blobs, unpacker)
+    git.write_blobs(&blobs, unpacker)?;
+    git.times(commit)
 }
 
 /// The folder with the `objects` of the clone in `folder`: its `.git`, that of its only subfolder
@@ -159,7 +191,7 @@ fn clone_in(folder: &Path) -> Result<PathBuf, Unreadable> {
         .collect();
     match below.len() {
         1 => Ok(below.remove(0)),
-        _ => Err(Unreadable::Damaged(
+        _ => Err(Unreadable::NoClone(
             "is no git clone: expected a folder .git in it, because a commit or a time was asked for".into(),
         )),
     }
@@ -285,6 +317,32 @@ impl Git {
         String::from_utf8(output).map_err(|_| {
             Unreadable::Damaged("has a file whose name is not UTF-8: rename it".into())
         })
+    }
+
+    /// When `commit` was made. Of a shallow clone the parents are not known.
+    fn times(&self, commit: &str) -> Result<CommitTimes, Unreadable> {
+        let unusual = || Unreadable::Damaged("has a commit that git did not write".into());
+        let numbers = |line: &str| -> Option<Vec<i64>> {
+            line.split(' ').map(|number| number.parse().ok()).collect()
+        };
+        let lines = self.text(&["log", "-1", "--format=%at %ct", commit, "--"])?;
+        let own = numbers(lines.trim()).ok_or_else(unusual)?;
+        let [author, committer] = own[..] else {
+            return Err(unusual());
+        };
+        let parents = self.text(&[
+            "log",
+            "--no-walk",
+            "--format=%ct",
+            &format!("{commit}^@"),
+            "--",
+        ]);
+        let parents = parents.unwrap_or_default();
+        let parents: Vec<i64> = parents
+            .lines()
+            .filter_map(|line| line.parse().ok())
+            .collect();
+        Ok(CommitTimes::new(author, committer, &parents))
     }
 
     /// Writes the contents of `blobs`, each a path and the hash of its contents.

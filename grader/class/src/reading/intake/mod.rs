@@ -6,7 +6,7 @@ mod git;
 mod layout;
 mod unpack;
 
-pub use git::Revision;
+pub use git::{CommitTimes, Revision};
 
 use super::content::Unreadable;
 use base::GraderError;
@@ -21,6 +21,8 @@ pub struct Opened {
     pub root: PathBuf,
     /// What was unusual about the form that it came in, as sentences.
     pub notes: Vec<String>,
+    /// When its commit was made, if it is one of a clone.
+    pub commit: Option<CommitTimes>,
     /// What was unpacked; removed when this is dropped.
     _unpacked: Vec<TempFolder>,
 }
@@ -37,10 +39,11 @@ pub fn open(
 ) -> Result<Opened, Unreadable> {
     let mut notes = Vec::new();
     let mut unpacked = Vec::new();
+    let mut commit = None;
     let mut path = path.to_path_buf();
     if let Some(revision) = revision {
         let mut unpacker = Unpacker::new(temp_folder()?);
-        git::unpack(&path, revision, &mut unpacker)?;
+        commit = Some(git::unpack(&path, revision, &mut unpacker)?);
         path = finish(unpacker, &mut notes, &mut unpacked);
     }
     for _ in 0..=MAX_NESTED {
@@ -59,6 +62,7 @@ pub fn open(
                 return Ok(Opened {
                     root,
                     notes,
+                    commit,
                     _unpacked: unpacked,
                 });
             }

@@ -1,0 +1,335 @@
+//! Late work: when something was handed in, and what it loses by the rule of the teacher's course.
+//!
+//! Points are what the code earned. The rule changes marks only, which [`crate::roster::table`]
+//! writes: it needs the roster, which says who may hand in later.
+
+use crate::collect::{Class, Row, points};
+use crate::plan::State;
+use crate::reading::intake::CommitTimes;
+use crate::roster::join::Join;
+use crate::roster::{Roster, Student};
+use grader::course::term::{LateRule, seconds_of_due};
+use std::collections::BTreeMap;
+use submission::Untrusted;
+use toml::value::Datetime;
+
+const DAY: i64 = 24 * 60 * 60;
+
+/// What the rule does with the submissions of a class. Numbers are those of its rows.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Lateness {
+    /// Late ones: the share of its points that each keeps, and why.
+    pub late: BTreeMap<usize, (f64, String)>,
+    /// Those that a person has to decide on, and why.
+    pub questions: BTreeMap<usize, String>,
+    /// How many have no time and are taken to be in time.
+    pub untimed: usize,
+}
+
+impl Lateness {
+    /// Applies the rule of the class; `None` if it has no deadline or no rule.
+    pub fn of(class: &Class, roster: &Roster, join: &Join) -> Option<Lateness> {
+        let term = class.plan.term.as_ref()?;
+        let (due, rule) = (term.due?, term.late?);
+        let mut lateness = Lateness::default();
+        for (student, submission) in roster.students.iter().zip(&join.submissions) {
+            let Some(i) = *submission else { continue };
+            let commit = match &class.plan.submissions[i].state {
+                State::Unit { commit, .. } => commit.as_ref(),
+                _ => None,
+            };
+            match decide(student, commit, join.late.contains(&i), due, &rule) {
+                Ok(Some((0, _))) => {}
+                Ok(Some((days, at))) => {
+                    let share = share(&rule, days);
+                    let about = format!("{}, {}", shown(at), about(days, share));
+                    lateness.late.insert(i, (share, about));
+                }
+                Ok(None) => lateness.untimed += 1,
+                Err(why) => {
+                    lateness.questions.insert(i, why);
+                }
+            }
+        }
+        Some(lateness)
+    }
+
+    /// The class with the points that late work keeps. What a person has to decide on has none.
+    pub fn apply(&self, class: &Class) -> Class {
+        let rows = class.rows.iter().enumerate().map(|(i, row)| {
+            let mut row = Row {
+                graded: None,
+                ..row.clone()
+            };
+            if let Some((share, about)) = self.late.get(&i) {
+                if let Some(score) = &mut row.score {
+                    let earned = points(score.core);
+                    (score.core, score.extra) = (score.core * share, score.extra * share);
+                    row.notes
+                        .push(format!("{about}: {earned} points before").into());
+                }
+            }
+            if self.questions.contains_key(&i) {
+                row.score = None;
+            }
+            row
+        });
+        Class {
+            rows: rows.collect(),
+            plan: class.plan.clone(),
+        }
+    }
+}
+
+/// How many days late a student's submission is, and when it was handed in; `None` if nobody knows
+/// when. An error is a question to the teacher.
+fn decide(
+    student: &Student,
+    commit: Option<&CommitTimes>,
+    is_called_late: bool,
+    due: i64,
+    rule: &LateRule,
+) -> Result<Option<(u32, i64)>, String> {
+    let due = extended(due, &student.extension)?;
+    let said = student.handed_in.raw();
+    let at = match (commit, said) {
+        // What the teacher writes counts more than what a student's clock said.
+        (_, said) if !said.is_empty() => Some(time(said).ok_or_else(|| {
+            format!(
+                "its `handed_in` in the roster is {}: expected such as 2027-02-16T09:30:00+01:00",
+                student.handed_in.line()
+            )
+        })?),
+        (Some(commit), _) if commit.doubt.is_some() => {
+            let doubt = commit.doubt.as_deref().unwrap_or_default();
+            return Err(format!(
+                "its commit says {}, and was {doubt}. Write when it was handed in into a column `handed_in` of the roster",
+                both(commit)
+            ));
+        }
+        (Some(commit), _) => Some(commit.committer),
+        (None, _) => None,
+    };
+    match at {
+        Some(at) => Ok(Some((days_late(at, due, rule), at))),
+        None if is_called_late => Err(
+            "the course system calls it late, and nobody knows how late. Write when it was handed in into a column \
+             `handed_in` of the roster"
+                .into(),
+        ),
+        None => Ok(None),
+    }
+}
+
+/// The deadline of a student with an extension: a number of days, or another deadline.
+fn extended(due: i64, extension: &Untrusted) -> Result<i64, String> {
+    let text = extension.raw();
+    if text.is_empty() {
+        return Ok(due);
+    }
+    let days = text
+        .parse::<u32>()
+        .ok()
+        .map(|days| due + i64::from(days) * DAY);
+    days.or_else(|| time(text)).ok_or_else(|| {
+        format!(
+            "its `extension` in the roster is {}: expected a number of days, or a deadline such as 2027-02-20T23:59:00+01:00",
+            extension.line()
+        )
+    })
+}
+
+/// A time in seconds since 1970. A day alone means its end in UTC; a time needs an offset.
+fn time(text: &str) -> Option<i64> {
+    let time: Datetime = text.parse().ok()?;
+    let is_whole = time.time.is_none() || time.offset.is_some();
+    seconds_of_due(&time).filter(|_| is_whole)
+}
+
+/// Each day that begins after the deadline counts, if the time of grace is over.
+fn days_late(at: i64, due: i64, rule: &LateRule) -> u32 {
+    if at <= due + i64::from(rule.grace_minutes) * 60 {
+        return 0;
+    }
+    u32::try_from((at - due + DAY - 1) / DAY).unwrap_or(u32::MAX)
+}
+
+/// The share of its points that late work keeps.
+fn share(rule: &LateRule, days: u32) -> f64 {
+    match rule.most_days {
+        Some(most) if days > most => 0.0,
+        _ => (1.0 - rule.percent_per_day * f64::from(days) / 100.0).max(0.0),
+    }
+}
+
+fn about(days: u32, share: f64) -> String {
+    let days = match days {
+        1 => "1 day".to_string(),
+        days => format!("{days} days"),
+    };
+    format!("{days} late, keeps {} %", points(share * 100.0))
+}
+
+/// What a table says about the times of a commit: nothing if they are in time and agree.
+pub fn note(commit: &CommitTimes, due: Option<i64>) -> Option<Untrusted> {
+    let is_late = due.is_some_and(|due| commit.committer > due);
+    let doubt = commit.doubt.as_ref();
+    let what = match doubt {
+        Some(doubt) => format!("its times cannot be right: it was {doubt}: "),
+        None if is_late => "after the deadline: ".to_string(),
+        None => return None,
+    };
+    Some(format!("{what}{}", both(commit)).into())
+}
+
+/// Both times of a commit.
+fn both(commit: &CommitTimes) -> String {
+    format!(
+        "committed {}, written {}",
+        shown(commit.committer),
+        shown(commit.author)
+    )
+}
+
+/// A time for people: `2027-02-15 22:59 UTC`.
+fn shown(seconds: i64) -> String {
+    // Howard Hinnant, "chrono-Compatible Low-Level Date Algorithms", civil_from_days.
+    let days = seconds.div_euclid(DAY) + 719_468;
+    let (era, day_of_era) = (days.div_euclid(146_097), days.rem_euclid(146_097));
+    let year_of_era =
+        (day_of_era - day_of_era / 1460 + day_of_era / 36_524 - day_of_era / 146_096) / 365;
+    let day_of_year = day_of_era - (365 * year_of_era + year_of_era / 4 - year_of_era / 100);
+    let shifted = (5 * day_of_year + 2) / 153;
+    let day = day_of_year - (153 * shifted + 2) / 5 + 1;
+    let month = if shifted < 10 {
+        shifted + 3
+    } else {
+        shifted - 9
+    };
+    let year = year_of_era + era * 400 + i64::from(month <= 2);
+    let minutes = seconds.rem_euclid(DAY) / 60;
+    format!(
+        "{year:04}-{month:02}-{day:02} {:02}:{:02} UTC",
+        minutes / 60,
+        minutes % 60
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const DUE: i64 = 1_802_732_340; // 2027-02-15 22:59 UTC
+
+    const RULE: LateRule = LateRule {
+        grace_minutes: 15,
+        percent_per_day: 30.0,
+        most_days: Some(3),
+    };
+
+    fn student(extension: &str, handed_in: &str) -> Student {
+        Student {
+            extension: extension.into(),
+            handed_in: handed_in.into(),
+            ..Student::default()
+        }
+    }
+
+    fn commit(committer: i64, doubt: Option<&str>) -> CommitTimes {
+        CommitTimes {
+            author: committer - 60,
+            committer,
+            doubt: doubt.map(str::to_string),
+        }
+    }
+
+    #[test]
+    fn times_are_shown_as_people_write_them() {
+        for (seconds, text) in [
+            (0, "1970-01-01 00:00 UTC"),
+            (DUE, "2027-02-15 22:59 UTC"),
+            (1_835_451_000, "2028-02-29 15:30 UTC"),
+            (1_798_761_599, "2026-12-31 23:59 UTC"),
+            (-1, "1969-12-31 23:59 UTC"),
+        ] {
+            assert_eq!(shown(seconds), text);
+        }
+    }
+
+    #[test]
+    fn each_day_that_begins_costs_its_share_after_the_grace() {
+        for (after, days, kept) in [
+            (-5, 0, 1.0),
+            (0, 0, 1.0),
+            (15 * 60, 0, 1.0),
+            (15 * 60 + 1, 1, 0.7),
+            (DAY, 1, 0.7),
+            (DAY + 1, 2, 0.4),
+            (3 * DAY, 3, 0.1),
+            (3 * DAY + 1, 4, 0.0),
+        ] {
+            assert_eq!(days_late(DUE + after, DUE, &RULE), days, "{after}");
+            assert!((share(&RULE, days) - kept).abs() < 1e-12, "{days}");
+        }
+        let unlimited = LateRule {
+            most_days: None,
+            ..RULE
+        };
+        assert_eq!(share(&unlimited, 9), 0.0);
+    }
+
+    #[test]
+    fn extensions_and_the_teachers_word_count() {
+        let late = commit(DUE + 2 * DAY, None);
+        let decide = |student: &Student, commit| decide(student, commit, false, DUE, &RULE);
+        assert_eq!(
+            decide(&student("", ""), Some(&late)),
+            Ok(Some((2, DUE + 2 * DAY)))
+        );
+        assert_eq!(
+            decide(&student("2", ""), Some(&late)),
+            Ok(Some((0, DUE + 2 * DAY)))
+        );
+        let until = student("2027-02-16 23:59:00+01:00", "");
+        assert_eq!(decide(&until, Some(&late)), Ok(Some((1, DUE + 2 * DAY))));
+        let said = student("", "2027-02-15T23:00:00+01:00");
+        assert_eq!(decide(&said, Some(&late)), Ok(Some((0, DUE - 59 * 60))));
+        assert_eq!(decide(&student("", ""), None), Ok(None));
+        for wrong in [student("soon", ""), student("", "2027-02-15 23:00")] {
+            assert!(decide(&wrong, Some(&late)).is_err());
+        }
+    }
+
+    #[test]
+    fn what_cannot_be_known_is_a_question() {
+        let doubtful = commit(
+            DUE - DAY,
+            Some("committed before the commit that it follows"),
+        );
+        let error = decide(&student("", ""), Some(&doubtful), false, DUE, &RULE);
+        let error = error.expect_err("the times are forged");
+        assert!(
+            error.contains("committed 2027-02-14 22:59 UTC, written 2027-02-14 22:58 UTC"),
+            "{error}"
+        );
+        let said = student("", "2027-02-15");
+        assert!(decide(&said, Some(&doubtful), false, DUE, &RULE).is_ok());
+        let error = decide(&student("", ""), None, true, DUE, &RULE);
+        assert!(
+            error
+                .expect_err("no time")
+                .contains("nobody knows how late")
+        );
+    }
+
+    #[test]
+    fn only_late_and_doubtful_commits_have_a_note() {
+        assert_eq!(note(&commit(DUE, None), Some(DUE)), None);
+        assert_eq!(note(&commit(DUE + 1, None), None), None);
+        let late = note(&commit(DUE + 60, None), Some(DUE)).expect("it is late");
+        assert_eq!(
+            late,
+            "after the deadline: committed 2027-02-15 23:00 UTC, written 2027-02-15 22:59 UTC"
+        );
+    }
+}

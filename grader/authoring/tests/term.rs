@@ -117,7 +117,7 @@ fn the_files_of_a_term_change_course_book_and_handouts() {
         "**CS \"101\", Spring 2027**",
         "Ask in room 7.",
         "| 1 |  | 2027-02-15 23:59+01:00 |",
-        "There are 6 tasks. Each",
+        "There are 6 tasks.",
     ] {
         assert!(front.contains(words), "{words}: {front}");
     }

@@ -61,13 +61,13 @@ impl Lateness {
                 graded: None,
                 ..row.clone()
             };
-            if let Some((share, about)) = self.late.get(&i) {
-                if let Some(score) = &mut row.score {
-                    let earned = points(score.core);
-                    (score.core, score.extra) = (score.core * share, score.extra * share);
-                    row.notes
-                        .push(format!("{about}: {earned} points before").into());
-                }
+            if let Some((share, about)) = self.late.get(&i)
+                && let Some(score) = &mut row.score
+            {
+                let earned = points(score.core);
+                (score.core, score.extra) = (score.core * share, score.extra * share);
+                let note = format!("{about}: {earned} points before");
+                row.notes.push(note.into());
             }
             if self.questions.contains_key(&i) {
                 row.score = None;

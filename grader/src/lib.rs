@@ -13,7 +13,8 @@
 //!
 //! [`cli`] is the command line. [`watch`] grades whenever a file is saved; [`check`] prints what is
 //! wrong for editors. [`book`] is the rendered book, which reports link to. [`explain`] draws what a
-//! case tests. [`predict`] asks what a student expects. What does not depend on the course's tasks is in the crate `base`.
+//! case tests, [`sketch`] a single call. [`predict`] asks what a student expects. What does not depend
+//! on the course's tasks is in the crate `base`.
 //!
 //! The tools for instructors are separate crates beside this one: `authoring` (handouts, the course
 //! check, mutants), `submission` (grading what students hand in), `review` (reviewing and accepting
@@ -32,5 +33,6 @@ pub mod progress;
 pub mod report;
 pub mod score;
 pub mod signature;
+pub mod sketch;
 pub mod watch;
 pub mod workers;

@@ -10,6 +10,7 @@ use crate::workers::runner::Ending;
 use crate::workers::stage_workers::StageWorkers;
 use base::GraderError;
 use judge::cases::Spec;
+use judge::shown::ShownCall;
 use judge::tally::{Aspect, Class, Fault, Finding};
 use judge::{Tier, repro};
 use serde::Serialize;
@@ -32,6 +33,9 @@ pub struct SimplestCall {
     /// The call as a Rust test, if it fits in a short one.
     #[serde(skip)]
     pub test: Option<String>,
+    /// The call with its results, to be drawn.
+    #[serde(skip)]
+    pub shown: Option<ShownCall>,
 }
 
 /// The simplest call for the failed cases of `task`, of which those that show the most come first.
@@ -82,13 +86,14 @@ fn of_case(
         };
         let holes = record.holes.iter().map(|hole| hole.called.clone());
         let holes: Vec<String> = holes.collect();
-        Some((spec, judge::judge_each(spec, Tier::Core, answer, &holes)))
+        let judged = judge::judge_each(spec, Tier::Core, answer, &holes);
+        Some((spec, answer, judged))
     });
     let answered: Vec<_> = answered.collect();
     let wrong = case.findings.iter().filter(|finding| finding.wrong > 0);
     for target in wrong {
         for likeness in [Likeness::Same, Likeness::Kind] {
-            for (simple, (findings, wrong)) in &answered {
+            for (simple, answer, (findings, wrong)) in &answered {
                 let Some(fault) = first_like(target, findings, likeness) else {
                     continue;
                 };
@@ -105,6 +110,7 @@ fn of_case(
                 return Ok(Some(SimplestCall {
                     aspect: Some(target.aspect),
                     result: message.message.clone(),
+                    shown: simple.shown(Tier::Core, fault.call as usize, Some(answer)),
                     ..call(case, simple, fault.call)
                 }));
             }
@@ -206,5 +212,6 @@ fn call(case: &CaseResult, spec: &Spec, call: u32) -> SimplestCall {
             "On this call the code was wrong as in a failed case of the grader.",
             "simple_call",
         ),
+        shown: None,
     }
 }

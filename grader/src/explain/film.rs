@@ -1,6 +1,7 @@
 //! Draws samples in a pixel and points of a sensor.
 
-use super::plot::{Drawing, Plot, legend};
+use super::Drawing;
+use crate::sketch::plot::{Plot, legend};
 use judge::plural;
 use judge::shown::{ShownPixel, ShownRay};
 use kit::PixelSampler;

@@ -6,7 +6,6 @@
 
 mod film;
 pub mod hemisphere;
-mod plot;
 mod shapes;
 
 use crate::course::{CaseEntry, Task};
@@ -17,7 +16,6 @@ use judge::Tier;
 use judge::cases::{PITFALL, Spec, checked};
 use judge::shown::{ShownCall, ShownRay};
 use judge::snapshot::Snapshot;
-use plot::Drawing;
 use std::fmt::Write;
 
 /// Lists the cases of a task with their points and what they test.
@@ -100,6 +98,13 @@ pub fn case(entry: &CaseEntry, spec: &Spec, golden: Option<&Snapshot>, page: Pag
     text
 }
 
+/// What the calls have in common, drawn.
+struct Drawing {
+    /// What follows the sentence about the inputs.
+    words: String,
+    lines: Vec<String>,
+}
+
 /// The most calls in a table.
 const FIRST_CALLS: usize = 6;
 
@@ -125,6 +130,8 @@ fn drawing(calls: &[ShownCall]) -> Option<Drawing> {
             });
             Some(hemisphere::directions(pairs))
         }
+        // Each has a drawing of its own, which the report shows of the simplest call.
+        ShownCall::Bounce(_) | ShownCall::Spans(_) | ShownCall::Path(_) => None,
     }
 }
 

@@ -1,6 +1,7 @@
 //! Draws rays at triangles, spheres and boxes.
 
-use super::plot::{Drawing, Plot, legend};
+use super::Drawing;
+use crate::sketch::plot::{Plot, legend};
 use judge::expected::HitOrMiss;
 use judge::plural;
 use judge::shown::ShownRay;

@@ -13,7 +13,7 @@ pub(crate) fn parts(message: &str) -> (&str, Option<&str>) {
 }
 
 /// The input of the simplest call, with whole numbers as one writes them on paper.
-pub(crate) fn input(call: &SimplestCall) -> String {
+pub fn input(call: &SimplestCall) -> String {
     on_paper(&call.input)
 }
 
@@ -35,7 +35,7 @@ fn on_paper(text: &str) -> String {
 
 /// What was found at the simplest call, without the question, in as few digits as show the
 /// difference.
-pub(crate) fn found(call: &SimplestCall) -> String {
+pub fn found(call: &SimplestCall) -> String {
     on_paper(&with_telling_digits(parts(&call.result).0))
 }
 

@@ -3,7 +3,7 @@
 
 mod functions;
 pub mod links;
-pub(crate) mod message;
+pub mod message;
 pub mod screen;
 mod speedups;
 pub mod table;

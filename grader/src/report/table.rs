@@ -7,6 +7,7 @@ use super::{HintLevel, Report, Reveal, TaskReport};
 use crate::course::chapter::{Section, section};
 use crate::diagnosis::Diagnosis;
 use crate::score::{CaseResult, Status, TaskResult, order};
+use crate::sketch::Sketch;
 use comfy_table::{Cell, CellAlignment, Table, presets};
 use judge::Tier;
 use judge::cases::checked;
@@ -14,6 +15,9 @@ use judge::errors::ErrorSpread;
 use judge::plural;
 use judge::tally::{Aspect, Finding};
 use std::fmt::Write;
+
+/// Columns of the drawing in a long report.
+const LONG: usize = 80;
 
 /// How many failed cases of a task are shown in full. The others are only named.
 const CASES_IN_FULL: usize = 5;
@@ -218,6 +222,10 @@ fn details(text: &mut String, report: &TaskReport, Reveal { hint, extra }: Revea
             message::input(call),
             message::found(call)
         );
+        let sketch = call.shown.as_ref().and_then(Sketch::of);
+        for line in sketch.iter().flat_map(|sketch| sketch.text(LONG)) {
+            let _ = writeln!(text, "{line}");
+        }
     }
     failed_cases(text, &core, hint);
     if task.score < task.max_score && !robust.is_empty() {

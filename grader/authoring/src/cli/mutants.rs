@@ -16,6 +16,7 @@ use grader::course::Course;
 use grader::diagnosis::{self, Diagnosis, Known};
 use grader::score::regularity;
 use grader::signature::Signature;
+use grader::sketch::Sketch;
 use judge::{cases, plural};
 use std::path::{Path, PathBuf};
 
@@ -395,6 +396,11 @@ fn show_simplest(task: &str, found: &Simplest) {
             None => "no simple call".into(),
         };
         outln!("  {}: {call}", shown.mutant);
+        let drawn = shown.call.as_ref().and_then(|call| call.shown.as_ref());
+        let sketch = drawn.and_then(Sketch::of);
+        for line in sketch.iter().flat_map(|sketch| sketch.text(80)) {
+            outln!("{line}");
+        }
     }
     for accused in &found.accused {
         outln!("  ACCUSED: {accused}");

@@ -9,9 +9,10 @@ use kit::{Aabb, Camera, Ray, Scene, Vec2, Vec3};
 use wire::answer::Hit;
 use wire::direct::{LambertProbe, RecordedRay, ShadedPoint};
 use wire::light::LitWorld;
+use wire::work::{NodeKind, Tree, Xyz};
 
 /// One call.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 #[allow(
     clippy::large_enum_variant,
     reason = "there are as many as calls of one case, and most are rays"
@@ -25,10 +26,16 @@ pub enum ShownCall {
     Directions(LambertProbe),
     /// A point of a surface among lights.
     LitPoint(ShownPoint),
+    /// A direction that a mirror or glass sends on.
+    Bounce(ShownBounce),
+    /// A tree whose boxes are in a row: along an axis, or along a ray.
+    Spans(ShownSpans),
+    /// A path over given surfaces.
+    Path(ShownPath),
 }
 
 /// A ray, the shapes that it is tested against, and where it meets them.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct ShownRay {
     /// The triangles and spheres.
     pub scene: Scene,
@@ -64,18 +71,73 @@ pub struct ComparedNumber {
 }
 
 /// A pixel that is sampled.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct ShownPixel {
+    /// Width and height of the film.
+    pub film: [u32; 2],
     /// Column and row.
     pub pixel: [u32; 2],
     /// The number of samples.
     pub samples: u32,
     /// The seed of the pixel's sampler.
     pub seed: u64,
+    /// The points of the sensor that the code chose.
+    pub yours: Vec<[f64; 2]>,
 }
 
+/// A direction to the viewer in local space, in which the normal is +z, and the directions that a
+/// mirror or glass sends on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ShownBounce {
+    /// To the viewer.
+    pub wo: Xyz,
+    /// The right direction, if there is one.
+    pub expected: Option<Xyz>,
+    /// The code's, if it has one.
+    pub yours: Option<Xyz>,
+}
+
+/// Intervals on a line: those of the boxes of a tree.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ShownSpans {
+    /// What is measured along the line: "x" or "t".
+    pub along: &'static str,
+    /// What the rows are: "boxes, then your tree".
+    pub about: &'static str,
+    /// From top to bottom: the root's level, then those below it.
+    pub rows: Vec<Vec<Span>>,
+    /// The right result on the line, if there is one.
+    pub expected: Option<f64>,
+    /// The code's.
+    pub yours: Option<f64>,
+}
+
+/// An interval on a line.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Span {
+    /// Its ends.
+    pub ends: [f64; 2],
+    /// The numbers of the primitives in it, or empty.
+    pub label: String,
+}
+
+/// A path over given surfaces.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ShownPath {
+    /// The surfaces, in order: "diffuse", "mirror".
+    pub surfaces: Vec<&'static str>,
+    /// How many rays the code traced; `None` without an answer.
+    pub yours: Option<usize>,
+}
+
+/// The most intervals that a drawing can show.
+pub(crate) const MOST_SPANS: usize = 16;
+
+/// The most levels of a tree that a drawing can show.
+const MOST_LEVELS: usize = 6;
+
 /// A point of a surface among lights, and the rays that the code traced.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct ShownPoint {
     /// The lights and other surfaces.
     pub world: LitWorld,
@@ -83,6 +145,44 @@ pub struct ShownPoint {
     pub point: ShadedPoint,
     /// The rays.
     pub rays: Vec<RecordedRay>,
+}
+
+/// The nodes of a tree, level by level, each with its interval `span`; a leaf is labelled by its
+/// primitives. `None` for a tree that is too large to draw. The tree may be wrong in any way.
+pub(crate) fn tree_rows(
+    tree: &Tree,
+    span: impl Fn(usize) -> Option<[f64; 2]>,
+) -> Option<Vec<Vec<Span>>> {
+    let mut rows = Vec::new();
+    let mut level = Vec::from_iter((!tree.nodes.is_empty()).then_some(0_usize));
+    let mut count = 0;
+    while !level.is_empty() {
+        count += level.len();
+        if count > MOST_SPANS || rows.len() == MOST_LEVELS {
+            return None;
+        }
+        let spans = level.iter().filter_map(|&at| {
+            let ends = span(at)?;
+            let label = match tree.nodes.get(at)?.kind {
+                NodeKind::Interior { .. } => String::new(),
+                NodeKind::Leaf { first, count } => {
+                    let ids = tree.order.iter().skip(first as usize).take(count as usize);
+                    let ids: Vec<String> = ids.map(u32::to_string).collect();
+                    ids.join(" ")
+                }
+            };
+            Some(Span { ends, label })
+        });
+        rows.push(spans.collect());
+        let children = level.iter().filter_map(|&at| tree.nodes.get(at));
+        level = children
+            .flat_map(|node| match node.kind {
+                NodeKind::Interior { left, right } => vec![left as usize, right as usize],
+                NodeKind::Leaf { .. } => Vec::new(),
+            })
+            .collect();
+    }
+    Some(rows)
 }
 
 /// What the code returned for a ray: a hit without a record has only its `t`.

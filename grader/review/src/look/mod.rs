@@ -10,6 +10,7 @@ pub mod page;
 use crate::case::Case;
 use base::{GraderError, Workspace};
 use grader::course::{Course, Task};
+use grader::diagnosis::simplest::{self, SimplestCall};
 use grader::diagnosis::{self, Diagnosis};
 use grader::grade;
 use grader::grade::picture::{self, Rendered};
@@ -29,6 +30,8 @@ pub struct Look {
     pub result: TaskResult,
     /// The known mistake that explains the wrong answers, if there is one.
     pub diagnosis: Option<Diagnosis>,
+    /// The simplest call that shows what is wrong, if there is one.
+    pub simplest: Option<SimplestCall>,
     /// The task's picture, if it has one.
     pub picture: Option<Rendered>,
     /// The cases that lost points, in the order of the course.
@@ -96,8 +99,13 @@ impl Look {
                 diagnosis::diagnose(&known, &Signature::of(&result.cases))
             }
         };
+        let simplest = match result.status {
+            Status::Passed | Status::NotAttempted => None,
+            _ => simplest::of_task(&of_stage, &result, specs)?,
+        };
         Ok(Look {
             diagnosis,
+            simplest,
             picture: picture::render(workspace, course, task, workers)?,
             failed,
             result,
@@ -118,7 +126,8 @@ fn worst_ray(case: &CaseResult, spec: &Spec, answer: &Answer) -> Option<String> 
     match spec.shown(Tier::Core, call as usize, Some(answer))? {
         ShownCall::Ray(ray) => figure::draw(&ray),
         ShownCall::LitPoint(point) => Some(lit_point::draw(&point)),
-        // The page shows their samples and directions in the picture of the task.
-        ShownCall::Pixel(_) | ShownCall::Directions(_) => None,
+        // The page shows the samples and directions of the others in the picture of the task, and the
+        // simplest call of each.
+        _ => None,
     }
 }

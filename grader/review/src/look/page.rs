@@ -5,11 +5,15 @@ use crate::page::pictures::panels;
 use crate::page::viewer::viewer;
 use crate::page::whole;
 use crate::page::words::LOOK;
+use grader::diagnosis::simplest::SimplestCall;
 use grader::grade::picture::Rendered;
+use grader::report::message;
 use grader::report::table::status_text;
 use grader::score::{CaseResult, Status};
+use grader::sketch::Sketch;
 use judge::cases::{PITFALL, checked};
 use judge::pictures::Differences;
+use judge::tally::Aspect;
 use judge::{Tier, plural};
 use pages::html::{escape, png_data_uri};
 use std::fmt::Write;
@@ -22,6 +26,9 @@ const IN_FULL: usize = 6;
 /// Formats the page.
 pub fn write(look: &Look) -> String {
     let mut content = String::new();
+    if let Some(call) = &look.simplest {
+        content.push_str(&simplest(call));
+    }
     if let Some(picture) = &look.picture {
         content.push_str(&task_picture(picture));
     }
@@ -89,6 +96,27 @@ fn header(look: &Look) -> String {
     text
 }
 
+/// The simplest call that shows what is wrong: drawn, in a sentence, and what was called.
+fn simplest(call: &SimplestCall) -> String {
+    let sketch = call.shown.as_ref().and_then(Sketch::of);
+    let figure = sketch.map_or_else(String::new, |sketch| {
+        format!(
+            "<figure class=\"figure\">{}<figcaption>{}.</figcaption><p class=\"key\">{}</p></figure>",
+            sketch.svg(),
+            escape(sketch.caption()),
+            sketch.key()
+        )
+    });
+    let label = call.aspect.map_or("a crash", Aspect::label);
+    format!(
+        "<section class=\"task simplest\"><h2>The simplest call that is wrong: {}</h2>\n{figure}<div>\
+         <p class=\"result bad\">{}</p>\n<p class=\"input\">{}</p></div></section>\n",
+        escape(label),
+        escape(&message::found(call)),
+        escape(&message::input(call)),
+    )
+}
+
 /// The picture of the task: expected and yours with a slider, and where they differ.
 fn task_picture(rendered: &Rendered) -> String {
     let about = rendered.picture.panels.iter().map(|kind| kind.about);
@@ -141,16 +169,61 @@ fn task_picture(rendered: &Rendered) -> String {
     )
 }
 
+/// The failed cases. Those in which the same is wrong are told once: the others are folded below the
+/// first.
 fn cases(failed: &[&FailedCase]) -> String {
-    let (full, rest) = failed.split_at(failed.len().min(IN_FULL));
-    let mut text: String = full.iter().map(|case| one_case(case)).collect();
+    let mut groups: Vec<(String, Vec<&FailedCase>)> = Vec::new();
+    for case in failed {
+        let finding = what_is_wrong(&case.result);
+        match groups.iter_mut().find(|(other, _)| *other == finding) {
+            Some((_, cases)) => cases.push(case),
+            None => groups.push((finding, vec![case])),
+        }
+    }
+    let (full, rest) = groups.split_at(groups.len().min(IN_FULL));
+    let mut text: String = full.iter().map(|(_, cases)| group(cases)).collect();
     if !rest.is_empty() {
+        let count = rest.iter().map(|(_, cases)| cases.len()).sum();
         let _ = writeln!(
             text,
             "<details><summary>{}</summary>",
-            plural(rest.len(), "more case", "more cases")
+            plural(count, "more case", "more cases")
         );
-        text.extend(rest.iter().map(|case| one_case(case)));
+        text.extend(rest.iter().map(|(_, cases)| group(cases)));
+        text.push_str("</details>\n");
+    }
+    text
+}
+
+/// By what cases are told together: the status, and the wrong aspects with their functions.
+fn what_is_wrong(case: &CaseResult) -> String {
+    let wrong = case.findings.iter().filter(|finding| finding.wrong > 0);
+    let wrong = wrong.map(|finding| format!("{} {:?}", finding.aspect.label(), finding.functions));
+    format!(
+        "{} {}",
+        status_text(&case.status),
+        wrong.collect::<Vec<_>>().join("; ")
+    )
+}
+
+/// Cases in which the same is wrong: the first, and the others folded.
+fn group(cases: &[&FailedCase]) -> String {
+    let Some((first, others)) = cases.split_first() else {
+        return String::new();
+    };
+    let mut text = one_case(first);
+    if !others.is_empty() {
+        let names: Vec<String> = others
+            .iter()
+            .map(|case| escape(&case.result.name))
+            .collect();
+        let _ = writeln!(
+            text,
+            "<details class=\"same\"><summary>The same is wrong in {}: {}</summary>",
+            plural(others.len(), "more case", "more cases"),
+            names.join(", ")
+        );
+        text.extend(others.iter().map(|case| one_case(case)));
         text.push_str("</details>\n");
     }
     text
@@ -289,6 +362,7 @@ mod tests {
         Look {
             result: TaskResult::new(task, cases),
             diagnosis: None,
+            simplest: None,
             picture: Some(picture::Rendered {
                 picture,
                 golden,

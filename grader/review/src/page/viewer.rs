@@ -57,14 +57,15 @@ pub(crate) fn viewer(
     let [w, h] = actual.size();
     let image = |who: &str, name: &str, picture: &Image| {
         format!(
-            "<img data-who=\"{who}\" alt=\"{name}\" title=\"{name}\" src=\"{}\">",
+            "<b class=\"who\" data-of=\"{who}\">{name}</b><img data-who=\"{who}\" alt=\"{name}\" title=\"{name}\" src=\"{}\">",
             png_data_uri(picture)
         )
     };
     let _ = write!(
         text,
-        "<div class=\"stage\"><div class=\"screen\" tabindex=\"0\" role=\"application\" aria-label=\"picture: arrow keys choose a pixel, + and − zoom\" \
+        "<div class=\"stage\" style=\"--ratio:{}\"><div class=\"screen\" tabindex=\"0\" role=\"application\" aria-label=\"picture: arrow keys choose a pixel, + and − zoom\" \
          style=\"aspect-ratio:{w}/{h}\"><div class=\"layer\">{}{}",
+        f64::from(w) / f64::from(h),
         image("golden", old, golden),
         image("actual", new, actual),
     );
@@ -76,7 +77,8 @@ pub(crate) fn viewer(
     }
     let _ = write!(
         text,
-        "<span class=\"seam\"></span><svg viewBox=\"0 0 {w} {h}\" preserveAspectRatio=\"none\" aria-hidden=\"true\"></svg></div></div></div>\n\
+        "<span class=\"seam\"></span><svg viewBox=\"0 0 {w} {h}\" preserveAspectRatio=\"none\" aria-hidden=\"true\"></svg></div>\
+         <span class=\"half\">{old}</span><span class=\"half right\">{new}</span></div></div>\n\
          <label class=\"slider\">{old} <input type=\"range\" min=\"0\" max=\"100\" value=\"50\" aria-label=\"how much of the {old} picture is shown\"> {new}</label>\n\
          <div class=\"caption cause\">{legend}</div>\n<div class=\"caption magnitude\">{}</div>\n</div>\n",
         magnitudes()

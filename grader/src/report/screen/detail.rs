@@ -13,6 +13,7 @@ use crate::report::{HintLevel, Reveal, TaskReport};
 use crate::report::{functions, message};
 use crate::score::regularity::FEW_DIGITS;
 use crate::score::{CaseResult, Status, TaskResult, order};
+use crate::sketch::Sketch;
 use crate::workers::printed;
 use judge::Tier;
 use judge::cases::checked;
@@ -204,6 +205,12 @@ fn simplest(out: &mut Lines, task: &TaskResult, call: &SimplestCall) {
     }
     out.add(0, RESULT, &format!("  Simplest: {}", message::input(call)));
     out.add(0, RESULT, &format!("    {}", message::found(call)));
+    if let Some(sketch) = call.shown.as_ref().and_then(Sketch::of) {
+        out.blocks.push(Block {
+            rank: 3,
+            lines: sketch.text(out.page.width),
+        });
+    }
 }
 
 fn wrong_calls(out: &mut Lines, case: &str, finding: &Finding) {

@@ -2,6 +2,7 @@
 
 use crate::tools::call_text::holding;
 use crate::tools::shown::{ShownCall, ShownPixel};
+use wire::answer::PixelAnswer;
 use wire::work::PixelWork;
 
 pub(super) fn input(work: &PixelWork, call: usize) -> Option<String> {
@@ -30,11 +31,18 @@ fn of_pixel(work: &PixelWork, [x, y]: [u32; 2]) -> Vec<&'static str> {
     ])
 }
 
-pub(super) fn shown(work: &PixelWork, call: usize) -> Option<ShownCall> {
+pub(super) fn shown(
+    work: &PixelWork,
+    call: usize,
+    answers: Option<&Vec<PixelAnswer>>,
+) -> Option<ShownCall> {
     let (pixel, seed) = work.calls().nth(call)?;
+    let answer = answers.and_then(|answers| answers.get(call));
     Some(ShownCall::Pixel(ShownPixel {
+        film: work.film,
         pixel,
         samples: work.ns_aa,
         seed,
+        yours: answer.map_or_else(Vec::new, |answer| answer.points.clone()),
     }))
 }

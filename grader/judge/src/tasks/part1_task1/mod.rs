@@ -125,9 +125,9 @@ impl Check for kind::Pixels {
         _: Tier,
         _: bool,
         call: usize,
-        _: Option<&Vec<PixelAnswer>>,
+        answers: Option<&Vec<PixelAnswer>>,
     ) -> Option<ShownCall> {
-        call::shown(work, call)
+        call::shown(work, call, answers)
     }
 
     fn overview(work: &PixelWork) -> String {

@@ -1,5 +1,6 @@
 //! `part2.task1`: building the tree.
 
+mod call;
 pub(crate) mod cases;
 pub(crate) mod growth;
 pub(crate) mod judge;
@@ -131,13 +132,13 @@ impl Check for kind::Build {
     }
 
     fn shown(
-        _: &BuildWork,
+        work: &BuildWork,
         _: Tier,
         _: bool,
         _: usize,
-        _: Option<&BuildAnswer>,
+        answer: Option<&BuildAnswer>,
     ) -> Option<ShownCall> {
-        None
+        call::shown(work, &answer?.tree)
     }
 
     fn repro(_: Tier, work: &BuildWork, _: usize) -> Option<String> {

@@ -2,7 +2,9 @@
 
 use crate::tools::call_text::{few, holding, range_circumstances, ray_and};
 use crate::tools::plural;
-use wire::work::{Node, NodeKind, ScriptedWorld};
+use crate::tools::shown::{ShownCall, ShownSpans, Span, tree_rows};
+use wire::answer::TraverseAnswer;
+use wire::work::{Node, NodeKind, ScriptedRay, ScriptedWorld};
 
 pub(super) fn input(world: &ScriptedWorld, call: usize) -> Option<String> {
     let scripted = world.rays.get(call)?;
@@ -54,4 +56,38 @@ pub(super) fn circumstances(world: &ScriptedWorld, call: usize) -> Vec<&'static 
         (!world.any_hit, "the closest hit is looked for"),
     ];
     [holding(&function), range_circumstances(&scripted.ray)].concat()
+}
+
+/// Where the ray is in the boxes of the tree and where it hits primitives, and the closest hit.
+pub(super) fn shown(
+    world: &ScriptedWorld,
+    call: usize,
+    answers: Option<&Vec<TraverseAnswer>>,
+) -> Option<ShownCall> {
+    let scripted = world.rays.get(call)?;
+    let mut rows = tree_rows(&world.tree, |node| *scripted.spans.get(node)?)?;
+    let hits = scripted.prims.iter().enumerate().filter_map(|(id, t)| {
+        let t = (*t)?;
+        Some(Span {
+            ends: [t, t],
+            label: id.to_string(),
+        })
+    });
+    rows.push(hits.collect());
+    let answer = answers.and_then(|answers| answers.get(call));
+    let closest = |t: Option<f64>| t.filter(|_| !world.any_hit);
+    Some(ShownCall::Spans(ShownSpans {
+        along: "t",
+        about: "where the ray is in the boxes; below, its hits",
+        rows,
+        expected: closest(closest_in_range(scripted)),
+        yours: closest(answer.and_then(|answer| Some(answer.hit?.0))),
+    }))
+}
+
+/// The smallest `t` of a hit in the ray's range.
+fn closest_in_range(scripted: &ScriptedRay) -> Option<f64> {
+    let range = scripted.ray.min_t..=scripted.ray.max_t;
+    let hits = scripted.prims.iter().copied().flatten();
+    hits.filter(|t| range.contains(t)).min_by(f64::total_cmp)
 }

@@ -132,13 +132,13 @@ impl Check for kind::Traverse {
     }
 
     fn shown(
-        _: &ScriptedWorld,
+        world: &ScriptedWorld,
         _: Tier,
         _: bool,
-        _: usize,
-        _: Option<&Vec<TraverseAnswer>>,
+        call: usize,
+        answers: Option<&Vec<TraverseAnswer>>,
     ) -> Option<ShownCall> {
-        None
+        call::shown(world, call, answers)
     }
 
     fn repro(_: Tier, world: &ScriptedWorld, call: usize) -> Option<String> {

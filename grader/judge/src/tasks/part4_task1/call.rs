@@ -1,7 +1,10 @@
 //! One call in words and shown.
 
+use super::truth::{Right, right};
+use crate::tools::Tier;
 use crate::tools::call_text::{holding, is_coloured};
-use wire::global::SpecularCall;
+use crate::tools::shown::{ShownBounce, ShownCall};
+use wire::global::{SpecularAnswer, SpecularCall};
 use wire::work::Xyz;
 
 pub(super) fn input(calls: &[SpecularCall], call: usize) -> Option<String> {
@@ -35,4 +38,29 @@ fn of_specular(call: &SpecularCall) -> Vec<&'static str> {
         .concat(),
         SpecularCall::Refraction { wo, .. } | SpecularCall::Glass { wo, .. } => from_inside(wo),
     }
+}
+
+/// The direction that was returned beside the right one; `None` for a call that returns none.
+pub(super) fn shown(tier: Tier, call: &SpecularCall, answer: &SpecularAnswer) -> Option<ShownCall> {
+    let (SpecularCall::Reflect { wo }
+    | SpecularCall::Refract { wo, .. }
+    | SpecularCall::Mirror { wo, .. }
+    | SpecularCall::Refraction { wo, .. }
+    | SpecularCall::Glass { wo, .. }) = call
+    else {
+        return None;
+    };
+    Some(ShownCall::Bounce(ShownBounce {
+        wo: *wo,
+        expected: match right(tier, call).0 {
+            Right::Share(_) => None,
+            Right::Direction(wi) => wi,
+            Right::Sample(sample) => sample.map(|sample| sample.wi),
+        },
+        yours: match answer {
+            SpecularAnswer::Share(_) => None,
+            SpecularAnswer::Direction(wi) => *wi,
+            SpecularAnswer::Sample(sample) => sample.map(|sample| sample.wi),
+        },
+    }))
 }

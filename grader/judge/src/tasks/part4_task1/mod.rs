@@ -96,13 +96,13 @@ impl Check for kind::Specular {
     }
 
     fn shown(
-        _: &Vec<SpecularCall>,
-        _: Tier,
+        calls: &Vec<SpecularCall>,
+        tier: Tier,
         _: bool,
-        _: usize,
-        _: Option<&Vec<SpecularAnswer>>,
+        call: usize,
+        answers: Option<&Vec<SpecularAnswer>>,
     ) -> Option<ShownCall> {
-        None
+        call::shown(tier, calls.get(call)?, answers?.get(call)?)
     }
 
     fn repro(tier: Tier, calls: &Vec<SpecularCall>, call: usize) -> Option<String> {

@@ -1,7 +1,9 @@
 //! One call in words and shown.
 
 use crate::tools::call_text::{few, holding, point, ray_and};
-use wire::global::{ScriptedPath, Step};
+use crate::tools::shown::{ShownCall, ShownPath};
+use wire::global::{PathAnswer, ScriptedPath, Step};
+use wire::light::Material;
 
 pub(super) fn input(paths: &[ScriptedPath], call: usize) -> Option<String> {
     let path = paths.get(call)?;
@@ -55,3 +57,28 @@ fn of_path(steps: &[Step], max_depth: u32) -> Vec<&'static str> {
         ),
     ])
 }
+
+/// The surfaces of a path, and how many rays the code traced.
+pub(super) fn shown(
+    paths: &[ScriptedPath],
+    call: usize,
+    answers: Option<&Vec<PathAnswer>>,
+) -> Option<ShownCall> {
+    let path = paths.get(call)?;
+    let answer = answers.and_then(|answers| answers.get(call));
+    let name = |step: &Step| match step.material {
+        Material::Diffuse(_) => "diffuse",
+        Material::Mirror(_) => "mirror",
+        Material::Emission(_) => "lamp",
+        _ => "surface",
+    };
+    (path.steps.len() <= MOST_SURFACES).then(|| {
+        ShownCall::Path(ShownPath {
+            surfaces: path.steps.iter().map(name).collect(),
+            yours: answer.map(|answer| answer.rays.len()),
+        })
+    })
+}
+
+/// The most surfaces of a path that can be drawn.
+const MOST_SURFACES: usize = 6;

@@ -110,13 +110,13 @@ impl Check for kind::Paths {
     }
 
     fn shown(
-        _: &Vec<ScriptedPath>,
+        paths: &Vec<ScriptedPath>,
         _: Tier,
         _: bool,
-        _: usize,
-        _: Option<&Vec<PathAnswer>>,
+        call: usize,
+        answers: Option<&Vec<PathAnswer>>,
     ) -> Option<ShownCall> {
-        None
+        call::shown(paths, call, answers)
     }
 }
 

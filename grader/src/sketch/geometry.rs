@@ -1,0 +1,269 @@
+//! Draws a ray at the shapes that it is tested against.
+
+use super::model::{Ink, Layout, Sketch, Stroke, TAxis};
+use super::view::{self, Frame, View};
+use judge::shown::ShownRay;
+use kit::{Aabb, Scene, Sphere, Triangle, Vec3};
+
+/// Normals that differ by less look the same.
+const VISIBLE_ANGLE: f64 = 0.05;
+
+/// The most shapes in a drawing.
+const MOST_SHAPES: usize = 12;
+
+/// Draws a ray and its shapes, seen from where the difference shows.
+pub(super) fn ray(shown: &ShownRay) -> Option<Sketch> {
+    let Scene {
+        triangles, spheres, ..
+    } = &shown.scene;
+    let shapes = triangles.len() + spheres.len() + shown.boxes.len();
+    if shapes == 0 || shapes > MOST_SHAPES {
+        return None;
+    }
+    let (strokes, caption) = match (&triangles[..], &spheres[..], &shown.boxes[..]) {
+        ([triangle], [], []) => of_triangle(shown, triangle)?,
+        ([], [sphere], []) => of_sphere(shown, sphere)?,
+        _ => of_shapes(shown)?,
+    };
+    Some(Sketch {
+        axis: axis(shown),
+        ..Sketch::new(strokes, &caption, Layout::Shape)
+    })
+}
+
+/// The axis of `t`, where it shows what the shapes do not: a range that ends, or different `t`.
+fn axis(shown: &ShownRay) -> Option<TAxis> {
+    let range = [shown.ray.min_t, shown.ray.max_t];
+    let is_open = range == [0.0, f64::INFINITY];
+    let all_ahead = shown.expected.iter().chain(&shown.yours).all(|t| *t >= 0.0);
+    let same = shown.expected.is_empty() || shown.yours.is_empty() || shown.expected == shown.yours;
+    let is_needless = is_open && all_ahead && same;
+    let finite = |ts: &[f64]| ts.iter().copied().filter(|t| t.is_finite()).collect();
+    (!is_needless).then(|| TAxis {
+        range,
+        expected: finite(&shown.expected),
+        yours: finite(&shown.yours),
+    })
+}
+
+/// The normals at the hit, expected and yours, if they point elsewhere.
+fn differing_normals(shown: &ShownRay) -> Option<[Vec3; 2]> {
+    let [expected, yours] = shown.normals?;
+    (expected.distance(yours) > VISIBLE_ANGLE && yours.is_finite()).then_some([expected, yours])
+}
+
+/// Marks the hits, or where the ray passes if there are none.
+fn marks(strokes: &mut Vec<Stroke>, shown: &ShownRay, view: &View, frame: &Frame) {
+    for (ink, hits) in [(Ink::Expected, &shown.expected), (Ink::Yours, &shown.yours)] {
+        let places = hits.iter().map(|t| view.place(shown.ray.at(*t)));
+        strokes.extend(
+            places
+                .filter(|at| frame.contains(*at))
+                .map(|at| Stroke::Mark(ink, at)),
+        );
+    }
+}
+
+/// Draws both normals at the right hit.
+fn normals(strokes: &mut Vec<Stroke>, shown: &ShownRay, view: &View, length: f64) {
+    let (Some([expected, yours]), Some(t)) = (differing_normals(shown), shown.expected.first())
+    else {
+        return;
+    };
+    let p = shown.ray.at(*t);
+    for (ink, n, name) in [
+        (Ink::Expected, expected, "expected normal"),
+        (Ink::Yours, yours, "your normal"),
+    ] {
+        let tip = view.place(p + length * n.normalize_or_zero());
+        strokes.push(Stroke::Arrow(ink, [view.place(p), tip]));
+        strokes.push(Stroke::Word(tip, name.into()));
+    }
+}
+
+/// A triangle in its own plane, with the point where the ray crosses it; or from its side, where
+/// normals differ or the ray is parallel to it.
+fn of_triangle(shown: &ShownRay, triangle: &Triangle) -> Option<(Vec<Stroke>, String)> {
+    let Triangle { p0, p1, p2, .. } = *triangle;
+    let right = (p1 - p0).try_normalize()?;
+    let n = (p1 - p0).cross(p2 - p0).try_normalize()?;
+    let d = shown.ray.d.try_normalize()?;
+    if differing_normals(shown).is_some() || n.dot(d).abs() < 1e-9 {
+        return triangle_from_its_side(shown, triangle, n);
+    }
+    let view = View {
+        origin: p0,
+        right,
+        up: n.cross(right),
+    };
+    let t = n.dot(p0 - shown.ray.o) / n.dot(shown.ray.d);
+    let crossing = view.place(shown.ray.at(t));
+    let corners = [p0, p1, p2].map(|p| view.place(p));
+    let mut others = vec![crossing];
+    others.extend(shown.yours.iter().map(|t| view.place(shown.ray.at(*t))));
+    let frame = Frame::around(&corners, &others)?;
+    let mut strokes: Vec<Stroke> = (0..3)
+        .map(|i| Stroke::Line(Ink::Shape, [corners[i], corners[(i + 1) % 3]]))
+        .collect();
+    for (i, corner) in corners.into_iter().enumerate() {
+        strokes.push(Stroke::Word(corner, format!("p{i}")));
+    }
+    match shown.expected.is_empty() && shown.yours.is_empty() {
+        true => strokes.push(Stroke::Mark(Ink::Shape, crossing)),
+        false => marks(&mut strokes, shown, &view, &frame),
+    }
+    let side = if n.dot(d) < 0.0 { "front" } else { "back" };
+    Some((
+        strokes,
+        format!("the triangle's plane, ray from the {side}"),
+    ))
+}
+
+fn triangle_from_its_side(
+    shown: &ShownRay,
+    triangle: &Triangle,
+    n: Vec3,
+) -> Option<(Vec<Stroke>, String)> {
+    let Triangle { p0, p1, p2, .. } = *triangle;
+    let in_plane = |v: Vec3| {
+        let v = v - v.dot(n) * n;
+        (v.length() > 1e-6).then(|| v.normalize())
+    };
+    let difference = differing_normals(shown).and_then(|[a, b]| in_plane(b - a));
+    let right = difference
+        .or_else(|| in_plane(shown.ray.d))
+        .or_else(|| in_plane(p1 - p0))?;
+    let view = View {
+        origin: p0,
+        right,
+        up: n,
+    };
+    let corners = [p0, p1, p2].map(|p| view.place(p));
+    let size = corners.iter().map(|p| p[0]).fold(0.0, f64::max)
+        - corners.iter().map(|p| p[0]).fold(0.0, f64::min);
+    let tall = corners.map(|[x, _]| [x, 0.3 * size]);
+    let low = corners.map(|[x, _]| [x, -0.3 * size]);
+    let frame = Frame::around(&[corners, tall, low].concat(), &[view.place(shown.ray.o)])?;
+    let mut strokes = vec![Stroke::Line(Ink::Shape, [corners[0], corners[1]])];
+    strokes.push(Stroke::Line(Ink::Shape, [corners[1], corners[2]]));
+    strokes.push(Stroke::Line(Ink::Shape, [corners[2], corners[0]]));
+    marks(&mut strokes, shown, &view, &frame);
+    normals(&mut strokes, shown, &view, 0.3 * size);
+    let first = shown.expected.iter().chain(&shown.yours).copied();
+    view::ray(
+        &mut strokes,
+        &view,
+        &frame,
+        &shown.ray,
+        first.fold(0.0, f64::min),
+    );
+    Some((strokes, "the triangle from its side, front up".into()))
+}
+
+/// A sphere in the plane of the ray and the centre.
+fn of_sphere(shown: &ShownRay, sphere: &Sphere) -> Option<(Vec<Stroke>, String)> {
+    let right = shown.ray.d.try_normalize()?;
+    let offset = shown.ray.o - sphere.center;
+    let across = offset - offset.dot(right) * right;
+    let up = match across.length() > 1e-9 * sphere.radius {
+        true => across.try_normalize()?,
+        false => right.any_orthonormal_vector(),
+    };
+    let view = View {
+        origin: sphere.center,
+        right,
+        up,
+    };
+    let strokes = of_scene(shown, &view)?;
+    Some((strokes, "the plane of ray and centre".into()))
+}
+
+/// Shapes in the plane of two axes: the first is the ray's main one, the other shows that the ray
+/// misses, if it does.
+fn of_shapes(shown: &ShownRay) -> Option<(Vec<Stroke>, String)> {
+    let d = shown.ray.d.abs();
+    let main = if d.x >= d.y && d.x >= d.z {
+        0
+    } else if d.y >= d.z {
+        1
+    } else {
+        2
+    };
+    let others = [(main + 1) % 3, (main + 2) % 3];
+    let misses_in = |axis: usize| {
+        shown
+            .boxes
+            .iter()
+            .any(|b| is_beside(b, shown.ray.o, shown.ray.d, [main, axis]))
+    };
+    let other = match shown.expected.is_empty() && !misses_in(others[0]) && misses_in(others[1]) {
+        true => others[1],
+        false => others[0],
+    };
+    // The axes in their usual order.
+    let axes = [main.min(other), main.max(other)];
+    let unit = |axis: usize| Vec3::AXES[axis];
+    let view = View {
+        origin: Vec3::ZERO,
+        right: unit(axes[0]),
+        up: unit(axes[1]),
+    };
+    let strokes = of_scene(shown, &view)?;
+    let names = ["x", "y", "z"];
+    let caption = format!("{} to the right, {} up", names[axes[0]], names[axes[1]]);
+    Some((strokes, caption))
+}
+
+/// Whether the line along the ray passes the box in the plane of two axes.
+fn is_beside(b: &Aabb, o: Vec3, d: Vec3, axes: [usize; 2]) -> bool {
+    let mut inside = [f64::NEG_INFINITY, f64::INFINITY];
+    for axis in axes {
+        if d[axis] == 0.0 {
+            if o[axis] < b.min[axis] || o[axis] > b.max[axis] {
+                return true;
+            }
+            continue;
+        }
+        let ends = [b.min, b.max].map(|corner| (corner[axis] - o[axis]) / d[axis]);
+        inside[0] = inside[0].max(ends[0].min(ends[1]));
+        inside[1] = inside[1].min(ends[0].max(ends[1]));
+    }
+    inside[0] > inside[1]
+}
+
+/// All shapes with the ray, in a view.
+fn of_scene(shown: &ShownRay, view: &View) -> Option<Vec<Stroke>> {
+    let mut shapes = Vec::new();
+    for triangle in &shown.scene.triangles {
+        let corners = [triangle.p0, triangle.p1, triangle.p2].map(|p| view.place(p));
+        shapes.extend((0..3).map(|i| [corners[i], corners[(i + 1) % 3]]));
+    }
+    for sphere in &shown.scene.spheres {
+        let [x, y] = view.place(sphere.center);
+        let around = |step: u32| {
+            let angle = f64::from(step) / 48.0 * std::f64::consts::TAU;
+            [
+                x + sphere.radius * angle.cos(),
+                y + sphere.radius * angle.sin(),
+            ]
+        };
+        shapes.extend((0..48).map(|step| [around(step), around(step + 1)]));
+    }
+    for b in &shown.boxes {
+        let [[x0, y0], [x1, y1]] = [b.min, b.max].map(|p| view.place(p));
+        let corners = [[x0, y0], [x1, y0], [x1, y1], [x0, y1]];
+        shapes.extend((0..4).map(|i| [corners[i], corners[(i + 1) % 4]]));
+    }
+    let hits = shown.expected.iter().chain(&shown.yours);
+    let others = hits.clone().map(|t| shown.ray.at(*t));
+    let others: Vec<[f64; 2]> = others.chain([shown.ray.o]).map(|p| view.place(p)).collect();
+    let frame = Frame::around(&shapes.concat(), &others)?;
+    let lines = shapes.into_iter();
+    let mut strokes: Vec<Stroke> = lines.map(|ends| Stroke::Line(Ink::Shape, ends)).collect();
+    marks(&mut strokes, shown, view, &frame);
+    let size = shown.scene.spheres.iter().map(|sphere| sphere.radius);
+    normals(&mut strokes, shown, view, size.fold(1.0, f64::min));
+    let first = hits.copied().fold(0.0, f64::min);
+    view::ray(&mut strokes, view, &frame, &shown.ray, first);
+    Some(strokes)
+}

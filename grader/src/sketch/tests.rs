@@ -1,0 +1,177 @@
+use super::*;
+use judge::expected::HitOrMiss;
+use judge::shown::{ShownBounce, ShownPixel, ShownRay, ShownSpans, Span};
+use kit::{Aabb, Ray, Scene, Sphere, Triangle, Vec3};
+
+/// A ray at the triangle (0, 0, 0) (4, 0, 0) (0, 4, 0), and at which `t` it hits: expected, yours.
+fn triangle(ray: Ray, expected: Option<f64>, yours: Option<f64>) -> ShownRay {
+    let n = Vec3::Z;
+    let corners = [
+        Vec3::ZERO,
+        Vec3::new(4.0, 0.0, 0.0),
+        Vec3::new(0.0, 4.0, 0.0),
+    ];
+    let [p0, p1, p2] = corners;
+    ShownRay {
+        scene: Scene {
+            triangles: vec![Triangle {
+                p0,
+                p1,
+                p2,
+                n0: n,
+                n1: n,
+                n2: n,
+            }],
+            ..Scene::default()
+        },
+        expected: expected.into_iter().collect(),
+        yours: yours.into_iter().collect(),
+        decision: HitOrMiss::Either,
+        ..ShownRay::new(ray)
+    }
+}
+
+fn text(call: ShownCall) -> String {
+    let lines = Sketch::of(&call).expect("it can be drawn").text(80);
+    for line in &lines {
+        assert!(line.chars().count() <= 80, "{line}");
+    }
+    assert!(lines.len() <= 10, "{lines:#?}");
+    lines.join("\n")
+}
+
+/// The line and the column of a sign.
+fn place(text: &str, sign: char) -> Option<[usize; 2]> {
+    let mut lines = text.lines().enumerate();
+    lines.find_map(|(line, text)| Some([line, text.find(sign)?]))
+}
+
+#[test]
+fn a_hit_outside_a_triangle_is_beside_it() {
+    let ray = Ray::new(Vec3::new(3.0, 3.0, -1.0), Vec3::Z);
+    let drawn = text(ShownCall::Ray(triangle(ray, None, Some(1.0))));
+    let x = place(&drawn, 'x').expect("the hit is drawn");
+    let p2 = drawn.lines().position(|line| line.contains("p2"));
+    let p0 = drawn.lines().position(|line| line.contains("p0"));
+    assert!(p2 < Some(x[0]) && Some(x[0]) < p0, "{drawn}");
+    assert!(drawn.contains("ray from the back; x yours"), "{drawn}");
+}
+
+#[test]
+fn a_range_that_ends_has_an_axis_with_both_hits() {
+    let ray = Ray {
+        max_t: 4.0,
+        ..Ray::new(Vec3::new(1.0, 1.0, -1.0), Vec3::Z)
+    };
+    let drawn = text(ShownCall::Ray(triangle(ray, Some(1.0), Some(5.0))));
+    let axis = drawn.lines().find(|line| line.starts_with("  t "));
+    let axis = axis.expect("there is an axis");
+    let signs: String = axis.chars().filter(|c| "[o]x>".contains(*c)).collect();
+    assert!(signs.starts_with("[o]x>"), "{axis}");
+    let open = Ray::new(Vec3::new(1.0, 1.0, -1.0), Vec3::Z);
+    let plain = text(ShownCall::Ray(triangle(open, Some(1.0), None)));
+    assert!(!plain.contains("  t "), "{plain}");
+}
+
+#[test]
+fn normals_that_differ_are_two_arrows() {
+    let ray = Ray::new(Vec3::new(1.0, 1.0, 1.0), -Vec3::Z);
+    let shown = ShownRay {
+        normals: Some([Vec3::Z, -Vec3::Z]),
+        ..triangle(ray, Some(1.0), Some(1.0))
+    };
+    let sketch = Sketch::of(&ShownCall::Ray(shown)).expect("it can be drawn");
+    let drawn = sketch.text(80).join("\n");
+    for part in ["expected normal", "your normal", "from its side"] {
+        assert!(drawn.contains(part), "{drawn}");
+    }
+    let svg = sketch.svg();
+    assert!(svg.contains("class=\"expected\"") && svg.contains(">your normal</text>"));
+}
+
+#[test]
+fn a_sphere_and_a_box_show_where_the_ray_ends_and_begins() {
+    let ray = Ray::new(Vec3::new(0.0, 0.0, -3.0), Vec3::Z);
+    let sphere = text(ShownCall::Ray(ShownRay {
+        scene: Scene {
+            spheres: vec![Sphere {
+                center: Vec3::ZERO,
+                radius: 1.0,
+            }],
+            ..Scene::default()
+        },
+        expected: vec![2.0],
+        yours: vec![4.0],
+        ..ShownRay::new(ray)
+    }));
+    let [origin, near, far] = ['@', 'o', 'x'].map(|sign| place(&sphere, sign));
+    let [origin, near, far] = [origin, near, far].map(|at| at.expect("it is drawn")[1]);
+    assert!(origin < near && near < far, "{sphere}");
+    // The ray misses in y, which is not its next axis.
+    let beside = text(ShownCall::Ray(ShownRay {
+        boxes: vec![Aabb {
+            min: Vec3::ZERO,
+            max: Vec3::ONE,
+        }],
+        yours: vec![1.0],
+        ..ShownRay::new(Ray::new(Vec3::new(0.5, 2.0, -1.0), Vec3::Z))
+    }));
+    assert!(beside.contains("y to the right, z up"), "{beside}");
+}
+
+#[test]
+fn samples_where_they_should_be_are_not_drawn() {
+    let pixel = |yours: [f64; 2]| {
+        ShownCall::Pixel(ShownPixel {
+            film: [2, 1],
+            pixel: [1, 0],
+            samples: 1,
+            seed: 0,
+            yours: vec![yours],
+        })
+    };
+    assert_eq!(Sketch::of(&pixel([0.75, 0.5])), None);
+    let drawn = text(pixel([0.5, 0.0]));
+    assert!(drawn.contains('o') && drawn.contains('x'), "{drawn}");
+}
+
+#[test]
+fn a_tree_is_drawn_level_by_level_and_what_is_not_finite_is_left_out() {
+    let span = |from: f64, to: f64, label: &str| Span {
+        ends: [from, to],
+        label: label.into(),
+    };
+    let spans = |last: Span| {
+        ShownCall::Spans(ShownSpans {
+            along: "x",
+            about: "the boxes",
+            rows: vec![vec![span(0.0, 9.0, "")], vec![span(0.0, 1.0, "0"), last]],
+            expected: None,
+            yours: None,
+        })
+    };
+    let drawn = text(spans(span(8.0, 9.0, "1")));
+    let lines: Vec<&str> = drawn.lines().collect();
+    assert!(lines[0].trim().starts_with('|') && lines[0].trim().ends_with('|'));
+    assert!(lines[1].contains('0') && lines[1].contains('1'), "{drawn}");
+    let without = text(spans(span(f64::NAN, 9.0, "1")));
+    assert!(!without.contains('1'), "{without}");
+}
+
+#[test]
+fn directions_are_drawn_from_their_surface() {
+    let drawn = text(ShownCall::Bounce(ShownBounce {
+        wo: [0.6, 0.0, 0.8],
+        expected: Some([-0.6, 0.0, 0.8]),
+        yours: Some([0.6, 0.0, -0.8]),
+    }));
+    let line = |word: &str| drawn.lines().position(|line| line.contains(word));
+    assert_eq!(line("wo"), line("expected"), "{drawn}");
+    assert!(line("wo") < line("yours"), "{drawn}");
+    let none = ShownBounce {
+        wo: [f64::NAN; 3],
+        expected: None,
+        yours: None,
+    };
+    assert_eq!(Sketch::of(&ShownCall::Bounce(none)), None);
+}

@@ -36,6 +36,19 @@ pub(super) fn command() -> Command {
         )
 }
 
+/// The command that `word` is a misspelling of. Parts and tasks are none.
+pub(super) fn command_like(word: &str) -> Option<String> {
+    let whole = super::command();
+    let names = whole.get_subcommands().map(Command::get_name);
+    let likeness = |name: &str| strsim::damerau_levenshtein(word, name);
+    let nearest = names.min_by_key(|name| likeness(name))?;
+    let is_like = word.len() > 2 && likeness(nearest) <= MOST_SLIPS;
+    is_like.then(|| nearest.to_owned())
+}
+
+/// The most slips in a misspelt command: letters left out, added, swapped or changed.
+const MOST_SLIPS: usize = 2;
+
 /// Prints the help of a command, of the whole program, or for instructors.
 pub(super) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     let mut whole = super::command();

@@ -12,6 +12,7 @@ mod check;
 mod completions;
 pub mod course_systems;
 mod doctor;
+mod examples;
 mod explain;
 pub mod grade;
 mod help;
@@ -121,6 +122,7 @@ fn command() -> Command {
             watch::command(),
             check::command(),
             explain::command(),
+            examples::command(),
             picture::command(),
             book::command(),
             predict::command(),
@@ -152,6 +154,7 @@ fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
                 "doctor" => doctor::run(),
                 "offline" => offline::run(),
                 "completions" => completions::run(rest),
+                examples::NAME => examples::run(rest),
                 book::NAME => book::run(rest),
                 predict::NAME => predict::run(rest),
                 help::NAME => help::run(rest),
@@ -166,6 +169,13 @@ fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     }
     if grade::is_for_submissions(matches) {
         return subprogram::run("submission", std::env::args_os().skip(1).collect());
+    }
+    if let Some(word) = matches.get_one::<String>("what")
+        && let Some(meant) = help::command_like(word)
+    {
+        return Err(GraderError::new(format!(
+            "there is no command `{word}`, and the course has no such task: did you mean `cargo grader {meant}`?"
+        )));
     }
     grade::run(matches)
 }
@@ -245,6 +255,19 @@ mod tests {
         let matches = command().get_matches_from(line);
         let (name, _) = matches.subcommand().expect("a command");
         assert_eq!(name, "mutants");
+    }
+
+    #[test]
+    fn a_misspelt_command_is_named() {
+        for (word, meant) in [("staus", "status"), ("exlpain", "explain"), ("lok", "look")] {
+            let matches = command().get_matches_from(["grader", word]);
+            let error = run(&matches).expect_err("no such command").to_string();
+            let question = format!("did you mean `cargo grader {meant}`?");
+            assert!(error.contains(&question), "{error}");
+        }
+        for word in ["all", "part1", "part1.task3", "prat1", "nothing"] {
+            assert_eq!(help::command_like(word), None, "{word}");
+        }
     }
 
     #[test]

@@ -11,10 +11,10 @@ use crate::workers::stage_workers::StageWorkers;
 use base::GraderError;
 use judge::cases::Spec;
 use judge::shown::ShownCall;
-use judge::tally::{Aspect, Class, Fault, Finding};
-use judge::{Tier, repro};
+use judge::tally::{Aspect, Class, Fault, Finding, WrongAnswer};
+use judge::{Tier, repro, variations};
 use serde::Serialize;
-use wire::Outcome;
+use wire::{Answer, Outcome};
 
 /// The most failed cases for which a simple call is looked for; the first that has one is shown.
 const MOST_CASES: usize = 4;
@@ -33,90 +33,207 @@ pub struct SimplestCall {
     /// The call as a Rust test, if it fits in a short one.
     #[serde(skip)]
     pub test: Option<String>,
+    /// Why no simpler call is shown, if this one has extreme or long numbers.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub only: Option<String>,
     /// The call with its results, to be drawn.
     #[serde(skip)]
     pub shown: Option<ShownCall>,
 }
 
 /// The simplest call for the failed cases of `task`, of which those that show the most come first.
-/// Looks at the core cases, and at those of extra credit if no core case failed. `None` if no
-/// simple question shows what is wrong.
+/// Looks at the core cases, and at those of extra credit if no core case failed. `None` if neither a
+/// simple question nor one of a few digits shows what is wrong.
+///
+/// Simple questions come first, then the same with small and with large lengths, then the worst
+/// calls of the cases with fewer digits. The number of calls is the same for everybody.
 pub fn of_task(
     workers: &StageWorkers,
     task: &TaskResult,
     specs: &[Spec],
 ) -> Result<Option<SimplestCall>, GraderError> {
-    let failed = order::failed_cases_that_count(task);
-    for case in failed.into_iter().take(MOST_CASES) {
+    let failed = order::failed_cases_that_count(task).into_iter();
+    let failed = failed.take(MOST_CASES).filter_map(|case| {
         let spec = specs.iter().find(|spec| spec.is(&task.key, &case.name));
-        let Some(spec) = spec.filter(|spec| !spec.needs_all_stages()) else {
-            continue;
-        };
-        let simplest = of_case(workers, case, spec)?;
+        Some((case, spec.filter(|spec| !spec.needs_all_stages())?))
+    });
+    let failed: Vec<(&CaseResult, &Spec)> = failed.collect();
+    for (case, spec) in &failed {
+        let simplest = of_questions(workers, case, &spec.simple())?;
         if simplest.is_some() {
             return Ok(simplest);
+        }
+    }
+    let extreme = failed.iter().filter(|(case, _)| case.crash.is_none());
+    let extreme: Vec<_> = extreme.take(MOST_EXTREME_CASES).collect();
+    for exponent in SCALES {
+        for (case, spec) in &extreme {
+            let simplest = of_questions(workers, case, &variations::scaled(spec, exponent))?;
+            if let Some(call) = simplest {
+                return Ok(Some(SimplestCall {
+                    only: Some(only_at(exponent)),
+                    ..call
+                }));
+            }
+        }
+    }
+    for (case, spec) in &extreme {
+        let shortest = shortest(workers, case, spec)?;
+        if shortest.is_some() {
+            return Ok(shortest);
         }
     }
     Ok(None)
 }
 
-/// The simplest call for one failed case.
-fn of_case(
+/// The most failed cases that are looked at again if no simple question shows what is wrong.
+const MOST_EXTREME_CASES: usize = 2;
+
+/// The lengths of extreme questions, as powers of ten: those nearest to ordinary ones first.
+const SCALES: [i32; 7] = [-2, 2, -4, 4, -6, -8, 6];
+
+/// What is said of a call that shows a mistake which no question of ordinary lengths shows.
+fn only_at(exponent: i32) -> String {
+    let factor = 10_u64.pow(exponent.unsigned_abs());
+    match exponent < 0 {
+        true => format!("only for small lengths: no call {factor} times as large shows it"),
+        false => format!("only for large lengths: no call {factor} times as small shows it"),
+    }
+}
+
+/// The most rounds in which the digits of a call are reduced.
+const MOST_ROUNDS: usize = 5;
+
+/// A wrong call of a failed case with as few digits as still show what is wrong; `None` for work whose
+/// numbers cannot be varied.
+fn shortest(
     workers: &StageWorkers,
     case: &CaseResult,
     spec: &Spec,
 ) -> Result<Option<SimplestCall>, GraderError> {
-    let simple = spec.simple();
-    if simple.is_empty() {
+    let faults = case.findings.iter().flat_map(|finding| &finding.faults);
+    let Some(mut current) = faults
+        .map(|fault| fault.call)
+        .next()
+        .and_then(|call| spec.only_call(call as usize))
+    else {
+        return Ok(None);
+    };
+    let mut shortest = None;
+    for _ in 0..MOST_ROUNDS {
+        let before = digits(&current);
+        let mut shorter = variations::shorter(&current);
+        shorter.retain(|spec| digits(spec) < before);
+        shorter.sort_by_key(digits);
+        let found = answered(workers, &shorter)?;
+        let found = found
+            .iter()
+            .find_map(|asked| Some((asked.spec, alike(case, std::slice::from_ref(asked))?)));
+        let Some((spec, call)) = found else {
+            break;
+        };
+        current = spec.clone();
+        shortest = Some(SimplestCall {
+            only: Some(SHORTEST.to_owned()),
+            ..call
+        });
+    }
+    Ok(shortest)
+}
+
+/// What is said of a call of a failed case with fewer digits.
+const SHORTEST: &str = "no simpler call shows it: this is one of the case, rounded";
+
+/// The digits in the input of a question with one call.
+fn digits(spec: &Spec) -> usize {
+    let input = spec.input(0).unwrap_or_default();
+    input.bytes().filter(u8::is_ascii_digit).count()
+}
+
+/// The first of `questions` that shows what is wrong in a failed case.
+fn of_questions(
+    workers: &StageWorkers,
+    case: &CaseResult,
+    questions: &[Spec],
+) -> Result<Option<SimplestCall>, GraderError> {
+    if questions.is_empty() {
         return Ok(None);
     }
-    let endings = workers.run(&simple.iter().collect::<Vec<_>>(), &mut Vec::new())?;
-    let asked = || simple.iter().zip(&endings);
     if case.crash.is_some() {
-        let mut crashed = asked().filter_map(|(spec, ending)| crash(case, spec, ending));
+        let endings = workers.run(&questions.iter().collect::<Vec<_>>(), &mut Vec::new())?;
+        let asked = questions.iter().zip(&endings);
+        let mut crashed = asked.filter_map(|(spec, ending)| crash(case, spec, ending));
         return Ok(crashed.next());
     }
+    Ok(alike(case, &answered(workers, questions)?))
+}
+
+/// A question with its answer, and what is wrong with it.
+struct Asked<'a> {
+    spec: &'a Spec,
+    answer: Answer,
+    findings: Vec<Finding>,
+    wrong: Vec<WrongAnswer>,
+}
+
+/// The questions that the code answers.
+fn answered<'a>(
+    workers: &StageWorkers,
+    questions: &'a [Spec],
+) -> Result<Vec<Asked<'a>>, GraderError> {
+    let endings = workers.run(&questions.iter().collect::<Vec<_>>(), &mut Vec::new())?;
+    let asked = questions.iter().zip(endings);
     // Core judgement: a simple question needs no more than textbook code.
-    let answered = asked().filter_map(|(spec, ending)| {
+    let answered = asked.filter_map(|(spec, ending)| {
         let Ok(Ending::Recorded(record)) = ending else {
             return None;
         };
-        let Outcome::Answered(answer) = &record.outcome else {
+        let Outcome::Answered(answer) = record.outcome else {
             return None;
         };
-        let holes = record.holes.iter().map(|hole| hole.called.clone());
+        let holes = record.holes.into_iter().map(|hole| hole.called);
         let holes: Vec<String> = holes.collect();
-        let judged = judge::judge_each(spec, Tier::Core, answer, &holes);
-        Some((spec, answer, judged))
+        let (findings, wrong) = judge::judge_each(spec, Tier::Core, &answer, &holes);
+        Some(Asked {
+            spec,
+            answer,
+            findings,
+            wrong,
+        })
     });
-    let answered: Vec<_> = answered.collect();
+    Ok(answered.collect())
+}
+
+/// The first wrong call that is wrong in the way of the failed case.
+fn alike(case: &CaseResult, answered: &[Asked<'_>]) -> Option<SimplestCall> {
     let wrong = case.findings.iter().filter(|finding| finding.wrong > 0);
     for target in wrong {
         for likeness in [Likeness::Same, Likeness::Kind] {
-            for (simple, answer, (findings, wrong)) in &answered {
-                let Some(fault) = first_like(target, findings, likeness) else {
+            for asked in answered {
+                let Some(fault) = first_like(target, &asked.findings, likeness) else {
                     continue;
                 };
-                let message = wrong.iter().find(|wrong| {
+                let message = asked.wrong.iter().find(|wrong| {
                     let of_function = |name: &str| wrong.message.starts_with(name);
                     wrong.call == fault.call
                         && wrong.aspect == target.aspect
                         && fault.function.is_none_or(of_function)
                 });
-                let of_call = || wrong.iter().find(|wrong| wrong.call == fault.call);
+                let of_call = || asked.wrong.iter().find(|wrong| wrong.call == fault.call);
                 let Some(message) = message.or_else(of_call) else {
                     continue;
                 };
-                return Ok(Some(SimplestCall {
+                let number = fault.call as usize;
+                return Some(SimplestCall {
                     aspect: Some(target.aspect),
                     result: message.message.clone(),
-                    shown: simple.shown(Tier::Core, fault.call as usize, Some(answer)),
-                    ..call(case, simple, fault.call)
-                }));
+                    shown: asked.spec.shown(Tier::Core, number, Some(&asked.answer)),
+                    ..call(case, asked.spec, fault.call)
+                });
             }
         }
     }
-    Ok(None)
+    None
 }
 
 /// The wrong answers to the simple questions of the cases `specs`, as sentences. Correct code has
@@ -212,6 +329,7 @@ fn call(case: &CaseResult, spec: &Spec, call: u32) -> SimplestCall {
             "On this call the code was wrong as in a failed case of the grader.",
             "simple_call",
         ),
+        only: None,
         shown: None,
     }
 }

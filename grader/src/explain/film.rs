@@ -1,6 +1,6 @@
 //! Draws samples in a pixel and points of a sensor.
 
-use super::Drawing;
+use super::drawing::Drawing;
 use crate::sketch::plot::{Plot, legend};
 use judge::plural;
 use judge::shown::{ShownPixel, ShownRay};

@@ -5,7 +5,7 @@
 //! the normal is in the middle, the horizon is the unit circle, and the area of a light in the disc
 //! is proportional to what a diffuse surface receives from it (Nusselt's analogue).
 
-use super::Drawing;
+use super::drawing::Drawing;
 use crate::sketch::plot::{Plot, legend};
 use judge::plural;
 use judge::shown::ShownPoint;

@@ -4,6 +4,7 @@
 //! triangles, spheres and boxes with the rays at them, `film` samples in a pixel and points of a
 //! sensor, [`hemisphere`] lights above a point. Other kinds of work get a table of their first calls.
 
+mod drawing;
 mod film;
 pub mod hemisphere;
 mod shapes;
@@ -12,6 +13,7 @@ use crate::course::{CaseEntry, Task};
 use crate::report::table::number;
 use crate::report::terminal::Page;
 use crate::report::wrap::{columns, numbers_to_fit, wrap};
+use drawing::Drawing;
 use judge::Tier;
 use judge::cases::{PITFALL, Spec, checked};
 use judge::shown::{ShownCall, ShownRay};
@@ -96,13 +98,6 @@ pub fn case(entry: &CaseEntry, spec: &Spec, golden: Option<&Snapshot>, page: Pag
         let _ = writeln!(text, "{}", line.trim_end());
     }
     text
-}
-
-/// What the calls have in common, drawn.
-struct Drawing {
-    /// What follows the sentence about the inputs.
-    words: String,
-    lines: Vec<String>,
 }
 
 /// The most calls in a table.

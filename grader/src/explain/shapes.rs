@@ -1,6 +1,6 @@
 //! Draws rays at triangles, spheres and boxes.
 
-use super::Drawing;
+use super::drawing::Drawing;
 use crate::sketch::plot::{Plot, legend};
 use judge::expected::HitOrMiss;
 use judge::plural;

@@ -222,6 +222,9 @@ fn details(text: &mut String, report: &TaskReport, Reveal { hint, extra }: Revea
             message::input(call),
             message::found(call)
         );
+        if let Some(only) = &call.only {
+            let _ = writeln!(text, "    ({only})");
+        }
         let sketch = call.shown.as_ref().and_then(Sketch::of);
         for line in sketch.iter().flat_map(|sketch| sketch.text(LONG)) {
             let _ = writeln!(text, "{line}");

@@ -373,7 +373,9 @@ fn show_seeds(task: &str, seeds: u64, graded: &Seeded) {
         graded.accused.len()
     );
     for (seed, version) in &graded.accused {
-        outln!("  ACCUSED: {version} with seed {seed} would be told that it recognizes the questions");
+        outln!(
+            "  ACCUSED: {version} with seed {seed} would be told that it recognizes the questions"
+        );
     }
     for (seed, graded) in &graded.marked_down {
         show_marked_down(&format!("{} with seed {seed}", graded.name), graded);
@@ -392,7 +394,11 @@ fn show_seeds(task: &str, seeds: u64, graded: &Seeded) {
 fn show_simplest(task: &str, found: &Simplest) {
     for shown in &found.shown {
         let call = match &shown.call {
-            Some(call) => format!("{} -> {}", call.input, call.result),
+            Some(call) => {
+                let only = call.only.iter().map(|only| format!(" ({only})"));
+                let only: String = only.collect();
+                format!("{} -> {}{only}", call.input, call.result)
+            }
             None => "no simple call".into(),
         };
         outln!("  {}: {call}", shown.mutant);

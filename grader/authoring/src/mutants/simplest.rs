@@ -124,6 +124,7 @@ mod tests {
                 input: input.into(),
                 result: String::new(),
                 test: None,
+                only: None,
                 shown: None,
             }),
             digits_of_worst: 0,

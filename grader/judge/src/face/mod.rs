@@ -1,6 +1,7 @@
 //! What other crates call: the cases, the judgement of an answer, what is written about it.
 
 pub mod cases;
+pub mod examples;
 pub(crate) mod judgement;
 pub mod moved;
 mod order;

@@ -198,14 +198,18 @@ impl Spec {
     /// case is, and not moved.
     pub fn simple(&self) -> Vec<Spec> {
         let works = self.check.simple(&self.work).into_iter();
-        let simple = works.map(|work| Spec {
+        works.map(|work| self.with_work(work)).collect()
+    }
+
+    /// Another question, judged as the case is, and not moved.
+    pub(crate) fn with_work(&self, work: Work) -> Spec {
+        Spec {
             work,
             picture: None,
             enclosed: false,
             expected_cache: Arc::default(),
             ..self.unmoved()
-        });
-        simple.collect()
+        }
     }
 
     /// The results that score for each probe or ray of a case about single shapes or a list of

@@ -110,10 +110,14 @@ fn simplest(call: &SimplestCall) -> String {
     let label = call.aspect.map_or("a crash", Aspect::label);
     format!(
         "<section class=\"task simplest\"><h2>The simplest call that is wrong: {}</h2>\n{figure}<div>\
-         <p class=\"result bad\">{}</p>\n<p class=\"input\">{}</p></div></section>\n",
+         <p class=\"result bad\">{}</p>\n<p class=\"input\">{}</p>{}</div></section>\n",
         escape(label),
         escape(&message::found(call)),
         escape(&message::input(call)),
+        call.only.as_ref().map_or_else(String::new, |only| format!(
+            "<p class=\"note\">{}.</p>",
+            escape(only)
+        )),
     )
 }
 

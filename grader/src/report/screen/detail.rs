@@ -205,6 +205,9 @@ fn simplest(out: &mut Lines, task: &TaskResult, call: &SimplestCall) {
     }
     out.add(0, RESULT, &format!("  Simplest: {}", message::input(call)));
     out.add(0, RESULT, &format!("    {}", message::found(call)));
+    if let Some(only) = &call.only {
+        out.add(1, NAMES, &format!("    ({only})"));
+    }
     if let Some(sketch) = call.shown.as_ref().and_then(Sketch::of) {
         out.blocks.push(Block {
             rank: 3,

@@ -289,6 +289,7 @@ fn full_marks_are_a_success() {
         input: "a triangle".into(),
         result: "your result: miss; expected: hit at t = 1.0".into(),
         test: None,
+        only: None,
         shown: None,
     });
     let invited = screen(vec![inviting], &context, reveal(HintLevel::Remedy));

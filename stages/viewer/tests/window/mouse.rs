@@ -256,7 +256,10 @@ fn a_dropped_scene_is_opened_and_a_bad_one_leaves_the_last() {
     window.session().apply(Command::Open(bad));
     window.settle();
     assert!(
-        window.session().message().ends_with("is not loaded: see above"),
+        window
+            .session()
+            .message()
+            .ends_with("is not loaded: see above"),
         "{}",
         window.session().message()
     );

@@ -10,6 +10,7 @@ use crate::tools::check::{CaseContext, Check, one_each};
 use crate::tools::moves::{Move, Symmetries};
 use crate::tools::plural;
 use crate::tools::shown::ShownCall;
+use crate::tools::simple::numbers::{self, Number};
 use crate::tools::snapshot::Content;
 use crate::tools::snapshot::Fields;
 use crate::tools::snapshot::lines::{self, each};
@@ -124,6 +125,18 @@ impl Check for kind::Triangles {
     fn colours(answers: &Vec<TriangleAnswer>) -> Option<Vec<Xyz>> {
         let hits = answers.iter().map(|answer| answer.hit.as_ref());
         Some(hits.map(colours::hit).collect())
+    }
+
+    fn vary(work: &mut TriangleWork, change: &mut dyn FnMut(Number, &mut f64)) {
+        for [a, b, c, normals @ ..] in &mut work.triangles {
+            for p in [a, b, c] {
+                numbers::point(p, Number::Length, change);
+            }
+            for n in normals {
+                numbers::point(n, Number::Normal, change);
+            }
+        }
+        numbers::rays(&mut work.probes, change);
     }
 
     fn simple(_: &TriangleWork) -> Vec<TriangleWork> {

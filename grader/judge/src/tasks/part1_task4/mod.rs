@@ -10,6 +10,7 @@ use crate::tools::check::{CaseContext, Check, one_each};
 use crate::tools::moves::{Move, Symmetries};
 use crate::tools::plural;
 use crate::tools::shown::ShownCall;
+use crate::tools::simple::numbers::{self, Number};
 use crate::tools::snapshot::Content;
 use crate::tools::snapshot::Fields;
 use crate::tools::snapshot::lines::{self, each};
@@ -121,6 +122,14 @@ impl Check for kind::Spheres {
     fn colours(answers: &Vec<SphereAnswer>) -> Option<Vec<Xyz>> {
         let hits = answers.iter().map(|answer| answer.hit.as_ref());
         Some(hits.map(colours::hit).collect())
+    }
+
+    fn vary(work: &mut SphereWork, change: &mut dyn FnMut(Number, &mut f64)) {
+        for (center, radius) in &mut work.spheres {
+            numbers::point(center, Number::Length, change);
+            change(Number::Length, radius);
+        }
+        numbers::rays(&mut work.probes, change);
     }
 
     fn simple(_: &SphereWork) -> Vec<SphereWork> {

@@ -10,6 +10,7 @@ use crate::tools::check::{CaseContext, Check, one_each};
 use crate::tools::moves::{AxisMoves, Move, Symmetries, most_if_ordinary, ray_numbers};
 use crate::tools::plural;
 use crate::tools::shown::ShownCall;
+use crate::tools::simple::numbers::{self, Number};
 use crate::tools::snapshot::Content;
 use crate::tools::snapshot::lines::{each, ray_at};
 use crate::tools::snapshot::{Fields, Value, field, forms};
@@ -133,6 +134,13 @@ impl Check for kind::Boxes {
             .iter()
             .map(|inside| inside.map(|[enters, _]| enters));
         Some(entries.map(colours::distance).collect())
+    }
+
+    fn vary(work: &mut BoxWork, change: &mut dyn FnMut(Number, &mut f64)) {
+        for corner in work.boxes.iter_mut().flatten() {
+            numbers::point(corner, Number::Length, change);
+        }
+        numbers::rays(&mut work.probes, change);
     }
 
     fn simple(_: &BoxWork) -> Vec<BoxWork> {

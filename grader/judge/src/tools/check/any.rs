@@ -4,6 +4,7 @@ use super::{CaseContext, Check};
 use crate::tools::Tier;
 use crate::tools::moves::{Move, Symmetries};
 use crate::tools::shown::ShownCall;
+use crate::tools::simple::numbers::Number;
 use crate::tools::snapshot::{Content, Fields};
 use crate::tools::tally::{Aspect, Tally};
 use crate::tools::truth::expected::Expected;
@@ -85,6 +86,9 @@ pub(crate) trait AnyCheck: Debug + Sync {
 
     /// As [`Check::simple`].
     fn simple(&self, work: &Work) -> Vec<Work>;
+
+    /// The work after `change` of its numbers, as by [`Check::vary`].
+    fn varied(&self, work: &Work, change: &mut dyn FnMut(Number, &mut f64)) -> Work;
 
     /// As [`Check::input`].
     fn input(&self, work: &Work, call: usize) -> Option<String>;
@@ -233,6 +237,12 @@ impl<K: Check> AnyCheck for ErasedCheck<K> {
     fn simple(&self, work: &Work) -> Vec<Work> {
         let questions = K::simple(Self::question(work)).into_iter();
         questions.map(K::work).collect()
+    }
+
+    fn varied(&self, work: &Work, change: &mut dyn FnMut(Number, &mut f64)) -> Work {
+        let mut question = Self::question(work).clone();
+        K::vary(&mut question, change);
+        K::work(question)
     }
 
     fn input(&self, work: &Work, call: usize) -> Option<String> {

@@ -14,6 +14,7 @@ pub(crate) use fit::{hits_fit, in_range, one_each, same_length};
 
 use crate::tools::moves::{Move, Symmetries};
 use crate::tools::shown::ShownCall;
+use crate::tools::simple::numbers::Number;
 use crate::tools::snapshot::{Content, Fields};
 use crate::tools::tally::{Aspect, Tally};
 use crate::tools::truth::expected::Expected;
@@ -132,6 +133,10 @@ pub(crate) trait Check: Kind {
     fn simple(_question: &Self::Question) -> Vec<Self::Question> {
         Vec::new()
     }
+
+    /// Calls `change` with each number of the question that another length or fewer digits may
+    /// replace (see [`crate::tools::simple::variations`]); none for work without such numbers.
+    fn vary(_question: &mut Self::Question, _change: &mut dyn FnMut(Number, &mut f64)) {}
 
     /// The input of call number `call`, as text: for reports on calls that have no answer to show it
     /// with. `None` for work whose input is long, or where there is no such call.

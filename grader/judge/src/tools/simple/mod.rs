@@ -9,7 +9,9 @@
 //!
 //! Each kind of work has its own questions, in `simple.rs` of its task.
 
+pub(crate) mod numbers;
 pub(crate) mod rays;
+pub mod variations;
 
 /// How hard it is to work with `numbers` by hand. 0 and an infinite end of a range cost nothing,
 /// small integers little.

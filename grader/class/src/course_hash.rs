@@ -108,3 +108,33 @@ pub fn differences<'a>(a: &'a CourseHash, b: &'a CourseHash) -> Vec<&'a str> {
         .filter(|name| a.get(*name) != b.get(*name));
     differ.map(String::as_str).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const LIST: &str = include_str!("../../../stages/course.toml");
+
+    fn hashed(text: &str) -> String {
+        without_points(Course::parse(text).expect("a course"))
+    }
+
+    /// Of such changes no submission is compiled or run again: the keys of its units stay.
+    #[test]
+    fn points_words_and_dates_ask_no_other_question() {
+        let case = "{ name = \"range\", tier = \"core\", points = 3 }";
+        let other_points = LIST.replacen(
+            case,
+            "{ name = \"range\", tier = \"robust\", points = 4.5 }",
+            1,
+        );
+        let other_words = LIST.replacen("title = \"", "title = \"The ", 1);
+        let term = "\n[term]\nname = \"G\"\nwhen = \"S\"\nlate = { percent_per_day = 10 }\ndates = [{ part = 1, due = 2027-02-15 }]\n";
+        for same in [other_points, other_words, format!("{LIST}{term}")] {
+            assert_ne!(same, LIST);
+            assert_eq!(hashed(&same), hashed(LIST));
+        }
+        let less = LIST.replacen(&format!("    {case},\n"), "", 1);
+        assert_ne!(hashed(&less), hashed(LIST));
+    }
+}

@@ -72,13 +72,13 @@ impl System {
                 "Upload the zip under `Configure Autograder`. It contains the solutions: do not give it to students."
             }
             System::Classroom50 => {
-                "Copy autograder.py to CLASSROOM/autograders/ASSIGNMENT/ of your repository `classroom50`, and register the assignment with `--runtime runtime.json`."
+                "Copy autograder.py to CLASSROOM/autograders/ASSIGNMENT/ of your repository `classroom50`, and register the assignment with `--runtime runtime.json`. It grades outside the sandbox and with seed 0, and a student's code can write its result: it is for feedback. Grade with `cargo grader class`."
             }
             System::Actions => {
                 "Copy first-light.yml to .github/workflows/ of the repository that students start from."
             }
             System::PrairieLearn => {
-                "Build and push image/Dockerfile, write the image's name into info.json, and copy `questions` to your course. The image contains the solutions: keep it private."
+                "Build and push image/Dockerfile, write the image's name into info.json, and copy `questions` to your course. The image contains the solutions: keep it private. PrairieLearn's own servers ask for a public image, so use it only where you host PrairieLearn; elsewhere, grade with `cargo grader class`."
             }
         }
     }

@@ -5,6 +5,7 @@ use base::program::{Exit, path_argument};
 use base::{GraderError, Workspace, outln};
 use clap::{Arg, ArgAction, ArgMatches, Command};
 use grader::book;
+use grader::course::Course;
 use std::path::{Path, PathBuf};
 
 pub(crate) fn command() -> Command {
@@ -37,6 +38,20 @@ fn part_number(value: &str) -> Result<u32, String> {
         .map_err(|_| "expected a part's number, such as 1".to_owned())
 }
 
+/// What students of the handout of `part` write: "To write: 11 functions of 4 tasks in Part 1".
+fn to_write(course: &Course, part: u32) -> String {
+    let parts = course.parts.iter().filter(|other| other.number >= part);
+    let parts = parts.map(|part| {
+        let functions: usize = part.tasks.iter().map(|task| task.holes.len()).sum();
+        format!(
+            "{functions} functions of {} tasks in Part {}",
+            part.tasks.len(),
+            part.number
+        )
+    });
+    format!("To write: {}", parts.collect::<Vec<_>>().join(", "))
+}
+
 pub(crate) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     let part: u32 = *matches.get_one("part").expect("clap requires it");
     let out: &PathBuf = matches.get_one("out").expect("clap requires it");
@@ -51,10 +66,10 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     handout.add_book(&site)?;
     handout.write(out, vendor)?;
     outln!(
-        "{}: {} files written, {} solutions removed. Students start with README.md",
+        "{}: {} files. {}. Students start with README.md",
         out.display(),
         handout.files.len(),
-        handout.removed.len()
+        to_write(&Course::read(&workspace)?, part)
     );
     if vendor {
         let size = vendored::megabytes(out);

@@ -161,6 +161,13 @@ pub(super) fn is_grader_crate(member: &Member) -> bool {
 pub(super) fn carver(course: &Course, part: u32) -> Result<Carver, GraderError> {
     if !course.parts.iter().any(|p| p.number == part) {
         let parts: Vec<String> = course.parts.iter().map(|p| p.number.to_string()).collect();
+        if course.holes().any(|(number, _)| number == part) {
+            return Err(GraderError::new(format!(
+                "part {part} is extra work without points, and has no handout of its own: the handout of each part ({}) has its \
+                 gaps, too",
+                parts.join(", ")
+            )));
+        }
         return Err(GraderError::new(format!(
             "the course has no part {part}. Its parts are {}",
             parts.join(", ")

@@ -7,7 +7,7 @@ use crate::exact_sum::{ExactSum, PixelSum};
 use crate::part_file::PartFile;
 use crate::{Job, Rendered};
 use kit::film::Cell;
-use kit::{FilmSize, PixelEstimate, Spectrum};
+use kit::{Film, FilmSize, PixelEstimate, Spectrum};
 use std::fmt;
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, BufWriter, Read, Write};
@@ -68,6 +68,15 @@ impl SumsFile {
             },
             pixels: job.cell.pixels().map(sum).collect(),
         }
+    }
+
+    /// The means of the pixels in the whole film; black outside of the cell.
+    pub fn film(&self) -> Film {
+        let mut film = Film::new(self.head.film);
+        for ((x, y), sum) in self.head.cell.pixels().zip(&self.pixels) {
+            film.set(x, y, sum.mean());
+        }
+        film
     }
 
     /// Writes the file. The head has to fit the pixels.

@@ -1,7 +1,7 @@
 //! Two pictures side by side: how much they differ.
 
 use kit::{Film, FilmSize};
-use pathtracer::tone;
+use pathtracer::{SumsFile, tone};
 use pictures::Image;
 use std::path::Path;
 
@@ -30,8 +30,16 @@ impl Reference {
         }
     }
 
-    /// Reads a picture file: png, jpg, exr or hdr. The error is a sentence.
+    /// Reads a picture file: png, jpg, exr or hdr, or a part of a picture, sums. The error is a sentence.
     pub fn load(path: &Path) -> Result<Reference, String> {
+        let name = path.display();
+        if path
+            .extension()
+            .is_some_and(|end| end.eq_ignore_ascii_case("sums"))
+        {
+            let sums = SumsFile::read(path).map_err(|why| format!("{name} {why}"))?;
+            return Ok(Reference::of_film(&name.to_string(), &sums.film()));
+        }
         let picture = image::open(path).map_err(|why| format!("{}: {why}", path.display()))?;
         let size = FilmSize {
             w: picture.width(),
@@ -72,6 +80,14 @@ impl Reference {
         Image::from_fn([self.size.w, self.size.h], |x, y| {
             self.get(x, self.size.h - 1 - y)
         })
+    }
+
+    /// The radiance of the pixel in column `x` and row `y`, from the bottom left, if the picture has it.
+    pub fn radiance(&self, x: u32, y: u32) -> Option<[f64; 3]> {
+        let linear = self.linear.as_ref()?;
+        linear
+            .get(y as usize * self.size.w as usize + x as usize)
+            .copied()
     }
 
     /// The bytes of the pixel in column `x` and row `y`, from the bottom left.

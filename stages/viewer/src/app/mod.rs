@@ -1,7 +1,7 @@
 //! Draws the session with egui, and turns its input into commands.
 //!
 //! Reading order: this file (the layout), `input` (keys and files), `view_panel` (the 3D view and
-//! its mouse), `lines` with `scene_lines` and `ray_lines` (grid, boxes, rays), `picture_panel` (the
+//! its mouse), `lines` with `scene_lines` and `ray_lines` (grid, boxes, rays), `picture_panel` with `zoom` and `single_picture` (the
 //! picture and its mouse), `pair_view` (two pictures), `divider` (between them and the view), `case_panel` with `case_lines` (a case of a
 //! report), `side_panel` with `settings_panel`, `compare_panel`, `tree_panel`, `inspector_panel` and
 //! `report_panel`, `text` (short numbers), `problem_panel` (a scene that is not loaded), `sheets` (help, questions).
@@ -23,9 +23,11 @@ mod scene_lines;
 mod settings_panel;
 mod sheets;
 mod side_panel;
+mod single_picture;
 mod text;
 mod tree_panel;
 mod view_panel;
+mod zoom;
 
 use crate::command::Command;
 use crate::features::Feature;

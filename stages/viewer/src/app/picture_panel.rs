@@ -3,15 +3,16 @@
 use super::colors;
 use super::compare_panel::NAMES;
 use super::pair_view::{self, PairTextures, dragged_wipe};
+use super::single_picture::{SinglePicture, image_of};
+use super::zoom::Zoom;
 use crate::command::Command;
 use crate::session::Session;
 use egui::{
-    Align2, Color32, ColorImage, FontId, Pos2, Rect, Response, Sense, Stroke, TextureHandle,
-    TextureOptions, Ui,
+    Align2, Color32, FontId, Pos2, Rect, Response, Sense, Stroke, TextureHandle, TextureOptions, Ui,
 };
 use kit::film::Cell;
 use kit::{Film, FilmSize};
-use pathtracer::tone;
+use pathtracer::tone::Tone;
 
 /// The picture and its textures.
 #[derive(Default)]
@@ -19,6 +20,8 @@ pub(super) struct PicturePanel {
     /// What the texture shows, and the texture.
     shown: Option<(ShownKey, TextureHandle)>,
     pair: PairTextures,
+    single: SinglePicture,
+    zoom: Zoom,
     /// The pixel where a drag in cell mode started.
     cell_start: Option<(u32, u32)>,
 }
@@ -30,6 +33,7 @@ struct ShownKey {
     rate: bool,
     heat: Option<(bool, u64)>,
     render: u64,
+    tone: Tone,
 }
 
 impl PicturePanel {
@@ -40,14 +44,28 @@ impl PicturePanel {
         session: &mut Session,
         commands: &mut Vec<Command>,
     ) {
+        // An enlarged picture ends where its place does.
+        let mut place = ui.new_child(egui::UiBuilder::new().max_rect(rect));
+        place.set_clip_rect(rect.intersect(ui.clip_rect()));
+        let ui = &mut place;
         let response = ui.interact(rect, ui.scope_id().with("picture"), Sense::click_and_drag());
         if self.compare(ui, rect, &response, session) {
-            return;
+            return self.zoom_button(ui, rect);
+        }
+        if let Some(picture) = SinglePicture::of(session) {
+            self.zoom.mouse(ui, &response, rect, picture.size, true);
+            let area = self
+                .zoom
+                .area(rect, picture.size, ui.ctx().pixels_per_point());
+            self.single.paint(ui, area, &picture, session.tone);
+            let hovered = response.hover_pos();
+            session.point_at_pixel(hovered.and_then(|at| pixel_at(area, picture.size, at)));
+            return self.zoom_button(ui, rect);
         }
         let Some(render) = session.render() else {
             let text = match session.scene() {
                 Some(_) => "R renders the picture",
-                None => "Drop a .dae file here, or two pictures to compare",
+                None => "Drop a .dae file here, or pictures: .png, .exr, .hdr, .sums",
             };
             hint(ui, rect, text);
             return;
@@ -61,7 +79,9 @@ impl PicturePanel {
             return;
         }
         let film = render.job().film;
-        let area = fitted(rect, film);
+        let left_moves = !session.cell_mode();
+        self.zoom.mouse(ui, &response, rect, film, left_moves);
+        let area = self.zoom.area(rect, film, ui.ctx().pixels_per_point());
         self.update_texture(ui, session);
         self.paint(ui, area);
         let pixel = |at: Pos2| pixel_at(area, film, at);
@@ -88,6 +108,19 @@ impl PicturePanel {
             commands.push(Command::Inspect(x, y));
         }
         self.paint_marks(ui, area, session, film);
+        self.zoom_button(ui, rect);
+    }
+
+    /// How much the picture is enlarged; a click ends that.
+    fn zoom_button(&mut self, ui: &mut Ui, rect: Rect) {
+        let Some(percent) = self.zoom.percent() else {
+            return;
+        };
+        let at = Rect::from_min_size(rect.min + egui::vec2(8.0, 8.0), egui::vec2(120.0, 22.0));
+        let button = ui.put(at, egui::Button::new(format!("{percent} %: fit again")));
+        if button.clicked() {
+            self.zoom.fit();
+        }
     }
 
     /// Shows two pictures. Returns whether there are two of one size.
@@ -98,7 +131,11 @@ impl PicturePanel {
         else {
             return false;
         };
-        let area = fitted(rect, pair.size());
+        // The left button wipes.
+        self.zoom.mouse(ui, response, rect, pair.size(), false);
+        let area = self
+            .zoom
+            .area(rect, pair.size(), ui.ctx().pixels_per_point());
         let hovered = response.hover_pos();
         session.point_at_pixel(hovered.and_then(|at| pixel_at(area, pair.size(), at)));
         let Some(comparison) = session.comparison_mut() else {
@@ -106,7 +143,7 @@ impl PicturePanel {
         };
         if let Some(at) = response
             .interact_pointer_pos()
-            .filter(|_| response.dragged())
+            .filter(|_| response.dragged_by(egui::PointerButton::Primary))
         {
             comparison.display.wipe = dragged_wipe(area, at);
         }
@@ -144,6 +181,7 @@ impl PicturePanel {
                 (kind == crate::session::HeatKind::Boxes, sum)
             }),
             render: render.number(),
+            tone: session.tone,
         };
         if self.shown.as_ref().is_some_and(|(of, _)| *of == key) {
             return;
@@ -171,7 +209,7 @@ impl PicturePanel {
                 })
             }
             None => image_of(film.size(), |x, y| {
-                pixel_bytes(film, shown.preview.as_ref(), cell, x, y)
+                pixel_bytes(film, shown.preview.as_ref(), cell, session.tone, (x, y))
             }),
         };
         let options = TextureOptions::NEAREST;
@@ -229,10 +267,16 @@ fn rate_bytes(samples: u32, most: u32) -> [u8; 3] {
 }
 
 /// The bytes of a pixel: of the film, else of the preview; `None` before both.
-fn pixel_bytes(film: &Film, preview: Option<&Film>, cell: Cell, x: u32, y: u32) -> Option<[u8; 3]> {
+fn pixel_bytes(
+    film: &Film,
+    preview: Option<&Film>,
+    cell: Cell,
+    tone: Tone,
+    (x, y): (u32, u32),
+) -> Option<[u8; 3]> {
     let pixel = film.get(x, y);
     if pixel.samples > 0 {
-        return Some(tone::to_bytes(pixel.radiance));
+        return Some(tone.to_bytes(pixel.radiance));
     }
     // The pixels of the preview are larger than those of the cell: some reach beyond it.
     let is_in_cell = (cell.x0..cell.x1).contains(&x) && (cell.y0..cell.y1).contains(&y);
@@ -241,28 +285,7 @@ fn pixel_bytes(film: &Film, preview: Option<&Film>, cell: Cell, x: u32, y: u32) 
     let scaled =
         |at: u32, from: u32, to: u32| (u64::from(at) * u64::from(to) / u64::from(from)) as u32;
     let pixel = preview.get(scaled(x, size.w, small.w), scaled(y, size.h, small.h));
-    (pixel.samples > 0).then(|| tone::to_bytes(pixel.radiance))
-}
-
-/// An image whose rows start at the top, of pixels that count from the bottom.
-fn image_of(size: FilmSize, pixel: impl Fn(u32, u32) -> Option<[u8; 3]>) -> ColorImage {
-    let mut pixels = Vec::with_capacity(size.whole().area() as usize);
-    for y in (0..size.h).rev() {
-        for x in 0..size.w {
-            pixels.push(match pixel(x, y) {
-                Some([r, g, b]) => Color32::from_rgb(r, g, b),
-                None => Color32::TRANSPARENT,
-            });
-        }
-    }
-    ColorImage::new([size.w as usize, size.h as usize], pixels)
-}
-
-/// The largest rectangle of the film's shape in the middle of `rect`.
-pub(super) fn fitted(rect: Rect, film: FilmSize) -> Rect {
-    let size = egui::vec2(film.w as f32, film.h as f32);
-    let scale = (rect.width() / size.x).min(rect.height() / size.y);
-    Rect::from_center_size(rect.center(), size * scale)
+    (pixel.samples > 0).then(|| tone.to_bytes(pixel.radiance))
 }
 
 /// The pixel of the film at a point of the window.
@@ -328,7 +351,8 @@ mod tests {
             x1: 3,
             y1: 3,
         };
-        let shown = |x, y| pixel_bytes(&film, Some(&preview), cell, x, y).is_some();
+        let tone = Tone::default();
+        let shown = |x, y| pixel_bytes(&film, Some(&preview), cell, tone, (x, y)).is_some();
         assert!(shown(0, 0) && shown(2, 2));
         assert!(!shown(3, 2) && !shown(2, 3));
     }

@@ -1,16 +1,19 @@
 //! The settings of renders, and the progress of the one that runs.
 
 use super::side_panel::facts;
+use super::single_picture::{self, SinglePicture};
 use super::text::SMALL;
 use super::{compare_panel, key_button};
 use crate::command::Command;
+use crate::compare::Reference;
 use crate::features::{Feature, MissingFeatures};
 use crate::session::{HeatKind, Session};
 use crate::settings::Change;
 use crate::task::StageFailure;
 use egui::{ComboBox, DragValue, Key, ProgressBar, RichText, Ui};
 use pathtracer::DirectSampling;
-use pathtracer::args::SamplerName;
+use pathtracer::args::{AccelName, SamplerName};
+use pathtracer::tone::{Tone, ToneCurve};
 
 /// The settings of the next render.
 pub(super) fn settings(ui: &mut Ui, session: &mut Session, commands: &mut Vec<Command>) {
@@ -103,6 +106,15 @@ pub(super) fn settings(ui: &mut Ui, session: &mut Session, commands: &mut Vec<Co
                 }
             });
             ui.end_row();
+            let mut accel = session.accel();
+            let accels = [
+                (AccelName::Simd, "Part 6", None),
+                (AccelName::Bvh, "the stages", None),
+                (AccelName::Brute, "no tree", None),
+            ];
+            choice(ui, "traced by", &mut accel, &accels);
+            session.set_accel(accel);
+            tone(ui, &mut session.tone);
             let label = ui.label("roulette").id;
             ui.checkbox(&mut settings.light.roulette, "")
                 .labelled_by(label);
@@ -113,8 +125,49 @@ pub(super) fn settings(ui: &mut Ui, session: &mut Session, commands: &mut Vec<Co
         if ui.button("Camera to file (D)").clicked() {
             commands.push(Command::DumpCamera);
         }
-        ui.label(RichText::new(settings.flags()).size(SMALL).weak());
+        let flags = settings.flags() + &tone_flags(session.tone);
+        ui.label(RichText::new(flags).size(SMALL).weak());
     });
+}
+
+/// The tone curves and their flags.
+const CURVES: [(ToneCurve, &str); 3] = [
+    (ToneCurve::Assignment, "assignment"),
+    (ToneCurve::Filmic, "filmic"),
+    (ToneCurve::Agx, "agx"),
+];
+
+/// How radiance becomes the bytes of pictures, as with `--exposure` and `--tone`.
+fn tone(ui: &mut Ui, tone: &mut Tone) {
+    let label = ui.label("exposure, tone").id;
+    ui.horizontal(|ui| {
+        let stops = DragValue::new(&mut tone.exposure).range(-20.0..=20.0);
+        let stops = stops.speed(0.05).max_decimals(2);
+        ui.add(stops).labelled_by(label);
+        let name = CURVES.iter().find(|(curve, _)| *curve == tone.curve);
+        let field = ComboBox::from_id_salt("tone").width(80.0);
+        let field = field.selected_text(name.map_or("", |(_, name)| name));
+        let shown = field.show_ui(ui, |ui| {
+            for (curve, name) in CURVES {
+                ui.selectable_value(&mut tone.curve, curve, name);
+            }
+        });
+        shown.response.labelled_by(label);
+    });
+    ui.end_row();
+}
+
+/// The flags of the program for a tone that is not its default.
+fn tone_flags(tone: Tone) -> String {
+    let mut flags = String::new();
+    if tone.exposure != 0.0 {
+        flags += &format!(" --exposure {}", tone.exposure);
+    }
+    let name = CURVES.iter().find(|(curve, _)| *curve == tone.curve);
+    if let Some((_, name)) = name.filter(|_| tone.curve != ToneCurve::default()) {
+        flags += &format!(" --tone {name}");
+    }
+    flags
 }
 
 /// What waits for a task, greyed.
@@ -182,7 +235,10 @@ pub(super) fn progress(ui: &mut Ui, session: &mut Session, commands: &mut Vec<Co
     ui.heading("Render");
     let Some(render) = session.render() else {
         ui.weak("R renders the picture.");
-        return;
+        if let Some(picture) = SinglePicture::of(session) {
+            of_file(ui, session, &picture);
+        }
+        return compare_panel::show(ui, session, commands);
     };
     let (progress, pass) = {
         let shown = render.shown();
@@ -271,6 +327,24 @@ pub(super) fn progress(ui: &mut Ui, session: &mut Session, commands: &mut Vec<Co
     compare_panel::show(ui, session, commands);
 }
 
+/// The pixel of a file under the mouse.
+fn of_file(ui: &mut Ui, session: &mut Session, picture: &Reference) {
+    egui::Grid::new("tone of a file").show(ui, |ui| tone(ui, &mut session.tone));
+    let mut rows = vec![("size", format!("{} x {}", picture.size.w, picture.size.h))];
+    if let Some((x, y)) = session.pixel_under_pointer()
+        && x < picture.size.w
+        && y < picture.size.h
+    {
+        rows.push(("pixel", format!("{x} {y}")));
+        if let Some(radiance) = picture.radiance(x, y) {
+            rows.push(("linear", radiance.map(|c| format!("{c:.5}")).join(" ")));
+        }
+        let [r, g, b] = single_picture::bytes(picture, session.tone, x, y);
+        rows.push(("8 bit", format!("{r} {g} {b}")));
+    }
+    facts(ui, "file", &rows);
+}
+
 /// The pixel under the mouse.
 fn under_pointer(ui: &mut Ui, session: &Session) {
     let (Some(render), Some((x, y))) = (session.render(), session.pixel_under_pointer()) else {
@@ -282,7 +356,7 @@ fn under_pointer(ui: &mut Ui, session: &Session) {
         return;
     }
     let pixel = render.shown().film.get(x, y);
-    let [r, g, b] = pathtracer::tone::to_bytes(pixel.radiance);
+    let [r, g, b] = session.tone.to_bytes(pixel.radiance);
     let mut rows = vec![
         ("pixel", format!("{x} {y}")),
         (

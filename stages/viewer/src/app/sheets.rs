@@ -59,6 +59,7 @@ fn help(ui: &mut Ui) {
     let columns = ((ui.available_width() / COLUMN) as usize).clamp(1, 2);
     let half = bindings.len().div_ceil(columns);
     ui.horizontal_top(|ui| {
+        ui.spacing_mut().item_spacing.x = 28.0;
         for (i, column) in bindings.chunks(half).enumerate() {
             Grid::new(("keys", i))
                 .num_columns(3)
@@ -87,8 +88,8 @@ fn mouse(ui: &mut Ui) {
                     "Left drag",
                     "rotate the view; move a selected vertex; draw a cell; wipe two pictures",
                 ),
-                ("Right drag", "move the view"),
-                ("Wheel", "zoom"),
+                ("Right drag", "move the view, or an enlarged picture"),
+                ("Wheel", "zoom; in the picture: enlarge it at the mouse"),
                 ("Click", "select; in the picture: replay the pixel"),
                 ("Drop a file", ".dae: open it; a picture: compare with it"),
             ] {

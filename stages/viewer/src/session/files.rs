@@ -57,6 +57,7 @@ impl Session {
         rate: Option<u32>,
     ) -> Result<(), String> {
         let output = Output::create(path).map_err(|why| why.to_string())?;
+        let output = output.with_tone(self.tone);
         let written = match rate {
             Some(samples) => output.write_rate(film, cell, samples),
             None => output.write(film, cell),

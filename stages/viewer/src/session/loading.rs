@@ -7,6 +7,7 @@ use crate::scene_data::{Opened, modified};
 use crate::settings::RenderSettings;
 use crate::task::Task;
 use crate::tree_walk::TreeWalk;
+use pathtracer::args::AccelName;
 use std::env;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -67,6 +68,19 @@ impl Session {
             progress,
             task,
         });
+    }
+
+    /// How hits are found.
+    pub fn accel(&self) -> AccelName {
+        self.args.accel
+    }
+
+    /// Finds hits in another way. The scene is read again.
+    pub fn set_accel(&mut self, accel: AccelName) {
+        if self.args.accel != accel {
+            self.args.accel = accel;
+            self.reload();
+        }
     }
 
     /// Reads the scene file again. The camera stays.

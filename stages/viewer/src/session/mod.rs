@@ -43,6 +43,7 @@ use crate::view3d::{Patience, View3d};
 use editing::{Edit, FoundTopology};
 use kit::Vec2;
 use pathtracer::args::Args;
+use pathtracer::tone::Tone;
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -80,6 +81,8 @@ pub struct Session {
     /// The flags of the program.
     args: Args,
     wake: Wake,
+    /// How radiance becomes the bytes of pictures.
+    pub tone: Tone,
     /// How long an update may wait for background work.
     pub patience: Patience,
     /// Where files are written.
@@ -140,6 +143,7 @@ impl Session {
     pub fn new(args: Args, wake: Wake) -> Session {
         let path = args.scene.clone();
         let mut session = Session {
+            tone: args.tone(),
             args,
             wake,
             patience: Patience::WINDOW,

@@ -110,3 +110,33 @@ fn noise_is_no_difference_and_maps_wait_for_the_end_of_a_comparison() {
     window.press(Key::T);
     assert!(window.session().shows_rate());
 }
+
+/// A picture file is shown alone, with the values under the mouse.
+#[test]
+fn a_single_picture_is_shown_with_its_values() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("a.exr");
+    let pixels =
+        image::Rgb32FImage::from_fn(32, 24, |x, _| image::Rgb([x as f32 / 8.0, 0.25, 0.5]));
+    pixels.save(&path).expect("a file");
+    let mut window = Window::with(session("--exposure 1", ""), [900.0, 600.0]);
+    window.session().apply(Command::CompareWith(path));
+    window.settle();
+    window
+        .harness
+        .event(egui::Event::PointerMoved(egui::pos2(200.0, 300.0)));
+    window.settle();
+    let (x, y) = window.session().pixel_under_pointer().expect("a pixel");
+    assert!(x < 32 && y < 24);
+    let linear = format!("{:.5} 0.25000 0.50000", x as f32 / 8.0);
+    window.harness.get_by_label(&linear);
+    let expected = window
+        .session()
+        .tone
+        .to_bytes([f64::from(x) / 8.0, 0.25, 0.5].into());
+    // The mouse is drawn, too: elsewhere in the same column.
+    window.harness.remove_cursor();
+    window.settle();
+    let picture = window.harness.render().expect("a picture");
+    assert_eq!(picture.get_pixel(200, 330).0[..3], expected);
+}

@@ -321,3 +321,60 @@ fn the_picture_and_the_view_share_the_window_as_one_drags() {
     let moved = column(&mut window) - before;
     assert!((moved - 90.0).abs() <= 2.0, "{moved}");
 }
+
+/// The wheel enlarges the picture, a drag moves it, and the pixel under the mouse is still the one that
+/// a click replays.
+#[test]
+fn an_enlarged_picture_is_moved_and_its_pixels_are_replayed() {
+    let mut window = window();
+    window.press(Key::R);
+    let pixel = |window: &mut Window| window.session().pixel_under_pointer();
+    window.scroll(MIDDLE, 120.0);
+    let before = pixel(&mut window).expect("a pixel");
+    let at = MIDDLE + egui::vec2(60.0, 0.0);
+    window.drag(PointerButton::Primary, MIDDLE, at);
+    assert_eq!(
+        pixel(&mut window),
+        Some(before),
+        "the picture follows the mouse"
+    );
+    window.click(at);
+    let replayed = window.session().inspector.inspected().expect("a replay");
+    assert_eq!(replayed.replay.pixel, before);
+}
+
+/// With the flags of the program the window shows the bytes that the program writes.
+#[test]
+fn exposure_and_tone_are_those_of_the_program() {
+    let flags = "-r 40 30 -s 2 --exposure 1.5 --tone filmic";
+    let mut window = Window::open(flags, "cornell_spheres.dae");
+    window.press(Key::R);
+    let tone = window.session().tone;
+    assert_eq!(tone.exposure, 1.5);
+    let radiance = window
+        .session()
+        .render()
+        .expect("a render")
+        .shown()
+        .film
+        .get(20, 15)
+        .radiance;
+    let expected = tone.to_bytes(radiance);
+    assert_ne!(
+        expected,
+        pathtracer::tone::to_bytes(radiance),
+        "it makes a difference"
+    );
+    window.harness.remove_cursor();
+    window.settle();
+    let picture = window.harness.render().expect("a picture");
+    // A pixel of the picture is more than ten points wide.
+    let shown = |bytes: [u8; 3]| {
+        picture
+            .pixels()
+            .filter(|pixel| pixel.0[..3] == bytes)
+            .count()
+    };
+    let found = shown(expected);
+    assert!(found > 100, "{found} pixels have {expected:?}");
+}

@@ -4,9 +4,8 @@ use crate::failure::Failure;
 use crate::outputs::{self, PictureFile};
 use base::{errln, outln};
 use clap::Parser;
-use kit::Film;
 use pathtracer::args::{RateScaleName, ToneName, stops};
-use pathtracer::{Output, OutputError, SumsFile, Tone, merge, rate_picture};
+use pathtracer::{Output, OutputError, Tone, merge, rate_picture};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -83,7 +82,7 @@ pub(crate) fn run(args: &MergeArgs) -> Result<ExitCode, Failure> {
             head.first_sample
         );
     }
-    let film = film_of(&merged);
+    let film = merged.film();
     match file {
         PictureFile::Picture(file) => file.write(&film, cell)?,
         PictureFile::Sums(file) => merged
@@ -97,13 +96,4 @@ pub(crate) fn run(args: &MergeArgs) -> Result<ExitCode, Failure> {
         outln!("Wrote       {}", path.display());
     }
     Ok(ExitCode::SUCCESS)
-}
-
-/// The pixels of the whole film; black outside the cell.
-fn film_of(merged: &SumsFile) -> Film {
-    let mut film = Film::new(merged.head.film);
-    for ((x, y), sum) in merged.head.cell.pixels().zip(&merged.pixels) {
-        film.set(x, y, sum.mean());
-    }
-    film
 }

@@ -3,10 +3,13 @@
 //! Points depend on how many boxes and primitives a traversal tests. The worker counts them, but code
 //! that breaks the compiler's checks could change its memory. So of some rays of a submission the
 //! worker gets no results ([`wire::work::ScriptedRay::is_hidden`]). It cannot answer these without
-//! asking, and its counts must be those of its questions. Which rays these are is drawn for each run.
+//! asking, and its counts must be those of its questions. Which rays these are is drawn for each run, so
+//! the others cannot have fewer tests ([`Excess`]).
 
+use super::excess::Excess;
 use std::collections::HashMap;
 use std::hash::{BuildHasher, RandomState};
+use wire::answer::TraverseAnswer;
 use wire::question::{Question, Reply};
 use wire::work::ScriptedRay;
 use wire::{Answer, Case, Outcome, Record, Work};
@@ -14,11 +17,16 @@ use wire::{Answer, Case, Outcome, Record, Work};
 /// Of so many rays of a case, one is hidden.
 const ONE_OF: u64 = 4;
 
+/// Of so many rays of a case, the first ones, one is always hidden: more often than others.
+const FIRST: u64 = ONE_OF;
+
 /// The questions about the cases of one worker.
 pub(crate) struct Asked<'a> {
     cases: &'a [Case],
     /// What was asked for a hidden ray: its case and its call.
     counts: HashMap<(u32, u32), Counts>,
+    /// How far hidden rays have more tests than the others.
+    excess: Excess,
     /// How a record shows that something changed the worker's counts, if one does.
     why_changed: Option<String>,
 }
@@ -35,6 +43,7 @@ impl<'a> Asked<'a> {
         Asked {
             cases,
             counts: HashMap::new(),
+            excess: Excess::default(),
             why_changed: None,
         }
     }
@@ -48,7 +57,7 @@ impl<'a> Asked<'a> {
             let Work::Traverse(world) = &mut case.work else {
                 continue;
             };
-            let first = draw.hash_one(number) % ONE_OF;
+            let first = draw.hash_one(number) % FIRST;
             for (ray, call) in world.rays.iter_mut().zip(0..) {
                 let drawn = draw.hash_one((number, call)) % ONE_OF;
                 // One in each case with a few rays, too.
@@ -120,7 +129,25 @@ impl<'a> Asked<'a> {
                 return Err(why);
             }
         }
-        Ok(())
+        self.compare(record.case, answers)
+    }
+
+    /// Compares the counts of hidden rays with those of the others. If all cases so far show that
+    /// hidden rays have more tests, a sentence says so.
+    fn compare(&mut self, case: u32, answers: &[TraverseAnswer]) -> Result<(), String> {
+        let calls = (0..).zip(answers).skip(FIRST as usize);
+        let tests = calls.map(|(call, answer)| {
+            let all = u64::from(answer.box_tests) + u64::from(answer.prim_tests);
+            (all, self.counts.contains_key(&(case, call)))
+        });
+        let tests: Vec<(u64, bool)> = tests.collect();
+        self.excess.add(&tests);
+        if !self.excess.is_certain() {
+            return Ok(());
+        }
+        let why = "it makes more tests for the rays whose tests the grader counts than it counts for the others, which chance does not explain";
+        self.why_changed = Some(why.to_string());
+        Err(why.to_string())
     }
 }
 
@@ -135,7 +162,6 @@ fn scripted(cases: &[Case], case: u32, call: u32) -> Option<&ScriptedRay> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use wire::answer::TraverseAnswer;
 
     /// A case of part2.task3 with scripted rays, alone.
     fn cases() -> Vec<Case> {

@@ -11,6 +11,7 @@ mod asked;
 mod channel;
 pub mod crash;
 pub mod death;
+mod excess;
 pub mod launcher;
 pub mod printed;
 pub mod records;

@@ -66,6 +66,28 @@ fn is_by_heart(drawn: &[CaseResult], known: &[CaseResult]) -> bool {
     known > 0.0 && known >= MOST * all && lost >= MOST * known
 }
 
+/// Whether code that contains a table of answers ([`crate::scan::table`]) has them from there: it is
+/// right in most cases whose questions are only moved, and fails those that the seed draws. Code can
+/// undo a move before it looks into the table.
+pub(crate) fn has_answers_from_a_table(drawn: &[CaseResult]) -> bool {
+    let core = |fresh: bool| {
+        let cases = drawn.iter().filter(|case| case.tier == Tier::Core);
+        cases.filter(move |case| case.name.starts_with(FRESH) == fresh)
+    };
+    let (earned, all) = core(false).fold((0.0, 0.0), |(earned, all), case| {
+        (earned + case.earned, all + case.max_score)
+    });
+    core(true).any(fails_often) && earned >= MOST * all
+}
+
+/// What is said about a task whose answers come from a table.
+pub(crate) fn sentence_about_a_table(task: &Task, seed: u64) -> String {
+    format!(
+        "{}: no points: its stage contains a table, and it answers the questions that students have, moved, but not those whose numbers the seed {seed} draws. It has the answers from the table",
+        task.key
+    )
+}
+
 /// What is said about such a task.
 pub(crate) fn sentence(task: &Task, seed: u64) -> String {
     format!(
@@ -171,6 +193,30 @@ mod tests {
         ));
         // Code that knows little loses little.
         assert!(!is_by_heart(&cases([60; 4]), &cases([60, 60, 60, 0])));
+    }
+
+    #[test]
+    fn answers_from_a_table_are_right_in_all_cases_but_the_fresh_ones() {
+        let result = |wrong: [u32; 3], earned: [f64; 3]| {
+            let names = ["a", "b", "fresh_rays"];
+            let cases = names.iter().zip(wrong).zip(earned);
+            let cases = cases.map(|((name, wrong), earned)| CaseResult {
+                earned,
+                ..case(name, wrong)
+            });
+            cases.collect::<Vec<_>>()
+        };
+        assert!(has_answers_from_a_table(&result(
+            [0, 0, 30],
+            [1.0, 1.0, 0.0]
+        )));
+        // It knows the answers; it is right; it is as wrong in the others.
+        assert!(!has_answers_from_a_table(&result(
+            [0, 0, 2],
+            [1.0, 1.0, 0.0]
+        )));
+        assert!(!has_answers_from_a_table(&result([0; 3], [1.0; 3])));
+        assert!(!has_answers_from_a_table(&result([30; 3], [0.0; 3])));
     }
 
     #[test]

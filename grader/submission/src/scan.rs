@@ -28,25 +28,41 @@ const MOST_LITERALS: usize = 3000;
 /// A sentence if the files of `stage` contain so many numbers and strings that they may be a table of
 /// answers. Honest code may have them, too: a person should look.
 pub fn table(stage: &str, files: &Files) -> Option<String> {
-    let literals = files.values().map(|text| {
-        let code = String::from_utf8_lossy(text);
-        let mut scanner = Scanner::new(&code);
-        let is_number = |token: &Token| token.text.starts_with(|c: char| c.is_ascii_digit());
-        let mut bytes = 0;
-        while let Some(token) = scanner.next() {
-            bytes += if is_number(&token) {
-                token.text.len()
-            } else {
-                0
-            };
-        }
-        bytes + scanner.quoted
-    });
+    let literals = files
+        .values()
+        .map(|text| literals(&String::from_utf8_lossy(text)));
     let bytes: usize = literals.sum();
     (bytes > MOST_LITERALS).then(|| {
         format!("stages/{stage}/src: {bytes} bytes of numbers and strings, which may be a table of answers")
     })
 }
+
+/// The bytes of all numbers, strings and characters in the code, without those of tests.
+fn literals(code: &str) -> usize {
+    let mut scanner = Scanner::new(code);
+    let is_number = |token: &Token| token.text.starts_with(|c: char| c.is_ascii_digit());
+    let (mut bytes, mut tests) = (0, 0);
+    let mut attribute = TEST_ATTRIBUTE.iter();
+    while let Some(token) = scanner.next() {
+        if is_number(&token) {
+            bytes += token.text.len();
+        }
+        if attribute.as_slice().first() == Some(&token.text.as_str()) {
+            attribute.next();
+        } else {
+            attribute = TEST_ATTRIBUTE.iter();
+        }
+        if attribute.len() == 0 {
+            let before = scanner.quoted;
+            scanner.skip_item();
+            tests += scanner.quoted - before;
+        }
+    }
+    bytes + scanner.quoted - tests
+}
+
+/// The tokens of the attribute of code that is compiled for tests only.
+const TEST_ATTRIBUTE: [&str; 7] = ["#", "[", "cfg", "(", "test", ")", "]"];
 
 const READS_FILES: &str =
     "reads another file while the stage is compiled: write its contents into the source file";
@@ -214,6 +230,22 @@ impl<'a> Scanner<'a> {
         self.skip(bytes.unwrap_or(self.rest.len()));
     }
 
+    /// Skips an item, such as a module.
+    fn skip_item(&mut self) {
+        let mut depth = 0_usize;
+        while let Some(token) = self.next() {
+            match token.text.as_str() {
+                "{" => depth += 1,
+                "}" => depth = depth.saturating_sub(1),
+                ";" => {}
+                _ => continue,
+            }
+            if depth == 0 {
+                return;
+            }
+        }
+    }
+
     fn next(&mut self) -> Option<Token> {
         loop {
             let first = self.rest.chars().next()?;
@@ -366,7 +398,13 @@ mod tests {
         ] {
             assert!(about(table).is_some());
         }
-        // Comments and code are no table.
+        // A student's own tests, comments and code are no table.
+        let tests = format!(
+            "#[cfg(test)]\nmod tests {{ use super::*; const T: &str = \"{text}\"; {} }}",
+            numbers(2000)
+        );
+        assert_eq!(about(tests.clone()), None);
+        assert!(about(format!("{tests} {}", numbers(2000))).is_some());
         assert_eq!(
             about(format!("// {text}\n/* {text} */ fn f() {{}}").repeat(3)),
             None

@@ -106,7 +106,7 @@ fn a_copy_with_other_blanks_comments_and_names_is_found() {
         "{}",
         found[0].expected
     );
-    let page = page::page(students.len(), &found, &[]);
+    let page = page::page(students.len(), &found, &[], &[]);
     assert!(
         page.contains("let total = ") || page.contains("let mut total = "),
         "{page}"
@@ -169,4 +169,38 @@ fn the_handout_and_textbook_code_of_the_course_are_nobodys() {
             "the solution is nobody's"
         );
     }
+}
+
+/// Whoever pastes the exact arithmetic or the walk through a tree from a handout is shown, whatever
+/// the names are; correct variants and the reference are not.
+#[test]
+fn code_of_the_grader_in_a_stage_is_shown() {
+    let workspace = Workspace::above(Path::new(env!("CARGO_MANIFEST_DIR"))).expect("a workspace");
+    let graders = class::alike::of_the_grader(&workspace).expect("it can be read");
+    let known = known(&workspace, "bvh").expect("it can be read");
+    let student = |name: &str, files: &submission::file_tree::Files| Student {
+        name: name.into(),
+        stages: BTreeMap::from([("bvh".to_string(), Source::new(files, &known))]),
+    };
+    let walk = &graders[Path::new("grader/judge/src/tools/truth/tree_tests.rs")];
+    let walk = String::from_utf8_lossy(walk);
+    let start = walk.find("fn walk(").expect("the walk is there");
+    let renamed = walk[start..]
+        .replace("tests", "count")
+        .replace("next", "todo");
+    let pasted = BTreeMap::from([(PathBuf::from("lib.rs"), renamed.into_bytes())]);
+    let reference =
+        submission::file_tree::Files::from_iter(["construct.rs", "traverse.rs"].map(|name| {
+            let path = workspace.root().join("stages/bvh/src").join(name);
+            (
+                PathBuf::from(name),
+                std::fs::read(path).expect("it can be read"),
+            )
+        }));
+    let students = [student("honest", &reference), student("pasted", &pasted)];
+    let found = pairs::pasted(&student("the grader", &graders), &students);
+    assert_eq!(names(&found), [["pasted", "the grader"]]);
+    let page = page::page(2, &[], &[], &found);
+    assert!(page.contains("Passages of the grader's own code"));
+    assert!(page.contains("tree_tests.rs"));
 }

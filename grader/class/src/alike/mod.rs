@@ -16,7 +16,7 @@ use base::{GraderError, Workspace};
 use grader::course::sources;
 use passages::Known;
 use std::path::{Path, PathBuf};
-use submission::file_tree::Files;
+use submission::file_tree::{self, Files};
 
 /// What all students of a stage have or may have: the text around its solutions, and the correct
 /// variants that the course knows.
@@ -41,6 +41,31 @@ pub fn given(workspace: &Workspace, stage: &str) -> Result<Files, GraderError> {
             std::fs::read_to_string(&path).map_err(|e| GraderError::file("read", &path, e))?;
         let below: PathBuf = path.strip_prefix(&folder).unwrap_or(&path).into();
         Ok((below, without_solutions(&text).into_bytes()))
+    });
+    files.collect()
+}
+
+/// The folders below `grader/` whose code could be pasted into a stage: what judges, and the exact
+/// arithmetic.
+const GRADERS: [&str; 3] = ["judge", "oracle", "review"];
+
+/// The code of the grader, as a handout has it.
+pub fn of_the_grader(workspace: &Workspace) -> Result<Files, GraderError> {
+    let root = workspace.root();
+    let is_judge = |path: &PathBuf| {
+        let mut folders = GRADERS
+            .iter()
+            .map(|name| Path::new("grader").join(name).join("src"));
+        folders.any(|folder| path.starts_with(folder))
+            && path.extension().is_some_and(|e| e == "rs")
+    };
+    let paths = file_tree::workspace_paths(root)?
+        .into_iter()
+        .filter(is_judge);
+    let files = paths.map(|path| {
+        let text = file_tree::read(root, &path)?;
+        let text = without_solutions(&String::from_utf8_lossy(&text));
+        Ok((path, text.into_bytes()))
     });
     files.collect()
 }

@@ -1,14 +1,14 @@
 //! The page of what submissions have in common, with the passages side by side.
 
-use super::pairs::{Common, EXPECTED, LARGE_SHARE, Pair, SharedPassage};
+use super::pairs::{Common, EXPECTED, LARGE_SHARE, PASTED, Pair, SharedPassage};
 use super::passages::CERTAIN;
 use super::source::Excerpt;
 use crate::pages::{expected_pairs, page as whole_page};
 use maud::{Markup, html};
 use submission::Untrusted;
 
-/// The page about `students` submissions.
-pub fn page(students: usize, pairs: &[Pair], common: &[Common]) -> String {
+/// The page about `students` submissions. `pasted` are their passages from the grader's code.
+pub fn page(students: usize, pairs: &[Pair], common: &[Common], pasted: &[Pair]) -> String {
     let body = html! {
         h1 { "Code in common" }
         p {
@@ -21,6 +21,11 @@ pub fn page(students: usize, pairs: &[Pair], common: &[Common]) -> String {
         }
         @if pairs.is_empty() { p { "No pair of submissions is listed." } }
         @for pair in pairs { (section(pair)) }
+        @if !pasted.is_empty() {
+            h2 { "Passages of the grader's own code" }
+            p { "A handout contains the code that judges. These stages have at least " (PASTED) " equal tokens in a row, about eight lines, in common with it." }
+            @for pair in pasted { (from_the_grader(pair)) }
+        }
         @if !common.is_empty() {
             h2 { "Passages that many have" }
             p { "Each comes from a book, a lecture or a page rather than from one of them." }
@@ -36,6 +41,15 @@ fn section(pair: &Pair) -> Markup {
         p.soft { "Pairs of this class expected to have all of this in common by chance: " (expected_pairs(pair.expected)) "." }
         @for stage in &pair.stages {
             h3 { (stage.stage) ": " (percent(stage.share)) " of the shorter code" }
+            @for passage in &stage.passages { (side_by_side(pair, passage)) }
+        }
+    }
+}
+
+fn from_the_grader(pair: &Pair) -> Markup {
+    html! {
+        @for stage in &pair.stages {
+            h3 { (pair.names[0].line()) ", " (stage.stage) }
             @for passage in &stage.passages { (side_by_side(pair, passage)) }
         }
     }

@@ -101,6 +101,27 @@ pub fn pairs(students: &[Student]) -> Vec<Pair> {
     listed
 }
 
+/// The fewest tokens of a passage that looks pasted from the grader: the grader has so much code that
+/// a shorter run may be equal by chance.
+pub const PASTED: usize = 60;
+
+/// What students have in common with the code of the grader: long passages only. `grader` has it as
+/// each stage. The students with most of it first.
+pub fn pasted(grader: &Student, students: &[Student]) -> Vec<Pair> {
+    let with_passages = students.iter().filter_map(|student| {
+        let both = [student.clone(), grader.clone()];
+        let mut pair = pair(&both, &owners(&both), [0, 1]);
+        for stage in &mut pair.stages {
+            stage.passages.retain(|passage| passage.tokens >= PASTED);
+        }
+        pair.stages.retain(|stage| !stage.passages.is_empty());
+        (!pair.stages.is_empty()).then_some(pair)
+    });
+    let mut pasted: Vec<Pair> = with_passages.collect();
+    pasted.sort_by(|a, b| b.share().total_cmp(&a.share()).then(a.names.cmp(&b.names)));
+    pasted
+}
+
 /// Who has each fingerprint of each stage.
 type Owners<'a> = BTreeMap<(&'a str, u64), BTreeSet<usize>>;
 

@@ -76,16 +76,27 @@ pub(super) fn run(
         students.push(Student { name, stages });
     }
     let (pairs, common) = (pairs::pairs(&students), pairs::common(&students));
+    let of_the_grader = alike::of_the_grader(workspace)?;
+    let as_stages = known.iter().map(|(stage, known)| {
+        let source = Source::new(&of_the_grader, known);
+        ((*stage).to_string(), source)
+    });
+    let grader = Student {
+        name: Untrusted::from("the grader"),
+        stages: as_stages.collect(),
+    };
+    let pasted = pairs::pasted(&grader, &students);
     let path = out.join("alike.html");
     write_whole(
         &path,
-        page::page(students.len(), &pairs, &common).as_bytes(),
+        page::page(students.len(), &pairs, &common, &pasted).as_bytes(),
     )?;
     outln!(
-        "{} submissions compared: {} pairs to ask about, {} passages that many have: {}",
+        "{} submissions compared: {} pairs to ask about, {} passages that many have, {} with code of the grader: {}",
         students.len(),
         pairs.len(),
         common.len(),
+        pasted.len(),
         path.display()
     );
     outln!("the same with JPlag: {}", jplag::command(&folder));

@@ -4,14 +4,16 @@ use super::colors::{self, Pattern, pattern};
 use super::lines::{Hidden, Lines};
 use crate::inspector::Inspector;
 use crate::session::Session;
+use crate::task::guarded;
 use crate::topology::corners;
 use egui::{Color32, Stroke, Ui};
-use kit::camera::half_tan;
-use kit::{Camera, FilmSize, Vec2, Vec3};
+use kit::{Camera, FilmSize, Vec2};
 use pathtracer::RayRole;
 use pathtracer::replay::{Outcome, RayRecord, Test, Visit};
+use raygen::generate_ray;
 
-/// A camera: its pyramid of view up to `depth`, and the grid of its pixels if there are few.
+/// A camera: its pyramid of view up to `depth`, and the grid of its pixels if there are few. Its
+/// edges are rays of `generate_ray`; until that is written, nothing is drawn.
 pub(super) fn frustum(
     lines: &Lines<'_>,
     camera: &Camera,
@@ -20,10 +22,21 @@ pub(super) fn frustum(
     color: Color32,
     pixel: Option<(u32, u32)>,
 ) {
-    let half = Vec2::new(half_tan(camera.h_fov), half_tan(camera.v_fov));
+    // The first call ends it, so that no half is drawn.
+    let _ = guarded(|| written_frustum(lines, camera, film, depth, color, pixel));
+}
+
+fn written_frustum(
+    lines: &Lines<'_>,
+    camera: &Camera,
+    film: FilmSize,
+    depth: f64,
+    color: Color32,
+    pixel: Option<(u32, u32)>,
+) {
     let at = |x: f64, y: f64| {
-        let on_plane = (2.0 * Vec2::new(x, y) - 1.0) * half;
-        camera.pos + depth * (camera.c2w * Vec3::new(on_plane.x, on_plane.y, -1.0))
+        let ray = generate_ray(camera, Vec2::new(x, y));
+        ray.at(depth / ray.d.dot(-camera.c2w.z_axis))
     };
     let stroke = Stroke::new(1.5, color);
     let corners = [at(0.0, 0.0), at(1.0, 0.0), at(1.0, 1.0), at(0.0, 1.0)];

@@ -184,7 +184,7 @@ fn code_of_the_grader_in_a_stage_is_shown() {
     };
     let walk = &graders[Path::new("grader/judge/src/tools/truth/tree_tests.rs")];
     let walk = String::from_utf8_lossy(walk);
-    let start = walk.find("fn walk(").expect("the walk is there");
+    let start = walk.find("impl TracedRay").expect("the walk is there");
     let renamed = walk[start..]
         .replace("tests", "count")
         .replace("next", "todo");

@@ -161,41 +161,13 @@ impl SubmissionReport {
                 .push_str(&folder.for_report(&graded.compiler));
             report.printed.push_str(&folder.for_report(&printed));
             let mut judged = graded.report.tasks;
-            let is_suspicious = |task: &&Task| {
-                let of_task = judged.iter().find(|report| report.result.key == task.key);
-                of_task.is_some_and(|report| by_heart::is_suspicious(&report.result))
-            };
-            let suspicious: Vec<&Task> = of_stage.iter().copied().filter(is_suspicious).collect();
-            if request.seed != by_heart::KNOWN_SEED && !suspicious.is_empty() {
-                let seed = by_heart::KNOWN_SEED;
-                let known = grade::scores_at(&course, &suspicious, seed, &build_root)?;
-                for task in suspicious {
-                    let drawn = judged
-                        .iter_mut()
-                        .find(|report| report.result.key == task.key);
-                    let known = known.iter().find(|known| known.key == task.key);
-                    if let (Some(drawn), Some(known)) = (drawn, known)
-                        && by_heart::accuses(&drawn.result, known)
-                    {
-                        *drawn = no_points(task, &Status::Failed);
-                        let sentence = by_heart::sentence(task, request.seed);
-                        report.by_heart.push(sentence);
-                    }
-                }
-            }
-            if request.seed != by_heart::KNOWN_SEED && scan::table(stage, sources).is_some() {
-                for task in &of_stage {
-                    let of_task = judged
-                        .iter_mut()
-                        .find(|report| report.result.key == task.key);
-                    if let Some(drawn) = of_task
-                        && by_heart::has_answers_from_a_table(&drawn.result.cases)
-                    {
-                        *drawn = no_points(task, &Status::Failed);
-                        let sentence = by_heart::sentence_about_a_table(task, request.seed);
-                        report.by_heart.push(sentence);
-                    }
-                }
+            if request.seed != by_heart::KNOWN_SEED {
+                let has_table = scan::table(stage, sources).is_some();
+                let said =
+                    without_learned_points(&mut judged, &of_stage, has_table, seed, |tasks| {
+                        grade::scores_at(&course, tasks, by_heart::KNOWN_SEED, &build_root)
+                    })?;
+                report.by_heart.extend(said);
             }
             results.extend(judged);
             graded_tasks.extend(of_stage);
@@ -217,6 +189,51 @@ impl SubmissionReport {
         }
         Ok(report)
     }
+}
+
+/// Takes the points of the `tasks` whose answers were learned by heart, and returns a sentence for
+/// each. `judged` are their results with `seed`, `known` grades tasks with the known one, and
+/// `has_table` says whether the stage may contain a table of answers.
+fn without_learned_points(
+    judged: &mut [TaskReport],
+    tasks: &[&Task],
+    has_table: bool,
+    seed: u64,
+    known: impl FnOnce(&[&Task]) -> Result<Vec<TaskResult>, GraderError>,
+) -> Result<Vec<String>, GraderError> {
+    let result = |task: &Task| {
+        let mut results = judged.iter().map(|report| &report.result);
+        results.find(|result| result.key == task.key)
+    };
+    let is_suspicious = |task: &&Task| result(task).is_some_and(by_heart::is_suspicious);
+    let suspicious: Vec<&Task> = tasks.iter().copied().filter(is_suspicious).collect();
+    let known = match suspicious.is_empty() {
+        true => Vec::new(),
+        false => known(&suspicious)?,
+    };
+    let sentence = |task: &Task| {
+        let drawn = result(task)?;
+        let known = known.iter().find(|known| known.key == task.key);
+        if known.is_some_and(|known| by_heart::accuses(drawn, known)) {
+            return Some(by_heart::sentence(task, seed));
+        }
+        let is_from_table = has_table && by_heart::has_answers_from_a_table(&drawn.cases);
+        is_from_table.then(|| by_heart::sentence_about_a_table(task, seed))
+    };
+    let said: Vec<(&Task, Option<String>)> =
+        tasks.iter().map(|task| (*task, sentence(task))).collect();
+    let mut sentences = Vec::new();
+    for (task, sentence) in said {
+        let Some(sentence) = sentence else { continue };
+        for report in judged
+            .iter_mut()
+            .filter(|report| report.result.key == task.key)
+        {
+            *report = no_points(task, &Status::Failed);
+        }
+        sentences.push(sentence);
+    }
+    Ok(sentences)
 }
 
 /// How long all stages of a submission may be built and run: some thirty times what honest code takes,

@@ -143,13 +143,14 @@ fn counters_that_are_set_back_earn_nothing() {
     // Where nobody counts but the worker, it works.
     let free = cheat(&Class::with(Containment::None), CODE).scores;
     assert!(free.score > 0.5 * free.max_score);
-    for code in [CODE, CODE_FOR_VISIBLE_RAYS] {
-        let caught = cheat(&sandboxed, code);
-        assert_eq!(caught.scores.score + caught.scores.robust_score, 0.0);
-        let json = grader::report::json(&caught).expect("a report is JSON");
-        assert!(
-            json.contains("changed the grader's counts of its tests"),
-            "{json}"
-        );
-    }
+    let caught = cheat(&sandboxed, CODE);
+    assert_eq!(caught.scores.score + caught.scores.robust_score, 0.0);
+    let json = grader::report::json(&caught).expect("a report is JSON");
+    assert!(
+        json.contains("changed the grader's counts of its tests"),
+        "{json}"
+    );
+    // Where it cannot tell the rays apart, it is honest: all primitives are tested.
+    let caught = cheat(&sandboxed, CODE_FOR_VISIBLE_RAYS).scores;
+    assert!(caught.score + caught.robust_score < 0.2 * caught.max_score);
 }

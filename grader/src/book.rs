@@ -30,7 +30,7 @@ const MADE_OF: &str = ".made-of";
 const SOURCES: [&str; 4] = [TEXT, "stages/book/code", "stages/book/theme", SITE_CRATE];
 
 /// The folders of the text that the site has copies of.
-const COPIED: [&str; 3] = ["figures", "mistakes", "explore"];
+const COPIED: [&str; 2] = ["figures", "mistakes"];
 
 /// Files that the site is also made of.
 const SOURCE_FILES: [&str; 3] = [

@@ -14,8 +14,8 @@
 //! [`cli`] is the command line. [`watch`] grades whenever a file is saved; [`check`] prints what is
 //! wrong for editors. [`book`] is the rendered book, which reports link to. [`explain`] draws what a
 //! case tests, [`sketch`] a single call; [`examples`] judges those that students write themselves.
-//! [`predict`] asks what a student expects. What does not depend on the course's tasks is in the crate
-//! `base`.
+//! [`predict`] asks what a student expects, [`gym`] which mistake a picture shows. What does not
+//! depend on the course's tasks is in the crate `base`.
 //!
 //! The tools for instructors are separate crates beside this one: `authoring` (handouts, the course
 //! check, mutants), `submission` (grading what students hand in), `review` (reviewing and accepting
@@ -30,6 +30,7 @@ pub mod diagnosis;
 pub mod examples;
 pub mod explain;
 pub mod grade;
+pub mod gym;
 pub mod predict;
 pub mod progress;
 pub mod report;

@@ -109,7 +109,8 @@ mod tests {
     fn students_see_what_is_theirs_and_where_the_rest_is() {
         let help = text(crate::cli::command());
         for theirs in [
-            "status", "watch", "explain", "picture", "book", "predict", "look", "cost", "--hint",
+            "status", "watch", "explain", "picture", "book", "predict", "gym", "look", "cost",
+            "--hint",
         ] {
             assert!(help.contains(&format!("  {theirs} ")), "{theirs}:\n{help}");
         }

@@ -1,7 +1,7 @@
 //! The command line of `grader`.
 //!
 //! This program does what students do all day: `grader part1` ([`grade`]; `case` for a single
-//! case), `grader watch`, `grader check`, `grader status`, `grader explain`, `grader picture`, `grader book`, `grader predict`. Each other command
+//! case), `grader watch`, `grader check`, `grader status`, `grader explain`, `grader picture`, `grader book`, `grader predict`, `grader gym`. Each other command
 //! is a separate program (`subprogram`), so that a student who only grades does not have to compile
 //! it. This module contains what they all share: the [`Exit`], the exit codes
 //! ([`run_to_exit_code`]) and common options.
@@ -15,6 +15,7 @@ mod doctor;
 mod examples;
 mod explain;
 pub mod grade;
+mod gym;
 mod help;
 mod offline;
 mod options;
@@ -126,6 +127,7 @@ fn command() -> Command {
             picture::command(),
             book::command(),
             predict::command(),
+            gym::command(),
             doctor::command(),
             offline::command(),
             completions::command(),
@@ -157,6 +159,7 @@ fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
                 examples::NAME => examples::run(rest),
                 book::NAME => book::run(rest),
                 predict::NAME => predict::run(rest),
+                gym::NAME => gym::run(rest),
                 help::NAME => help::run(rest),
                 _ => explain::run(rest),
             };

@@ -56,7 +56,8 @@ impl Session<'_> {
         Ok(answers)
     }
 
-    fn choice(
+    /// Asks one question; `None` if the input has ended.
+    pub fn choice(
         &mut self,
         number: usize,
         question: &Question,
@@ -148,7 +149,8 @@ impl Session<'_> {
         Ok(Some(typed))
     }
 
-    fn say(&mut self, text: &str) {
+    /// Prints a paragraph.
+    pub fn say(&mut self, text: &str) {
         let (start, indent) = match text.strip_prefix('\n') {
             Some(_) => ("\n", 3),
             None => ("", text.len() - text.trim_start().len()),

@@ -26,7 +26,7 @@ const MOST_CALLS: usize = 200;
 const STRIDES: [u32; 7] = [1, 3, 7, 17, 51, 119, 357];
 
 /// Which calls of a case with so many calls are compared: one in how many.
-fn stride_of(calls: usize) -> u32 {
+pub(super) fn stride_of(calls: usize) -> u32 {
     let is_enough = |stride: &u32| calls / *stride as usize <= MOST_CALLS;
     let enough = STRIDES.into_iter().find(is_enough);
     enough.unwrap_or(STRIDES[STRIDES.len() - 1])

@@ -104,6 +104,31 @@ impl Signature {
         self.cases().values().map(Codes::wrong).sum()
     }
 
+    /// Calls that are wrong, with the aspect. `calls_of` says how many calls a case has. Left out are crashes,
+    /// and calls of which only the neighbourhood is known: the first wrong one of a side in a large case.
+    pub fn wrong_calls(
+        &self,
+        calls_of: &dyn Fn(&str) -> Option<usize>,
+    ) -> Vec<(String, u32, Aspect)> {
+        let mut wrong = Vec::new();
+        for (key, codes) in self.cases() {
+            let (Side::Aspect { aspect, .. }, Some(calls)) = (&key.side, calls_of(&key.case))
+            else {
+                continue;
+            };
+            let stride = codes::stride_of(calls);
+            let places = (0_u32..)
+                .zip(&codes.0)
+                .filter(|(_, code)| **code != 0)
+                .map(|(place, _)| place * stride);
+            let places = places
+                .skip(usize::from(stride > 1))
+                .filter(|call| (*call as usize) < calls);
+            wrong.extend(places.map(|call| (key.case.clone(), call, *aspect)));
+        }
+        wrong
+    }
+
     /// The signature without these cases.
     pub fn without(&self, cases: &BTreeSet<&str>) -> Signature {
         let kept = |tier: &Cases| -> Cases {

@@ -164,13 +164,17 @@ impl Drawing {
         self.path(&[a, b], class);
     }
 
-    /// A line through `points`.
+    /// A line through `points`. Lines of one class that follow each other are one element.
     pub fn path(&mut self, points: &[Vec2], class: &str) {
         let list = self.points(points);
-        let _ = writeln!(
-            self.body,
-            "<polyline class=\"line {class}\" points=\"{list}\"/>"
-        );
+        let start = format!("<path class=\"line {class}\" d=\"");
+        let last = self.body.trim_end().rfind('\n').map_or(0, |end| end + 1);
+        if self.body[last..].starts_with(&start) {
+            self.body.truncate(self.body.len() - "\"/>\n".len());
+        } else {
+            self.body.push_str(&start);
+        }
+        let _ = writeln!(self.body, "M{list}\"/>");
     }
 
     /// A filled area with the corners `points`, without an outline.

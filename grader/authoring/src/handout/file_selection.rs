@@ -81,10 +81,13 @@ impl<'a> FileSelection<'a> {
         if LEFT_OUT.iter().any(|folder| path.starts_with(folder)) {
             return false;
         }
-        // Students need the text of the book. The crate that draws its figures and tests its text
+        // Students need the text of the book. The scripts of its pages are in the packed site. The crate that draws its figures and tests its text
         // computes what students have to write.
         if path.starts_with(BOOK) {
-            return path.starts_with(Path::new(BOOK).join("src"));
+            let is_script = path
+                .extension()
+                .is_some_and(|end| end == "js" || end == "css");
+            return path.starts_with(Path::new(BOOK).join("src")) && !is_script;
         }
         if path == Path::new(PLOT_IN_BOOK) {
             return true;

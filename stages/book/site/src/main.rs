@@ -3,6 +3,7 @@
 //! mdBook renders the chapters, with search, themes and highlighting. The crate `book` prepares the
 //! Markdown ([`book::source`]) and completes the pages ([`book::page`]).
 
+mod search_index;
 mod site;
 
 use base::errln;

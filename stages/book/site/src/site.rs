@@ -1,5 +1,6 @@
 //! Builds the site.
 
+use crate::search_index;
 use book::source::{Links, Sources};
 use book::{page, paths};
 use mdbook_driver::MDBook;
@@ -25,10 +26,17 @@ pub(crate) fn build(out: &Path, links: Links) -> Result<(), String> {
             fs::write(&file, html).map_err(|e| failed("write", &file, &e))?;
         }
     }
+    // The pages have the choices in their forms.
+    let choices = out.join("predictions.toml");
+    fs::remove_file(&choices).map_err(|e| failed("remove", &choices, &e))?;
     let script = out.join("highlight.js");
     let js = fs::read_to_string(&script).map_err(|e| failed("read", &script, &e))?;
     fs::write(&script, with_languages_of_the_book(&js))
         .map_err(|e| failed("write", &script, &e))?;
+    let index = out.join("searchindex.js");
+    let js = fs::read_to_string(&index).map_err(|e| failed("read", &index, &e))?;
+    let js = search_index::shortened(&js).map_err(|why| format!("{}: {why}", index.display()))?;
+    fs::write(&index, js).map_err(|e| failed("write", &index, &e))?;
     for (picture, copy) in sources.pictures() {
         let copy = out.join(copy);
         if let Some(folder) = copy.parent() {

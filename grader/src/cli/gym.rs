@@ -1,0 +1,106 @@
+//! The command `grader gym`: mistakes to recognize.
+
+use crate::course::Course;
+use crate::grade;
+use crate::gym::{exercise, round};
+use crate::predict::session::Session;
+use crate::report::terminal::Page;
+use base::program::{Exit, whole_number};
+use base::{GraderError, Workspace, out, outln, write_whole};
+use clap::{Arg, ArgMatches, Command};
+use pictures::{png, terminal};
+use std::hash::{BuildHasher, RandomState};
+use std::io::{BufRead, IsTerminal, stdin, stdout};
+use std::path::Path;
+
+/// The name of the command.
+pub(super) const NAME: &str = "gym";
+
+pub(super) fn command() -> Command {
+    Command::new(NAME)
+        .about("Shows pictures and calls of typical mistakes, and asks which mistake it is; gives no points")
+        .arg(
+            Arg::new("what")
+                .value_name("PART")
+                .default_value("all")
+                .help("A part such as `part1`, or a task"),
+        )
+        .arg(
+            Arg::new("seed")
+                .long("seed")
+                .value_name("N")
+                .allow_negative_numbers(true)
+                .value_parser(|text: &str| whole_number::<u64>(text, 0, u64::MAX))
+                .help("Repeat the choice of a seed [default: another one each time]"),
+        )
+}
+
+pub(super) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
+    let workspace = Workspace::above(Path::new("."))?;
+    let course = Course::read(&workspace)?;
+    let what: &String = matches.get_one("what").expect("it has a default");
+    let specs = grade::specs(0)?;
+    let mut all = Vec::new();
+    for task in course.select(what)? {
+        all.extend(exercise::of(&workspace, task, &specs)?);
+    }
+    let seed = matches
+        .get_one("seed")
+        .copied()
+        .unwrap_or_else(|| RandomState::new().hash_one(what) >> 40);
+    let before = round::missed(&workspace);
+    let exercises = round::chosen(all, &before, seed);
+    let mut input = stdin().lock();
+    let is_terminal = stdin().is_terminal();
+    if !is_terminal && input.fill_buf().is_ok_and(<[u8]>::is_empty) {
+        return Err(GraderError::new(format!(
+            "no answer: the standard input is no terminal and is empty. Run `cargo grader gym {what}` in a terminal, \
+             or pipe one letter a line"
+        )));
+    }
+    workspace.create_outputs()?;
+    let file = workspace.outputs().join("gym.png");
+    let page = Page::of_stdout();
+    let colours =
+        terminal::colours(|name| std::env::var(name).ok()).filter(|_| stdout().is_terminal());
+    outln!(
+        "{} mistakes. Left is the right picture, right that of the mistake; also in {}.",
+        exercises.len(),
+        workspace.relative(&file).display()
+    );
+    let asked: Vec<String> = exercises.iter().map(exercise::Exercise::id).collect();
+    let mut show = |exercise: &exercise::Exercise| {
+        let picture = exercise.picture()?;
+        write_whole(&file, &png::encode(&picture))?;
+        outln!();
+        if let Some(colours) = colours {
+            out!(
+                "{}",
+                terminal::half_blocks(&picture, page.width as u32, colours)
+            );
+        }
+        Ok(())
+    };
+    let mut session = Session {
+        input: &mut input,
+        print: &mut |text| out!("{text}"),
+        echoes: !is_terminal,
+        width: page.width,
+    };
+    let outcome = round::run(&mut session, exercises, &mut show, seed)?;
+    let mut missed = before;
+    missed.retain(|id| !asked.contains(id));
+    missed.extend(outcome.missed.iter().cloned());
+    round::store(&workspace, &missed)?;
+    outln!();
+    outln!(
+        "{} of {} recognized at once.{}",
+        outcome.at_once,
+        outcome.asked,
+        match missed.len() {
+            0 => String::new(),
+            n => format!(" The next round begins with the {n} that you missed."),
+        }
+    );
+    Ok(Exit::Passed)
+}

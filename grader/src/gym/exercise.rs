@@ -1,0 +1,241 @@
+//! The exercises of a task, from the section "Mistakes" of its chapter.
+
+use crate::course::packed;
+use crate::course::{Task, chapter};
+use crate::diagnosis::{self, Known};
+use crate::report::wrap::numbers_to_fit;
+use base::{GraderError, Workspace};
+use judge::cases::Spec;
+use judge::snapshot;
+use judge::tally::Aspect;
+use pictures::image::Image;
+use pictures::png;
+use std::path::PathBuf;
+
+/// The size of a panel on a sheet of mistakes, and the gap between panels, in pixels.
+const PANEL: [u32; 2] = [160, 120];
+const GAP: u32 = 4;
+
+/// Columns of an input or an answer. Numbers are rounded to fit: the mistakes need no digits.
+const ROOM: usize = 200;
+
+/// The calls that an exercise shows.
+const CALLS: usize = 3;
+
+/// A mistake to recognize.
+#[derive(Clone, Debug)]
+pub struct Exercise {
+    /// The task's key.
+    pub task: String,
+    /// The names of all mistakes of the chapter, with what one sees of them. The first one is right.
+    pub names: Vec<[String; 2]>,
+    /// The sheet with its picture, and the number of its panel. Panel 0 is the right picture.
+    pub sheet: PathBuf,
+    /// The number of its panel.
+    pub panel: u32,
+    /// Calls that it gets wrong: input, expected answer, what is wrong.
+    pub calls: Vec<String>,
+    /// Where to look.
+    pub hint: String,
+    /// The chapter, below the root.
+    pub chapter: String,
+}
+
+impl Exercise {
+    /// What it is called in the list of what was missed.
+    pub fn id(&self) -> String {
+        format!("{}: {}", self.task, self.names[0][0])
+    }
+
+    /// The right picture beside that of the mistake.
+    pub fn picture(&self) -> Result<Image, GraderError> {
+        let failed =
+            |why: String| GraderError::new(format!("cannot read {}: {why}", self.sheet.display()));
+        let sheet = png::read(&self.sheet).map_err(failed)?;
+        let [width, height] = PANEL;
+        let step = width + GAP;
+        let [has, high] = sheet.size();
+        if has < self.panel * step + width || high != height {
+            return Err(failed(format!(
+                "expected panel {} of {width} by {height} pixels",
+                self.panel
+            )));
+        }
+        Ok(Image::from_fn([width + step, height], |x, y| match x {
+            _ if x < width => sheet.get(x, y),
+            _ if x < step => [255; 3],
+            _ => sheet.get(self.panel * step + x - step, y),
+        }))
+    }
+}
+
+/// The exercises of `task`: the mistakes that its chapter has pictures of.
+pub fn of(
+    workspace: &Workspace,
+    task: &Task,
+    specs: &[Spec],
+) -> Result<Vec<Exercise>, GraderError> {
+    let Some(chapter) = chapter::chapter(&task.key) else {
+        return Ok(Vec::new());
+    };
+    let path = workspace.root().join(&chapter);
+    let text = std::fs::read_to_string(&path).map_err(|e| GraderError::file("read", &path, e))?;
+    let known = diagnosis::known(workspace, &task.key)?;
+    let table = names(&text);
+    let sheet = workspace.root().join(format!(
+        "stages/book/src/mistakes/{}.png",
+        task.key.replace('.', "-")
+    ));
+    let mut found = Vec::new();
+    for (i, name) in pictured(&text).into_iter().enumerate() {
+        let Some(row) = table.iter().position(|row| row[0] == name) else {
+            continue;
+        };
+        let mut names = table.clone();
+        names.swap(0, row);
+        let known = known
+            .iter()
+            .find(|known| known.descriptions == [name.as_str()]);
+        let calls = known.map_or(Ok(Vec::new()), |known| calls(workspace, task, specs, known))?;
+        found.push(Exercise {
+            task: task.key.clone(),
+            names,
+            sheet: sheet.clone(),
+            panel: i as u32 + 1,
+            calls,
+            hint: known
+                .and_then(|known| known.hints.first().cloned())
+                .unwrap_or_default(),
+            chapter: chapter.clone(),
+        });
+    }
+    Ok(found)
+}
+
+/// Up to [`CALLS`] calls that the mistake gets wrong, of different cases if it can be.
+fn calls(
+    workspace: &Workspace,
+    task: &Task,
+    specs: &[Spec],
+    known: &Known,
+) -> Result<Vec<String>, GraderError> {
+    let spec_of = |case: &str| specs.iter().find(|spec| spec.is(&task.key, case));
+    let wrong = known
+        .signature
+        .wrong_calls(&|case| spec_of(case).map(Spec::calls));
+    let mut texts: Vec<(String, String)> = Vec::new();
+    for (case, call, aspect) in wrong {
+        let is_enough = texts.len() == CALLS || texts.iter().any(|(other, _)| *other == case);
+        let Some(spec) = spec_of(&case).filter(|_| !is_enough) else {
+            continue;
+        };
+        let golden = packed::read_snapshot(workspace, &task.key, &case)?;
+        let golden = golden.and_then(|text| snapshot::parse(&text).ok());
+        let answer = golden
+            .as_ref()
+            .and_then(|golden| Some(golden.row(call)?.answer_text()));
+        if let (Some(input), Some(answer)) = (spec.input(call as usize), answer) {
+            let instead = match aspect {
+                Aspect::HitOrMiss if answer.starts_with("miss") => "a hit".into(),
+                Aspect::HitOrMiss => "a miss".into(),
+                other => format!("another {}", other.label()),
+            };
+            let (input, answer) = (numbers_to_fit(&input, ROOM), numbers_to_fit(&answer, ROOM));
+            let text = format!("{input}. Right: {answer}. With the mistake: {instead}.");
+            texts.push((case, text));
+        }
+    }
+    Ok(texts.into_iter().map(|(_, text)| text).collect())
+}
+
+/// The rows of the table of mistakes: the name, and what one sees.
+fn names(chapter: &str) -> Vec<[String; 2]> {
+    let section = chapter.split("\n## Mistakes\n").nth(1).unwrap_or_default();
+    let section = section.split("\n## ").next().unwrap_or_default();
+    let row = |line: &str| {
+        let mut cells = line.strip_prefix("| ")?.split(" | ");
+        let seen = cells.next()?;
+        let name = cells.next()?.strip_prefix('*')?.strip_suffix('*')?;
+        Some([
+            name.to_string(),
+            seen.trim_end_matches(" (extra)").to_string(),
+        ])
+    };
+    section.lines().filter_map(row).collect()
+}
+
+/// The names of the mistakes on the chapter's sheet, from the left.
+fn pictured(chapter: &str) -> Vec<String> {
+    let flat = chapter.split_whitespace().collect::<Vec<_>>().join(" ");
+    let list = flat
+        .split("then the pictures of code that *")
+        .nth(1)
+        .unwrap_or_default();
+    let list = list.split("*.").next().unwrap_or_default();
+    let names = list.split("*; *").map(String::from);
+    names.filter(|name| !name.is_empty()).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::course::Course;
+    use crate::grade;
+    use std::path::Path;
+
+    #[test]
+    fn each_task_has_exercises_with_a_picture_names_and_calls() {
+        let workspace =
+            Workspace::above(Path::new(env!("CARGO_MANIFEST_DIR"))).expect("the course");
+        let course = Course::read(&workspace).expect("the course is valid");
+        let specs = grade::specs(0).expect("the cases");
+        let (mut all, mut with_calls) = (0, 0);
+        for task in course.tasks() {
+            let exercises = of(&workspace, task, &specs).unwrap_or_else(|error| panic!("{error}"));
+            assert!(exercises.len() >= 2, "{}: {}", task.key, exercises.len());
+            for exercise in exercises {
+                assert!(exercise.names.len() >= 4, "{}", exercise.id());
+                assert!(!exercise.hint.is_empty(), "{} is not known", exercise.id());
+                let picture = exercise.picture().unwrap_or_else(|error| panic!("{error}"));
+                let [width, height] = PANEL;
+                let differs = (0..width * height).any(|i| {
+                    let (x, y) = (i % width, i / width);
+                    picture.get(x, y) != picture.get(x + width + GAP, y)
+                });
+                assert!(differs, "{}: both pictures are the same", exercise.id());
+                all += 1;
+                with_calls += usize::from(!exercise.calls.is_empty());
+            }
+        }
+        assert!(
+            all >= 40 && with_calls >= 25,
+            "{with_calls} of {all} have calls"
+        );
+    }
+
+    /// A golden says what is right for the calls that a mistake gets wrong, so an exercise shows true inputs.
+    #[test]
+    fn the_calls_of_a_culled_face_are_hits() {
+        let workspace =
+            Workspace::above(Path::new(env!("CARGO_MANIFEST_DIR"))).expect("the course");
+        let course = Course::read(&workspace).expect("the course is valid");
+        let specs = grade::specs(0).expect("the cases");
+        let task = course
+            .tasks()
+            .find(|task| task.key == "part1.task3")
+            .expect("the task");
+        let all = of(&workspace, task, &specs).expect("exercises");
+        let culls = all
+            .iter()
+            .find(|exercise| exercise.names[0][0] == "culls back faces")
+            .expect("it is pictured");
+        assert!(!culls.calls.is_empty());
+        for call in &culls.calls {
+            assert!(
+                call.contains("Ray: o = ") && call.contains("Right: t="),
+                "{call}"
+            );
+            assert!(call.contains("With the mistake: a miss"), "{call}");
+        }
+    }
+}

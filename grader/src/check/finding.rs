@@ -70,7 +70,11 @@ impl Finding {
             wrong,
             simplest: shown.map(|call| {
                 let (input, found) = (message::input(call), message::found(call));
-                format!("simplest case: {input}: {found}")
+                let only = call.only.iter().map(|only| format!(" ({only})"));
+                format!(
+                    "simplest case: {input}: {found}{}",
+                    only.collect::<String>()
+                )
             }),
             others: others(report, function.as_deref()),
             mistake: diagnosis.map(|found| {

@@ -46,8 +46,13 @@ fn axis(shown: &ShownRay) -> Option<TAxis> {
     })
 }
 
-/// The normals at the hit, expected and yours, if they point elsewhere.
+/// The normals at the hit, expected and yours, if they point elsewhere. At another point of the ray
+/// the normal is another one.
 fn differing_normals(shown: &ShownRay) -> Option<[Vec3; 2]> {
+    let (right, found) = (shown.expected.first()?, shown.yours.first()?);
+    if (right - found).abs() > 1e-6 * right.abs() {
+        return None;
+    }
     let [expected, yours] = shown.normals?;
     (expected.distance(yours) > VISIBLE_ANGLE && yours.is_finite()).then_some([expected, yours])
 }
@@ -75,9 +80,13 @@ fn normals(strokes: &mut Vec<Stroke>, shown: &ShownRay, view: &View, length: f64
         (Ink::Expected, expected, "expected normal"),
         (Ink::Yours, yours, "your normal"),
     ] {
+        let foot = view.place(p);
         let tip = view.place(p + length * n.normalize_or_zero());
-        strokes.push(Stroke::Arrow(ink, [view.place(p), tip]));
-        strokes.push(Stroke::Word(tip, name.into()));
+        strokes.push(Stroke::Arrow(ink, [foot, tip]));
+        strokes.push(match tip[0] < foot[0] {
+            true => Stroke::WordBefore(tip, name.into()),
+            false => Stroke::Word(tip, name.into()),
+        });
     }
 }
 

@@ -67,7 +67,7 @@ pub(super) fn camera(camera: &Camera, sensor: Vec2, ray: &Ray) -> Sketch {
         .map(|(along, half)| 0.5 + 0.5 * along / -local.z / half)
         .collect();
     let at = [place[0], place[1]];
-    let seen = "the sensor as the camera sees it, (0, 0) at the bottom left";
+    let seen = "the sensor, (0, 0) at the bottom left";
     let caption = match local.z < 0.0 && at.iter().all(|x| x.abs() < 4.0) {
         true => {
             strokes.push(Stroke::Mark(Ink::Yours, at));

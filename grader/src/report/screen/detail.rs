@@ -209,8 +209,9 @@ fn simplest(out: &mut Lines, task: &TaskResult, call: &SimplestCall) {
         out.add(1, NAMES, &format!("    ({only})"));
     }
     if let Some(sketch) = call.shown.as_ref().and_then(Sketch::of) {
+        // The commands for a test, which come later, are left out before it.
         out.blocks.push(Block {
-            rank: 3,
+            rank: 2,
             lines: sketch.text(out.page.width),
         });
     }

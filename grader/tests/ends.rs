@@ -83,7 +83,7 @@ const ENDS: &[End] = &[
     End {
         name: "loop",
         kind: CrashKind::Endless,
-        says: "did not return within 0.25 s: an endless loop? (call 2 of the case)",
+        says: "did not return within 0.25 s of computing: an endless loop? (call 2 of the case)",
         code: || {
             let mut i = 0_u64;
             loop {

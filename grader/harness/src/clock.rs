@@ -64,8 +64,9 @@ static STUDENT: OnceLock<Mutex<ThreadFiles>> = OnceLock::new();
 
 /// A generous estimate of the time that formatting and writing takes: for each write to the system
 /// (`println!` makes one for each line, `eprintln!` one for each piece of it). Measured: 0.6 µs for
-/// a line with two numbers, 1.5 µs for one with eight.
-const TIME_OF_WRITE: Duration = Duration::from_micros(3);
+/// a line with two numbers, 1.5 µs for one with eight, and several times that on a busy machine,
+/// where each write also wakes the reader.
+const TIME_OF_WRITE: Duration = Duration::from_micros(10);
 
 /// The same for each byte that is written.
 const TIME_OF_BYTE: Duration = Duration::from_nanos(25);
@@ -73,6 +74,19 @@ const TIME_OF_BYTE: Duration = Duration::from_nanos(25);
 /// Code that sleeps or waits may take this many times its limit in elapsed time, not counting the
 /// time in which a busy machine has no processor for it.
 const WAITING: u32 = 8;
+
+/// Code that has printed may wait for so much longer: on a busy machine whoever reads what it prints
+/// may come late, and a full pipe makes it wait.
+const WAITING_FOR_READER: Duration = Duration::from_secs(30);
+
+/// How code used up its time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum TimeUp {
+    /// It computed for longer than its limit.
+    Computing,
+    /// It slept or waited.
+    Waiting,
+}
 
 /// Makes the current thread the one whose time is measured.
 pub(crate) fn start() {
@@ -123,13 +137,19 @@ impl Stopwatch {
         }
     }
 
-    /// How much of `limit` is left; `None` if it is used up.
-    pub(crate) fn left(&self, limit: Duration) -> Option<Duration> {
+    /// How much of `limit` is left.
+    pub(crate) fn left(&self, limit: Duration) -> Result<Duration, TimeUp> {
         let times = times().map(|now| now.since(self.times_before));
         let queued = times.unwrap_or_default().queued;
-        let printing = Output::of_student().since(self.output_before).time();
+        let output = Output::of_student().since(self.output_before);
+        let printing = output.time();
+        let to_wait = match output.writes {
+            0 => limit * WAITING,
+            _ => limit * WAITING + WAITING_FOR_READER,
+        };
         left(
             limit,
+            to_wait,
             self.started.elapsed().saturating_sub(printing + queued),
             times.map(|times| times.worked.saturating_sub(printing)),
         )
@@ -184,11 +204,22 @@ impl Output {
 }
 
 /// The rest of `limit` after `worked` processor time and `passed` elapsed time in which the thread
-/// had a processor or waited for something else; `None` if it is used up. Where the system does not
-/// report processor time, elapsed time counts.
-fn left(limit: Duration, passed: Duration, worked: Option<Duration>) -> Option<Duration> {
-    let left = limit.checked_sub(worked.unwrap_or(passed))?;
-    (passed < limit * WAITING && !left.is_zero()).then_some(left)
+/// had a processor or waited for something else, `to_wait` at most. Where the system does not report
+/// processor time, elapsed time counts.
+fn left(
+    limit: Duration,
+    to_wait: Duration,
+    passed: Duration,
+    worked: Option<Duration>,
+) -> Result<Duration, TimeUp> {
+    let left = limit.saturating_sub(worked.unwrap_or(passed));
+    if left.is_zero() {
+        Err(TimeUp::Computing)
+    } else if passed >= to_wait {
+        Err(TimeUp::Waiting)
+    } else {
+        Ok(left)
+    }
 }
 
 /// The times of the student's thread since its start, if the system reports them.
@@ -221,7 +252,7 @@ mod tests {
                 bytes: 2000
             }
         );
-        assert_eq!(output.time(), Duration::from_micros(350));
+        assert_eq!(output.time(), Duration::from_micros(1050));
         assert_eq!(Output::parse(""), Output::default());
     }
 
@@ -241,16 +272,20 @@ mod tests {
     #[test]
     fn waiting_for_the_processor_does_not_count() {
         let seconds = Duration::from_secs;
-        let of_five = |passed, worked| left(seconds(5), seconds(passed), worked);
-        assert_eq!(of_five(30, Some(seconds(2))), Some(seconds(3)));
-        assert_eq!(of_five(30, Some(seconds(5))), None);
-        assert_eq!(of_five(30, Some(seconds(6))), None);
-        assert_eq!(
-            of_five(40, Some(seconds(0))),
-            None,
-            "it sleeps beyond 8 limits"
-        );
-        assert_eq!(of_five(2, None), Some(seconds(3)));
-        assert_eq!(of_five(6, None), None);
+        let of_five = |passed, worked: Option<u64>| {
+            left(
+                seconds(5),
+                seconds(40),
+                seconds(passed),
+                worked.map(seconds),
+            )
+        };
+        assert_eq!(of_five(30, Some(2)), Ok(seconds(3)));
+        assert_eq!(of_five(30, Some(5)), Err(TimeUp::Computing));
+        assert_eq!(of_five(30, Some(6)), Err(TimeUp::Computing));
+        // It sleeps beyond 8 limits.
+        assert_eq!(of_five(40, Some(0)), Err(TimeUp::Waiting));
+        assert_eq!(of_five(2, None), Ok(seconds(3)));
+        assert_eq!(of_five(6, None), Err(TimeUp::Computing));
     }
 }

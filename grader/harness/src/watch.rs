@@ -1,6 +1,6 @@
 //! Runs the cases on a thread of their own and ends the worker when one exceeds a limit.
 
-use crate::clock::{self, Output, Stopwatch};
+use crate::clock::{self, Output, Stopwatch, TimeUp};
 use crate::isolate;
 use crate::usage::UsageFile;
 use std::io::Write;
@@ -122,8 +122,13 @@ impl Watch {
         self.to_student.send(case).ok()?;
         loop {
             let call = isolate::current_call();
-            let Some(left) = stopwatch.left(limit) else {
-                return self.end(&RecordFrame::TimedOut { case, call });
+            let left = match stopwatch.left(limit) {
+                Ok(left) => left,
+                Err(TimeUp::Computing) => return self.end(&RecordFrame::TimedOut { case, call }),
+                Err(TimeUp::Waiting) => {
+                    let what = Excess::Waiting;
+                    return self.end(&RecordFrame::TookTooMuch { case, call, what });
+                }
             };
             if printing.has_no_end(call, Output::of_student()) {
                 return self.end(&RecordFrame::PrintedTooMuch { case, call });

@@ -54,18 +54,22 @@ impl Crash {
 
 /// Whether this is the panic of `println!` or `eprintln!` after the worker's pipe was closed.
 fn is_closed_output(message: &str) -> bool {
-    message.starts_with("failed printing to std")
+    message.starts_with("failed printing to std") && message.contains("Broken pipe")
 }
 
 /// How the code of a case crashed, to end the sentence "your code ..."; `None` if it did not.
 pub fn describe(ending: &Ending) -> Option<String> {
     Some(match ending {
+        Ending::TimedOut { limit_ms, waited: true, .. } => format!(
+            "did not return in many times its limit of {} s of computing: does it sleep, or wait for a lock or a thread?",
+            *limit_ms as f64 / 1e3
+        ),
         Ending::TimedOut { limit_ms, .. } => format!(
-            "did not return within {} s: an endless loop?",
+            "did not return within {} s of computing: an endless loop?",
             *limit_ms as f64 / 1e3
         ),
         Ending::PrintedTooMuch { .. } => {
-            "printed millions of lines in one call: an endless loop?".into()
+            "printed more than 5,000,000 times in one call: an endless loop?".into()
         }
         Ending::TooManyThreads { .. } => {
             "started more than a hundred threads at once: join them, or start one for each processor".into()
@@ -79,8 +83,8 @@ pub fn describe(ending: &Ending) -> Option<String> {
         Ending::ChangedCounts(how) => format!("changed the grader's counts of its tests: {how}"),
         Ending::Recorded(record) => match &record.outcome {
             Outcome::Panicked { message, .. } if is_closed_output(message) => format!(
-                "printed more than {} MB in this run, so `println!` panicked: print less",
-                MOST_BYTES >> 20
+                "printed more than {} GB in this run, so `println!` panicked: print less",
+                MOST_BYTES >> 30
             ),
             Outcome::Panicked {
                 message, location, ..
@@ -154,13 +158,19 @@ mod tests {
         let timed_out = Ending::TimedOut {
             call: 2,
             limit_ms: 500,
+            waited: false,
+        };
+        let waiting = Ending::TimedOut {
+            call: 2,
+            limit_ms: 500,
+            waited: true,
         };
         let died = |how, call| Ending::Died { how, call };
         for (ending, kind, sentence) in [
             (
                 closed,
                 CrashKind::Ended,
-                "printed more than 1024 MB in this run, so `println!` panicked: print less (call 149 of the case)",
+                "printed more than 4 GB in this run, so `println!` panicked: print less (call 149 of the case)",
             ),
             (
                 panicked,
@@ -175,12 +185,17 @@ mod tests {
             (
                 timed_out,
                 CrashKind::Endless,
-                "did not return within 0.5 s: an endless loop? (call 2 of the case)",
+                "did not return within 0.5 s of computing: an endless loop? (call 2 of the case)",
+            ),
+            (
+                waiting,
+                CrashKind::Endless,
+                "did not return in many times its limit of 0.5 s of computing: does it sleep, or wait for a lock or a thread? (call 2 of the case)",
             ),
             (
                 Ending::PrintedTooMuch { call: 1 },
                 CrashKind::Endless,
-                "printed millions of lines in one call: an endless loop? (call 1 of the case)",
+                "printed more than 5,000,000 times in one call: an endless loop? (call 1 of the case)",
             ),
             (
                 Ending::ChangedCounts("in call 3 it counts 1".into()),

@@ -15,9 +15,10 @@ const LAST_LINES: usize = 8;
 /// The largest part of a line that is kept.
 const LINE_BYTES: usize = 400;
 
-/// How much of the output of a worker is read. Afterwards the worker's pipe is closed: what it
-/// prints then is lost, and `println!` panics.
-pub(crate) const MOST_BYTES: u64 = 1 << 30;
+/// How much of the output of a worker is read: a line of a kilobyte for each of four million calls.
+/// Afterwards the worker's pipe is closed: what it prints then is lost, and `println!` panics. The
+/// book's chapter about grading names the limit.
+pub(crate) const MOST_BYTES: u64 = 4 << 30;
 
 /// What the code printed to stdout and stderr in one case: whole lines.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

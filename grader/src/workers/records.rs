@@ -60,6 +60,7 @@ pub fn read(
                 Ending::TimedOut {
                     call,
                     limit_ms: case.limit_ms,
+                    waited: false,
                 }
             }
             Ok(RecordFrame::PrintedTooMuch { case, call }) if is_next(case) && began => {
@@ -71,6 +72,11 @@ pub fn read(
                 what,
             }) if is_next(number) && began => match what {
                 Excess::Threads => Ending::TooManyThreads { call },
+                Excess::Waiting => Ending::TimedOut {
+                    call,
+                    limit_ms: case.limit_ms,
+                    waited: true,
+                },
                 Excess::Memory => Ending::Died {
                     how: Death::OutOfMemory {
                         limit_mb: runner::memory_mb(cases),
@@ -242,6 +248,7 @@ mod tests {
         let limit = Ending::TimedOut {
             call: 1,
             limit_ms: 77,
+            waited: false,
         };
         assert_eq!(read_all(&late).endings, [limit]);
     }

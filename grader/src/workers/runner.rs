@@ -29,6 +29,8 @@ pub enum Ending {
         call: u32,
         /// The time limit in milliseconds.
         limit_ms: u64,
+        /// It slept or waited, and did not compute for so long.
+        waited: bool,
     },
     /// The code printed without end.
     PrintedTooMuch {
@@ -421,6 +423,7 @@ fn stalled(case: &Case, records: &Records) -> Ending {
     Ending::TimedOut {
         call: records.call.unwrap_or(0),
         limit_ms: case.limit_ms,
+        waited: true,
     }
 }
 
@@ -567,6 +570,7 @@ mod tests {
         let late = Ending::TimedOut {
             call: 0,
             limit_ms: 10,
+            waited: true,
         };
         assert_eq!(endings, [late]);
     }

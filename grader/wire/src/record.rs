@@ -63,6 +63,8 @@ pub enum Excess {
     Threads,
     /// Memory, the stacks of threads included.
     Memory,
+    /// Time in which it computed nothing.
+    Waiting,
 }
 
 /// The result of one case.

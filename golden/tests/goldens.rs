@@ -117,8 +117,7 @@ fn answer(spec: &Spec) -> Result<Answer, String> {
     }
 }
 
-/// The first line of a text, with its reason: what it says before the result and the input of a
-/// call, and of those as much as there is room for.
+/// The first line of a text. Reasons fit in it.
 fn in_one_line(text: &str) -> String {
     let first = text.lines().next().unwrap_or_default();
     let first = first.replace("the exact oracle refutes it: ", "");
@@ -142,7 +141,7 @@ fn summary(workspace: &Workspace, proposal: &Proposal) -> String {
     if !refused.is_empty() {
         text.push_str(&format!(
             "; {} wrong or missing",
-            plural(refused.len(), "answer is", "answers are")
+            plural(proposal.refused_cases(), "case", "cases")
         ));
     }
     let path = |change: &Change| {
@@ -178,16 +177,15 @@ fn a_summary_fits_a_screen() {
         not_judged: Vec::new(),
         kind: ChangeKind::Answers,
     };
-    let wrong = "part1.task4/head_on: the exact oracle refutes it: hit or miss wrong on 3 of 8: your result";
+    let reason = "hit or miss is wrong on 3 of 8 calls, worst in call 6";
+    let wrong = |i| format!("part1.task4/case_{i}: the exact oracle refutes it: {reason}");
     let proposal = Proposal {
         changes: vec![change; 300],
-        refused: vec![format!("{wrong}{}", " 1.5".repeat(100)); 300],
+        refused: (0..300).map(wrong).collect(),
     };
     let text = summary(&workspace, &proposal);
-    assert!(
-        text.contains("part1.task4/head_on: hit or miss wrong on 3 of 8: your result"),
-        "{text}"
-    );
+    let line = format!("  part1.task4/case_0: {reason}\n");
+    assert!(text.contains(&line), "{text}");
     // `bless` accepts nothing while something is wrong.
     assert!(!text.contains("Accept"), "{text}");
     assert!(text.lines().count() <= 18, "{text}");
@@ -196,7 +194,7 @@ fn a_summary_fits_a_screen() {
         "{text}"
     );
     for part in [
-        "300 goldens differ from the reference's answers, in part1.task3, part1.task4; 300 answers are wrong",
+        "300 goldens differ from the reference's answers, in part1.task3, part1.task4; 300 cases wrong or missing",
         "and 588 more",
         "cargo grader review part1.task3 part1.task4\n",
     ] {

@@ -3,14 +3,15 @@
 use super::{meaning, not_judged_list, read};
 use base::{GraderError, Workspace};
 use grader::course::{Task, packed};
-use judge::Tier;
 use judge::cases::Spec;
 use judge::pictures::{self as task_pictures, TaskPicture};
 use judge::snapshot::{self, changes, parse};
 use judge::tally::Finding;
 use judge::whole::judge_whole;
+use judge::{Tier, plural};
 use pages::picture::{compose, read_png};
 use pictures::{Image, png};
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use wire::Answer;
 
@@ -80,6 +81,13 @@ impl Proposal {
         self.changes.is_empty() && self.refused.is_empty()
     }
 
+    /// The number of cases whose answers are wrong or missing. A case may have several reasons.
+    pub fn refused_cases(&self) -> usize {
+        let case = |line: &str| line.split(": ").next().map(str::to_owned);
+        let cases = self.refused.iter().map(|line| case(line));
+        cases.collect::<BTreeSet<_>>().len()
+    }
+
     /// Adds all of another proposal.
     pub fn append(&mut self, mut other: Proposal) {
         self.changes.append(&mut other.changes);
@@ -100,9 +108,9 @@ impl Proposal {
     ) -> Result<JudgedCase, GraderError> {
         let whole = judge_whole(spec, Tier::Robust, answer);
         if whole.is_refused() {
-            let wrong: Vec<String> = whole.wrong.iter().map(Finding::to_string).collect();
-            let why = format!("the exact oracle refutes it: {}", wrong.join("; "));
-            self.refuse(spec.task, spec.name, &why);
+            for finding in &whole.wrong {
+                self.refuse(spec.task, spec.name, &refutation(finding));
+            }
         }
         let change = |golden: PathBuf, content: Vec<u8>, meaning: String| Change {
             task: spec.task.into(),
@@ -227,6 +235,29 @@ impl Proposal {
     }
 }
 
+/// Why the answers are wrong in an aspect, in a line with three numbers at most: the call to look
+/// at says more.
+fn refutation(finding: &Finding) -> String {
+    let label = finding.aspect.label();
+    let of = plural(
+        finding.judged.max(finding.expected) as usize,
+        "call",
+        "calls",
+    );
+    let what = match (&finding.worst, finding.wrong) {
+        _ if finding.aspect.is_of_all_calls() => format!("{label} is wrong"),
+        (_, 0) => format!("no answer has {label}"),
+        (Some(worst), wrong) => {
+            format!(
+                "{label} is wrong on {wrong} of {of}, worst in call {}",
+                worst.call
+            )
+        }
+        (None, wrong) => format!("{label} is wrong on {wrong} of {of}"),
+    };
+    format!("the exact oracle refutes it: {what}")
+}
+
 /// How `actual` differs from the golden picture; `None` if it does not.
 fn picture_change(golden: &Path, actual: &Image) -> Result<Option<String>, GraderError> {
     if !golden.is_file() {
@@ -242,4 +273,31 @@ fn without_header(text: &str) -> &str {
         .strip_prefix("---\n")
         .and_then(|rest| rest.split_once("\n---\n"));
     after.map_or(text, |(_, rows)| rows)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use judge::tally::{Aspect, Tally};
+
+    #[test]
+    fn a_refutation_is_a_line_with_three_numbers_at_most() {
+        let mut tally = Tally::default();
+        tally.expect(Aspect::Normal);
+        for call in 0..8 {
+            let badness = f64::from(call as u32);
+            let right = call < 5;
+            tally.judge(Aspect::T, call, right, badness, || "1.5 ".repeat(100));
+            tally.judge(Aspect::Work, call, right, badness, || "900 tests".into());
+        }
+        let lines: Vec<String> = tally.into_findings().iter().map(refutation).collect();
+        assert_eq!(
+            lines,
+            [
+                "the exact oracle refutes it: no answer has normal",
+                "the exact oracle refutes it: t is wrong on 3 of 8 calls, worst in call 5",
+                "the exact oracle refutes it: number of tests is wrong",
+            ]
+        );
+    }
 }

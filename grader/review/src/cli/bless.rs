@@ -4,7 +4,7 @@ use base::program::Exit;
 use base::{GraderError, Workspace, out, outln};
 use clap::{Arg, ArgAction, ArgMatches, Command};
 use judge::plural;
-use review::bless::{self, Change, ChangeKind};
+use review::bless::{self, Change, ChangeKind, Proposal};
 use std::io::IsTerminal;
 use std::path::Path;
 
@@ -38,7 +38,7 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     let workspace = Workspace::above(Path::new("."))?;
     let proposal = bless::propose(&workspace, &keys)?;
     if !proposal.refused.is_empty() {
-        return Err(GraderError::new(refusal(&proposal.refused, &keys)));
+        return Err(GraderError::new(refusal(&proposal, &keys)));
     }
     let proposed = proposal.changes;
     if proposed.is_empty() {
@@ -66,11 +66,12 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
 }
 
 /// The message if answers are wrong or missing.
-fn refusal(refused: &[String], keys: &[&str]) -> String {
+fn refusal(proposal: &Proposal, keys: &[&str]) -> String {
+    let refused = &proposal.refused;
     let mut text = format!(
         "nothing is blessed, because {} wrong or missing:",
-        match refused.len() {
-            1 => "an answer is".to_string(),
+        match proposal.refused_cases() {
+            1 => "the answers to a case are".to_string(),
             n => format!("the answers to {n} cases are"),
         }
     );
@@ -171,8 +172,14 @@ mod tests {
     #[test]
     fn a_refusal_names_each_task_to_review_once() {
         let keys = ["part1.task4/head_on", "part1.task4/range", "part1.task2"];
-        let text = refusal(&["part1.task2/range: wrong".into()], &keys);
-        assert!(text.contains("because an answer is wrong"), "{text}");
+        let mut proposal = Proposal::default();
+        proposal.refuse("part1.task2", "range", "t is wrong");
+        proposal.refuse("part1.task2", "range", "normal is wrong");
+        let text = refusal(&proposal, &keys);
+        assert!(
+            text.contains("because the answers to a case are wrong"),
+            "{text}"
+        );
         assert!(
             text.contains("`cargo grader review part1.task4 part1.task2` shows"),
             "{text}"

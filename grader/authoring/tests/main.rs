@@ -1,5 +1,6 @@
 //! All tests that carve, mutate or repeat the whole course.
 
+mod contracts;
 mod empty_solutions;
 mod handouts;
 mod mistake_pictures;

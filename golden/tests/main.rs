@@ -1,6 +1,7 @@
 //! All tests of the goldens.
 
 mod certainty;
+mod claims;
 mod goldens;
 mod main_answers;
 mod mistakes;

@@ -13,12 +13,12 @@ use wire::work::{NodeKind, Ray, TriangleWork};
 use wire::{Answer, Outcome, Work};
 
 /// A mistake in the answer to one call of `part1.task3`.
-type TriangleMistake = fn(&[[f64; 3]; 6], &Ray, &mut TriangleAnswer);
+pub(crate) type TriangleMistake = fn(&[[f64; 3]; 6], &Ray, &mut TriangleAnswer);
 
 /// Shorter sums of vertex normals cancel.
 const CANCELS: f64 = 1e-9;
 
-const TRIANGLE_MISTAKES: [(&str, TriangleMistake); 10] = [
+pub(crate) const TRIANGLE_MISTAKES: [(&str, TriangleMistake); 10] = [
     (
         "misses where vertex normals cancel",
         |triangle, ray, answer| {
@@ -89,7 +89,7 @@ fn interpolated(triangle: &[[f64; 3]; 6], [b1, b2]: [f64; 2]) -> [f64; 3] {
 }
 
 /// The reference's answer; `None` in a handout.
-fn reference(spec: &Spec) -> Option<Answer> {
+pub(crate) fn reference(spec: &Spec) -> Option<Answer> {
     let record = worker::run(0, &spec.case());
     match record.outcome {
         Outcome::Answered(answer) if record.untouched.is_empty() => Some(answer),
@@ -98,7 +98,7 @@ fn reference(spec: &Spec) -> Option<Answer> {
 }
 
 /// All cases; each keeps the exact results that were computed for it.
-static SPECS: LazyLock<Vec<Spec>> = LazyLock::new(|| cases::all(0));
+pub(crate) static SPECS: LazyLock<Vec<Spec>> = LazyLock::new(|| cases::all(0));
 
 fn spec(task: &str, name: &str) -> &'static Spec {
     let found = SPECS.iter().find(|spec| spec.is(task, name));

@@ -23,8 +23,11 @@ use wire::Answer;
 /// Columns of the name of a field of a call.
 const FIELD: usize = 11;
 
-/// The most wrong calls that are listed.
-const LISTED: usize = 200;
+/// The most kinds of wrong calls that are listed.
+const LISTED: usize = 20;
+
+/// The most numbers of calls in a line.
+const NUMBERS: usize = 8;
 
 /// Runs the case `name` of the task in `request` and prints it, or its call number `call`.
 pub(super) fn run(
@@ -165,24 +168,32 @@ impl Case<'_> {
         text
     }
 
-    /// Every wrong call in a line.
+    /// The wrong calls. Those that are wrong in the same way, but for the numbers, have one line
+    /// together, with the input of the first.
     fn list(&self, page: Page) -> String {
         let mut text = self.heading(page);
-        let mut calls: BTreeMap<u32, Vec<&WrongAnswer>> = BTreeMap::new();
+        let mut calls: BTreeMap<u32, &WrongAnswer> = BTreeMap::new();
         for wrong in self.wrong {
-            calls.entry(wrong.call).or_default().push(wrong);
+            calls.entry(wrong.call).or_insert(wrong);
         }
         let of = judge::plural(self.spec.calls(), "call", "calls");
         let _ = writeln!(text, "wrong: {} of {of}", calls.len());
-        for (call, wrong) in calls.iter().take(LISTED) {
-            let (result, _) = message::parts(&wrong[0].message);
-            let start = format!("  {call:>4}  {}: ", wrong[0].aspect.label());
+        let groups = alike(calls.values().copied());
+        for group in groups.iter().take(LISTED) {
+            let first = group[0];
+            let (result, question) = message::parts(&first.message);
+            let start = format!("  {}: ", first.aspect.label());
             let room = page.width.saturating_sub(columns(&start));
             let result = numbers_to_fit(message::without_reason(result, room), room);
             let _ = writeln!(text, "{start}{result}");
+            let mut of_group = format!("    call {}", numbers(group));
+            if let Some(question) = question {
+                let _ = write!(of_group, "; of call {}: {question}", first.call);
+            }
+            let _ = writeln!(text, "{}", numbers_to_fit(&of_group, page.width));
         }
-        if let Some(more) = calls.len().checked_sub(LISTED).filter(|more| *more > 0) {
-            let _ = writeln!(text, "  and {more} more");
+        if let Some(more) = groups.len().checked_sub(LISTED).filter(|more| *more > 0) {
+            let _ = writeln!(text, "  and {more} more kinds");
         }
         if let Some(call) = calls.keys().next() {
             let (key, name) = (&self.task.key, &self.entry.name);
@@ -266,6 +277,49 @@ impl Case<'_> {
     }
 }
 
+/// Groups wrong calls whose messages differ in numbers alone, the largest group first.
+fn alike<'a>(wrong: impl Iterator<Item = &'a WrongAnswer>) -> Vec<Vec<&'a WrongAnswer>> {
+    let mut groups: BTreeMap<String, Vec<&WrongAnswer>> = BTreeMap::new();
+    for one in wrong {
+        let (result, _) = message::parts(&one.message);
+        let is_of_number = |c: char| c.is_ascii_digit() || ".-e".contains(c);
+        let words = result.split_whitespace();
+        let words = words.filter(|word| !word.starts_with(|c: char| is_of_number(c) || c == '('));
+        let kind = format!(
+            "{} {}",
+            one.aspect.label(),
+            words.collect::<Vec<_>>().join(" ")
+        );
+        groups.entry(kind).or_default().push(one);
+    }
+    let mut groups: Vec<_> = groups.into_values().collect();
+    groups.sort_by_key(|group| (std::cmp::Reverse(group.len()), group[0].call));
+    groups
+}
+
+/// The numbers of the calls of a group, runs of them in short.
+fn numbers(group: &[&WrongAnswer]) -> String {
+    let mut runs: Vec<[u32; 2]> = Vec::new();
+    for one in group {
+        match runs.last_mut() {
+            Some([_, end]) if *end + 1 == one.call => *end = one.call,
+            _ => runs.push([one.call; 2]),
+        }
+    }
+    let short = runs
+        .iter()
+        .take(NUMBERS)
+        .map(|[first, last]| match last - first {
+            0 => first.to_string(),
+            _ => format!("{first}-{last}"),
+        });
+    let short = short.collect::<Vec<String>>().join(", ");
+    match runs.len() > NUMBERS {
+        true => format!("{short}, … ({} in all)", group.len()),
+        false => short,
+    }
+}
+
 /// The verdict on a right answer. A case may judge only some aspects of it.
 fn right(spec: &Spec) -> String {
     let aspects = spec.about_aspects.iter().map(|aspect| aspect.label());
@@ -278,4 +332,32 @@ fn right(spec: &Spec) -> String {
 /// The row of a call, with its question and all fields of its answer.
 fn row(spec: &Spec, answer: &Answer, call: u32) -> Option<Line> {
     snapshot::full(&spec.work, answer)?.row(call).cloned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use judge::tally::Aspect;
+
+    #[test]
+    fn calls_that_are_wrong_in_the_same_way_are_listed_together() {
+        let message =
+            |t: f64| format!("test: your result: hit at t = {t}; expected: miss. Ray: o = {t}");
+        let wrong = |call: u32, message: String| WrongAnswer {
+            call,
+            aspect: Aspect::HitOrMiss,
+            message,
+        };
+        let mut all: Vec<WrongAnswer> = (3..90)
+            .map(|call| wrong(call, message(f64::from(call))))
+            .collect();
+        all.push(wrong(91, message(2.5)));
+        all.insert(0, wrong(1, "test: your result: miss; expected: hit".into()));
+        let groups = alike(all.iter());
+        assert_eq!(groups.len(), 2);
+        assert_eq!(numbers(&groups[0]), "3-89, 91");
+        assert_eq!(numbers(&groups[1]), "1");
+        let every_second: Vec<&WrongAnswer> = groups[0].iter().copied().step_by(2).collect();
+        assert!(numbers(&every_second).ends_with("17, … (44 in all)"));
+    }
 }

@@ -11,6 +11,7 @@ use crate::score::{CaseResult, Status};
 use crate::signature::{Agreement, Alone, Signature, stored};
 use base::{GraderError, Workspace, write_whole};
 use serde::Serialize;
+use std::cmp::Ordering;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
@@ -91,11 +92,17 @@ const SURE: f64 = 0.95;
 /// So many wrong calls must agree before a name is likely: one call agrees with many mistakes.
 const FEWEST_CALLS: usize = 2;
 
+/// More guesses than these are no help: then no mistake is named.
+const MOST_GUESSES: usize = 3;
+
 /// From this likeness on, the report says that the answers look like those of the mistake.
 const LIKELY: f64 = 0.7;
 
 /// Two mistakes together must explain this share of the wrong values.
 const TOGETHER: f64 = 0.8;
+
+/// Of the wrong values that the first of two mistakes leaves, the second must explain this share.
+const OF_THE_REST: f64 = 0.8;
 
 /// Two mistakes together may leave at most this fraction of what the likeliest single mistake
 /// leaves unexplained.
@@ -149,7 +156,7 @@ fn path(workspace: &Workspace, task: &str) -> PathBuf {
 pub fn candidates(known: &[Known], student: &Signature) -> Vec<(Vec<String>, f64, bool)> {
     let mut all: Vec<(Vec<String>, f64, bool)> = within(known, &student.functions())
         .iter()
-        .map(|known| {
+        .map(|InFunctions { known, .. }| {
             let likeness = student.agreement(&known.signature).likeness();
             let contradicted = student.contradicts(&known.signature);
             (known.mistakes.clone(), likeness, contradicted)
@@ -176,16 +183,16 @@ pub(crate) fn leave_out_unwritten(known: &mut [Known], cases: &[CaseResult]) {
 /// What `student` looks like, if it looks like anything known.
 pub fn diagnose(known: &[Known], student: &Signature) -> Option<Diagnosis> {
     let mut in_functions = within(known, &student.functions());
-    in_functions.retain(|known| !known.is_symptom || known.signature.shows_the_same(student));
+    in_functions.retain(|InFunctions { known, .. }| {
+        !known.is_symptom || known.signature.shows_the_same(student)
+    });
     let possible = in_functions
         .iter()
-        .filter(|known| !student.contradicts(&known.signature));
-    let mut ranked: Vec<(&Known, Agreement)> = possible
-        .map(|known| (known, student.agreement(&known.signature)))
-        .collect();
-    ranked.sort_by(|a, b| b.1.likeness().total_cmp(&a.1.likeness()));
-    let &(likeliest, agreement) = ranked.first()?;
-    let likeness = agreement.likeness();
+        .filter(|possible| !student.contradicts(&possible.known.signature));
+    let mut ranked: Vec<Ranked> = possible.map(|one| Ranked::of(one, student)).collect();
+    ranked.sort_by(Ranked::compare);
+    let likeliest = *ranked.first()?;
+    let likeness = likeliest.agreement.likeness();
     if likeness < SURE
         && let Some(pair) = two_at_once(&ranked, student, likeness)
     {
@@ -195,13 +202,14 @@ pub fn diagnose(known: &[Known], student: &Signature) -> Option<Diagnosis> {
         true => alone_of_its_kind(&ranked, student)?,
         false => likeliest,
     };
-    let (equal, of) = student.calls_alike(&best.signature);
     let Named {
         mistakes,
         says,
         others,
         hint,
-    } = with_twins(&ranked, best);
+    } = with_twins(&ranked, &best)?;
+    let best = best.known;
+    let (equal, of) = student.calls_alike(&best.signature);
     // A case that disagrees throughout makes a name uncertain. It does not veto it: tried on 199
     // mistakes that were not known, a veto took away eight names, all of them right.
     let is_doubtful = of < FEWEST_CALLS || student.disagrees_throughout(&best.signature);
@@ -230,41 +238,85 @@ pub fn diagnose(known: &[Known], student: &Signature) -> Option<Diagnosis> {
 /// The known mistakes, restricted to their effect in these functions: a mistake that passes from
 /// one function to others may be made in only one of them. Of two mistakes that look the same in
 /// these functions, the one that affects only them comes first.
-fn within(known: &[Known], functions: &BTreeSet<&str>) -> Vec<Known> {
-    let mut known: Vec<(usize, Known)> = known
+fn within(known: &[Known], functions: &BTreeSet<&str>) -> Vec<InFunctions> {
+    let mut known: Vec<InFunctions> = known
         .iter()
         .map(|known| {
             let signature = known.signature.within(functions);
-            let left_out = known.signature.wrong() - signature.wrong();
-            (
-                left_out,
-                Known {
+            InFunctions {
+                elsewhere: known.signature.wrong() - signature.wrong(),
+                known: Known {
                     signature,
                     ..known.clone()
                 },
-            )
+            }
         })
         .collect();
-    known.sort_by_key(|(left_out, _)| *left_out);
-    known.into_iter().map(|(_, known)| known).collect()
+    known.sort_by_key(|known| known.elsewhere);
+    known
+}
+
+/// A known mistake, restricted to some functions.
+struct InFunctions {
+    known: Known,
+    /// The wrong values that it has in other functions.
+    elsewhere: usize,
+}
+
+/// A known mistake, compared with a student's answers.
+#[derive(Clone, Copy)]
+struct Ranked<'a> {
+    known: &'a Known,
+    /// The wrong values that it would also have in functions whose answers are right.
+    elsewhere: usize,
+    agreement: Agreement,
+    /// The likeness in robust cases.
+    robust: f64,
+}
+
+impl Ranked<'_> {
+    fn of<'a>(one: &'a InFunctions, student: &Signature) -> Ranked<'a> {
+        let signature = &one.known.signature;
+        Ranked {
+            known: &one.known,
+            elsewhere: one.elsewhere,
+            agreement: student.agreement(signature),
+            robust: student.robust_agreement(signature).likeness(),
+        }
+    }
+
+    /// The likeliest first. Of equals, the one that needs the fewest assumptions: that it is made in
+    /// one function and not in another needs one.
+    fn compare(&self, other: &Ranked) -> Ordering {
+        let likeness = |of: &Ranked| of.agreement.likeness();
+        likeness(other)
+            .total_cmp(&likeness(self))
+            .then(self.elsewhere.cmp(&other.elsewhere))
+            .then(other.robust.total_cmp(&self.robust))
+    }
+
+    /// Whether the answers of this run are equally well explained by the other: it has the same
+    /// faults in the cases that count, is as alike in the others, and is no more contradicted by
+    /// functions whose answers are right.
+    fn is_as_likely_as(&self, other: &Ranked) -> bool {
+        self.known.signature.shows_the_same(&other.known.signature)
+            && self.robust >= other.robust
+            && (self.elsewhere == 0 || other.elsewhere > 0)
+    }
 }
 
 /// The mistake whose faults are of the same kinds as the student's. The cases in which they occur
 /// may differ: a tree that is built in another way has its leaves elsewhere. `None` if two mistakes
 /// have these kinds, or if the kind of a fault is not known.
-fn alone_of_its_kind<'a>(
-    ranked: &[(&'a Known, Agreement)],
-    student: &Signature,
-) -> Option<&'a Known> {
+fn alone_of_its_kind<'a>(ranked: &[Ranked<'a>], student: &Signature) -> Option<Ranked<'a>> {
     let kinds = student.kinds()?;
     let mut alike = ranked
         .iter()
-        .map(|(known, _)| *known)
-        .filter(|known| known.signature.kinds().as_ref() == Some(&kinds));
+        .filter(|one| one.known.signature.kinds().as_ref() == Some(&kinds));
     let first = alike.next()?;
     alike
-        .all(|other| other.mistakes == first.mistakes)
-        .then_some(first)
+        .all(|other| other.known.mistakes == first.known.mistakes)
+        .then_some(*first)
 }
 
 /// What is said about a mistake and those that cannot be distinguished from it.
@@ -279,20 +331,22 @@ struct Named {
     hint: String,
 }
 
-/// What is said about `best` and those of `ranked` that cannot be distinguished from it.
-fn with_twins(ranked: &[(&Known, Agreement)], best: &Known) -> Named {
+/// What is said about `best` and those of `ranked` that cannot be distinguished from it; `None` if
+/// they are too many.
+fn with_twins(ranked: &[Ranked], best: &Ranked) -> Option<Named> {
     let mut named = Named {
-        mistakes: best.mistakes.clone(),
-        says: best.descriptions.join(", and "),
+        mistakes: best.known.mistakes.clone(),
+        says: best.known.descriptions.join(", and "),
         others: String::new(),
-        hint: best.hints.join(" "),
+        hint: best.known.hints.join(" "),
     };
-    let twins = ranked.iter().map(|(twin, _)| twin).filter(|twin| {
-        let single = twin.mistakes.len() == 1;
-        single && twin.signature.shows_the_same(&best.signature)
-    });
-    for twin in twins {
+    let mut guesses = 1;
+    let twins = ranked
+        .iter()
+        .filter(|twin| twin.known.mistakes.len() == 1 && twin.is_as_likely_as(best));
+    for Ranked { known: twin, .. } in twins {
         if !named.mistakes.contains(&twin.mistakes[0]) {
+            guesses += 1;
             named.mistakes.extend(twin.mistakes.iter().cloned());
             let says = twin.descriptions.join(", and ");
             let other = format!("; another guess, as likely: code that {says}");
@@ -300,76 +354,64 @@ fn with_twins(ranked: &[(&Known, Agreement)], best: &Known) -> Named {
             named.hint = format!("{} Or: {}", named.hint, twin.hints.join(" "));
         }
     }
-    named
+    (guesses <= MOST_GUESSES).then_some(named)
 }
 
-/// Two mistakes that together explain what neither explains alone.
-fn two_at_once(
-    ranked: &[(&Known, Agreement)],
-    student: &Signature,
-    alone: f64,
-) -> Option<Diagnosis> {
-    let is_candidate = |(known, agreement): &&(&Known, Agreement)| {
-        let shares = agreement.equal as f64 >= CANDIDATE * agreement.second as f64;
-        known.mistakes.len() == 1 && agreement.equal > 0 && shares
+/// Two mistakes that together explain what neither explains alone: one leaves a rest that the other
+/// explains.
+fn two_at_once(ranked: &[Ranked], student: &Signature, alone: f64) -> Option<Diagnosis> {
+    let is_candidate = |one: &&Ranked| {
+        let shares = one.agreement.equal as f64 >= CANDIDATE * one.agreement.second as f64;
+        one.known.mistakes.len() == 1 && one.agreement.equal > 0 && shares
     };
-    let mut candidates: Vec<&(&Known, Agreement)> = ranked.iter().filter(is_candidate).collect();
-    candidates.sort_by_key(|(_, agreement)| std::cmp::Reverse(agreement.equal));
+    let mut candidates: Vec<Ranked> = ranked.iter().filter(is_candidate).copied().collect();
+    candidates.sort_by_key(|one| std::cmp::Reverse(one.agreement.equal));
     candidates.truncate(MOST_CANDIDATES);
-    let candidates: Vec<&Known> = candidates.into_iter().map(|(known, _)| *known).collect();
-    let pairs = candidates
-        .iter()
-        .enumerate()
-        .flat_map(|(i, first)| {
-            candidates[i + 1..]
-                .iter()
-                .map(move |second| (*first, *second))
-        })
-        .filter(|(first, second)| first.mistakes != second.mistakes)
-        .map(|(first, second)| {
-            let together = student.agreement_with_both(&first.signature, &second.signature);
-            (first, second, together)
-        });
+    let pairs = candidates.iter().enumerate().flat_map(|(i, first)| {
+        // The one that explains more comes first.
+        let others = candidates[i + 1..].iter();
+        others.map(move |second| (first, second))
+    });
+    let wrong = student.wrong();
     let (first, second, together) = pairs
-        .filter(|(.., together)| {
+        .filter(|(first, second)| first.known.mistakes != second.known.mistakes)
+        .map(|(first, second)| {
+            let [one, other] = [first, second].map(|one| &one.known.signature);
+            (first, second, student.agreement_with_both(one, other))
+        })
+        .filter(|(first, _, together)| {
             let is_made = |alone: &Alone| {
                 alone.shown >= FEWEST_CALLS && alone.shown as f64 >= MADE * alone.of as f64
             };
-            together.alone.iter().all(is_made)
+            let rest = wrong - first.agreement.equal;
+            let of_rest = together.equal - first.agreement.equal;
+            together.alone.iter().all(is_made) && of_rest as f64 >= OF_THE_REST * rest as f64
         })
         .max_by(|a, b| a.2.likeness().total_cmp(&b.2.likeness()))?;
     let likeness = together.likeness();
     let explains = likeness >= TOGETHER && 1.0 - likeness <= LEFT * (1.0 - alone);
-    (explains && likeness > alone).then(|| {
-        let explained_by = |known: &Known| {
-            let agreement = student.agreement(&known.signature);
-            agreement.equal.min(together.equal)
-        };
-        // The one that explains more comes first.
-        let (first, second) = match explained_by(first) >= explained_by(second) {
-            true => (first, second),
-            false => (second, first),
-        };
-        let by_first = explained_by(first);
-        let [mut first, second] = [first, second].map(|known| with_twins(ranked, known));
-        first.mistakes.extend(second.mistakes);
-        Diagnosis {
-            mistakes: first.mistakes,
-            says: format!(
-                "two mistakes at once: your answers look like those of code that {}, and that {}: the first explains {by_first} of {} wrong values, the second {} more{}{}",
-                first.says,
-                second.says,
-                together.either,
-                together.equal - by_first,
-                first.others,
-                second.others,
-            ),
-            description: format!("{}, and that {}", first.says, second.says),
-            hint: format!("{} {}", first.hint, second.hint),
-            equal: together.equal,
-            of: together.either,
-            certainty: Certainty::of(likeness, student),
-        }
+    if !explains || likeness <= alone {
+        return None;
+    }
+    let by_first = first.agreement.equal;
+    let by_second = together.equal - by_first;
+    let second_explains = match together.equal == wrong {
+        true => format!("the other {by_second}"),
+        false => format!("{by_second} more"),
+    };
+    let [mut first, second] = [with_twins(ranked, first)?, with_twins(ranked, second)?];
+    first.mistakes.extend(second.mistakes);
+    Some(Diagnosis {
+        mistakes: first.mistakes,
+        says: format!(
+            "two mistakes at once: your answers look like those of code that {}, and that {}: the first explains {by_first} of {wrong} wrong values, the second {second_explains}{}{}",
+            first.says, second.says, first.others, second.others,
+        ),
+        description: format!("{}, and that {}", first.says, second.says),
+        hint: format!("{} {}", first.hint, second.hint),
+        equal: together.equal,
+        of: together.either,
+        certainty: Certainty::of(likeness, student),
     })
 }
 
@@ -400,6 +442,57 @@ mod tests {
             "your answers equal those of code that does this: on 8 of 8 calls; \
              another guess, as likely: code that does that"
         );
+    }
+
+    #[test]
+    fn more_than_three_guesses_are_no_name() {
+        let wrong = signature(&[("case t", "2 8*a")]);
+        let all: Vec<Known> = ["a", "b", "c", "d"]
+            .map(|name| known(name, wrong.clone()))
+            .into();
+        assert!(diagnose(&all[..3], &wrong).is_some());
+        assert_eq!(diagnose(&all, &wrong), None);
+    }
+
+    #[test]
+    fn a_guess_that_right_answers_contradict_is_not_as_likely() {
+        let of = |sides: &[&str]| {
+            let sides: Vec<(&str, &str)> = sides.iter().map(|side| (*side, "9*a")).collect();
+            signature(&sides)
+        };
+        let in_both = known("both", of(&["case t@one", "case t@two"]));
+        let in_one = known("one", of(&["case t@one"]));
+        let named = |all: &[Known]| {
+            let diagnosis = diagnose(all, &of(&["case t@one"]));
+            diagnosis.expect("it is known").mistakes
+        };
+        assert_eq!(named(&[in_both.clone(), in_one]), ["one"]);
+        assert_eq!(named(&[in_both]), ["both"]);
+    }
+
+    #[test]
+    fn a_second_mistake_explains_what_the_first_leaves() {
+        let all = [
+            known("first", signature(&[("case t", "90*a")])),
+            known("second", signature(&[("case normal", "20*b")])),
+        ];
+        let of = |rest| {
+            diagnose(
+                &all,
+                &signature(&[("case t", "90*a"), ("case normal", rest)]),
+            )
+        };
+        let pair = of("20*b").expect("both are known");
+        assert!(
+            pair.says
+                .ends_with("the first explains 90 of 110 wrong values, the second the other 20"),
+            "{}",
+            pair.says
+        );
+        assert_eq!(pair.mistakes, ["first", "second"]);
+        // Half of the rest is not enough: a second mistake is not invented.
+        let one = of("20*b 20*c").map(|diagnosis| diagnosis.mistakes);
+        assert_ne!(one.as_deref().map(<[_]>::len), Some(2));
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! The report of a run. It is built last, from the scores, the diagnosis and the times, and printed
 //! as one [`screen`] or a long [`table`] for people, or as JSON for programs.
 
+pub mod claims;
 mod functions;
 pub mod links;
 pub mod message;

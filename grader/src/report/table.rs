@@ -293,7 +293,7 @@ fn explanation(text: &mut String, report: &TaskReport, hint: HintLevel, is_core:
             }
         }
         None if hint >= HintLevel::Mistake && is_core => {
-            text.push_str("  The answers match no known mistake.\n");
+            text.push_str("  No single known mistake explains the answers.\n");
         }
         None => {}
     }

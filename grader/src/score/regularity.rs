@@ -28,18 +28,32 @@ pub(crate) const FEW_DIGITS: &str =
 const CANCELLATION: &str =
     "digits lost by cancellation, as the textbook formula loses them, or by single precision";
 
-/// Sentences without a full stop, the most helpful first; none if nothing is regular.
+/// What sentences begin with that are about core cases, where robust ones are wrong in other ways,
+/// too.
+pub(crate) const IN_CORE: &str = "in the core cases, ";
+
+/// What a sentence begins with that a few wrong answers contradict.
+pub(crate) const FEW_EXCEPTIONS: &str = "with few exceptions, ";
+
+/// Sentences without a full stop, the most helpful first; none if nothing is regular. Each is true
+/// of all cases of the run, or says of which: `report::claims` tests it.
 pub fn of(task: &str, all: &[CaseResult], specs: &[Spec]) -> Vec<String> {
     let cases = that_count(all);
     let mut sentences = Vec::new();
     sentences.extend(fields(&cases, all));
-    let Some(aspect) = main_aspect(&cases) else {
-        return sentences;
-    };
-    let only = only_function(&cases);
-    sentences.extend(only.map(|name| format!("only the answers of {name} are wrong")));
-    sentences.extend(manner(task, &cases, aspect));
-    sentences.extend(where_wrong(task, &cases, aspect, specs, only));
+    if let Some(aspect) = main_aspect(&cases) {
+        let only = only_function(&cases);
+        sentences.extend(only.map(|name| format!("only the answers of {name} are wrong")));
+        sentences.extend(manner(&cases, aspect));
+        sentences.extend(where_wrong(task, &cases, aspect, specs, only));
+    }
+    let counts = |case: &CaseResult| cases.iter().any(|other| other.name == case.name);
+    let is_wrong = |case: &CaseResult| case.findings.iter().any(|finding| finding.wrong > 0);
+    if all.iter().any(|case| is_wrong(case) && !counts(case)) {
+        for sentence in &mut sentences {
+            sentence.insert_str(0, IN_CORE);
+        }
+    }
     sentences
 }
 
@@ -92,22 +106,21 @@ fn main_aspect(cases: &[&CaseResult]) -> Option<Aspect> {
     if most == 0 {
         return None;
     }
-    if 2 * wrong.get(&Aspect::HitOrMiss).copied().unwrap_or(0) >= most {
-        return Some(Aspect::HitOrMiss);
+    let mut decisions = wrong.iter().filter(|(aspect, _)| aspect.is_decision());
+    if let Some((decision, _)) = decisions.find(|(_, wrong)| 2 * **wrong >= most) {
+        return Some(*decision);
     }
     let mut of_most = wrong.into_iter().filter(|(_, wrong)| *wrong == most);
     of_most.next().map(|(aspect, _)| aspect)
 }
 
-/// Which fields are always right, where some are; `all` are the cases that may show another one
-/// wrong. Nobody knows what is right in answers that a crash took away.
+/// Which fields are always right, where some are. Nobody knows what is right in answers that a crash
+/// took away from one of `all` cases.
 fn fields(cases: &[&CaseResult], all: &[CaseResult]) -> Option<String> {
     if all.iter().any(|case| case.crash.is_some()) {
         return None;
     }
-    let mut wrong = wrong_by_aspect(cases.iter().copied());
-    let elsewhere = wrong_by_aspect(all);
-    wrong.retain(|aspect, wrong| *wrong > 0 || elsewhere.get(aspect) == Some(&0));
+    let wrong = wrong_by_aspect(cases.iter().copied());
     let labels = |is_wrong: bool| -> Vec<&str> {
         let some = wrong.iter().filter(|(_, wrong)| (**wrong > 0) == is_wrong);
         some.map(|(aspect, _)| aspect.label()).collect()
@@ -132,7 +145,7 @@ fn only_function<'a>(cases: &[&'a CaseResult]) -> Option<&'a str> {
 }
 
 /// How the aspect is wrong, if it is nearly always wrong in the same way.
-fn manner(task: &str, cases: &[&CaseResult], aspect: Aspect) -> Option<String> {
+fn manner(cases: &[&CaseResult], aspect: Aspect) -> Option<String> {
     let mut classes: BTreeMap<Class, usize> = BTreeMap::new();
     let faults = about(cases, aspect).flat_map(|(_, finding)| &finding.faults);
     for Fault { class, .. } in faults {
@@ -147,17 +160,22 @@ fn manner(task: &str, cases: &[&CaseResult], aspect: Aspect) -> Option<String> {
     let all: usize = classes.values().sum();
     let (class, same) = classes.into_iter().max_by_key(|(_, count)| *count)?;
     let regular = all >= FEWEST && same as f64 >= MOST * all as f64;
+    let scope = if same < all { FEW_EXCEPTIONS } else { "" };
     let label = aspect.label();
     let manner = match class {
         _ if !regular => return None,
-        Class::FalseHit | Class::FalseMiss => instead(task, aspect, class),
+        Class::FalseHit | Class::FalseMiss => instead(aspect, class),
         Class::NotANumber => format!("{label}: every wrong answer is NaN"),
         Class::Infinite => format!("{label}: every wrong answer is infinite"),
         Class::Zero => format!("{label}: every wrong answer is 0"),
         Class::Negated => format!("{label}: right but for the sign"),
+        Class::WrongSign => format!("{label}: every wrong answer has the wrong sign"),
+        Class::OtherSide => format!("{label}: on the other side of the surface"),
         Class::WrongLength => format!("{label}: the right direction with a wrong length"),
         Class::Swapped => format!("{label}: the right numbers in the wrong order"),
         Class::Ratio(0) => format!("{label}: nearly right, less than a factor of 1.5 off"),
+        Class::SlightlyLess => format!("{label}: too small, by less than a factor of 1.5"),
+        Class::SlightlyMore => format!("{label}: too large, by less than a factor of 1.5"),
         Class::Ratio(power) => format!(
             "{label}: about {} times the right number",
             2.0_f64.powi(power.into())
@@ -172,14 +190,14 @@ fn manner(task: &str, cases: &[&CaseResult], aspect: Aspect) -> Option<String> {
         }
         _ => return None,
     };
-    Some(manner)
+    Some(format!("{scope}{manner}"))
 }
 
-/// The sentence about answers of a `task` that have something where nothing is right
-/// ([`Class::FalseHit`]), or the reverse.
-fn instead(task: &str, aspect: Aspect, class: Class) -> String {
+/// The sentence about answers that have something where nothing is right ([`Class::FalseHit`]), or
+/// the reverse.
+fn instead(aspect: Aspect, class: Class) -> String {
     let [too_much, too_little] = match aspect {
-        Aspect::HitOrMiss if TASKS_OF_SAMPLES.contains(&task) => [
+        Aspect::SampleOrNone => [
             "where it is wrong whether there is a sample, there is one instead of None",
             "where it is wrong whether there is a sample, there is None instead of one",
         ],
@@ -195,10 +213,11 @@ fn instead(task: &str, aspect: Aspect, class: Class) -> String {
             "every wrong result is true instead of false",
             "every wrong result is false instead of true",
         ],
-        _ => [
+        aspect if COLOURS.contains(&aspect) => [
             "not black where black is right",
             "black where black is wrong",
         ],
+        _ => ["not 0 where 0 is right", "0 where 0 is wrong"],
     };
     let sentence = if class == Class::FalseHit {
         too_much
@@ -206,13 +225,15 @@ fn instead(task: &str, aspect: Aspect, class: Class) -> String {
         too_little
     };
     match aspect {
-        Aspect::HitOrMiss | Aspect::Survival | Aspect::Stop => sentence.into(),
+        Aspect::HitOrMiss | Aspect::SampleOrNone | Aspect::Survival | Aspect::Stop => {
+            sentence.into()
+        }
         _ => format!("{}: {sentence}", aspect.label()),
     }
 }
 
-/// The tasks in which "hit or miss" is whether a direction is sampled.
-const TASKS_OF_SAMPLES: [&str; 2] = ["part3.task1", "part4.task1"];
+/// The aspects that are colours. Others are numbers.
+const COLOURS: [Aspect; 3] = [Aspect::Radiance, Aspect::Bsdf, Aspect::Throughput];
 
 /// The aspects whose class [`Class::Off`] gives the size of the error, in units of the answer.
 const HAS_A_SIZE: [Aspect; 6] = [
@@ -227,8 +248,8 @@ const HAS_A_SIZE: [Aspect; 6] = [
 /// Errors of at most 2 to this power come from rounding or from typed constants.
 const SINGLE_PRECISION: i8 = -17;
 
-/// Under which circumstances the aspect is wrong, if all wrong answers share one that most other
-/// answers do not have.
+/// Under which circumstances answers are wrong, if all wrong ones share one that most others, in which
+/// the aspect is right, do not have.
 fn where_wrong(
     task: &str,
     cases: &[&CaseResult],
@@ -241,10 +262,18 @@ fn where_wrong(
     let mut wrong = 0;
     let mut others = 0;
     let mut counts: BTreeMap<&str, [usize; 2]> = BTreeMap::new();
-    for (case, finding) in about(cases, aspect) {
-        let spec = specs.iter().find(|spec| spec.is(task, case))?;
-        let wrong_calls: BTreeSet<u32> = finding.faults.iter().map(|fault| fault.call).collect();
-        for &call in &finding.judged_calls {
+    for case in cases {
+        let spec = specs.iter().find(|spec| spec.is(task, &case.name))?;
+        let of_calls = case.findings.iter();
+        let of_calls = of_calls.filter(|finding| !finding.aspect.is_of_all_calls());
+        let faults = of_calls.clone().flat_map(|finding| &finding.faults);
+        let wrong_calls: BTreeSet<u32> = faults.map(|fault| fault.call).collect();
+        let judged = of_calls.filter(|finding| finding.aspect == aspect);
+        let judged = judged.flat_map(|finding| finding.judged_calls.iter().copied());
+        for call in judged
+            .chain(wrong_calls.iter().copied())
+            .collect::<BTreeSet<u32>>()
+        {
             let is_wrong = wrong_calls.contains(&call);
             wrong += usize::from(is_wrong);
             others += usize::from(!is_wrong);
@@ -324,16 +353,16 @@ mod tests {
 
     #[test]
     fn tasks_without_hits_are_told_in_their_own_words() {
-        let says = |task, aspect| instead(task, aspect, Class::FalseHit);
-        assert!(says("part1.task3", Aspect::HitOrMiss).contains("a hit instead of a miss"));
-        for (task, aspect) in [
-            ("part3.task1", Aspect::HitOrMiss),
-            ("part3.task2", Aspect::Radiance),
-            ("part4.task1", Aspect::HitOrMiss),
-            ("part4.task3", Aspect::Survival),
-            ("part5.task1", Aspect::Stop),
+        let says = |aspect| instead(aspect, Class::FalseHit);
+        assert!(says(Aspect::HitOrMiss).contains("a hit instead of a miss"));
+        for aspect in [
+            Aspect::SampleOrNone,
+            Aspect::Radiance,
+            Aspect::Pdf,
+            Aspect::Survival,
+            Aspect::Stop,
         ] {
-            let says = says(task, aspect);
+            let says = says(aspect);
             assert!(!says.contains("hit") && !says.contains("miss"), "{says}");
         }
     }

@@ -122,6 +122,9 @@ pub(super) static TELLING_KINDS: LazyLock<HashSet<u16>> = LazyLock::new(|| {
         Class::Infinite,
         Class::Zero,
         Class::Negated,
+        Class::OtherSide,
+        Class::SlightlyLess,
+        Class::SlightlyMore,
         Class::WrongLength,
         Class::Swapped,
     ];

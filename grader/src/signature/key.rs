@@ -28,18 +28,23 @@ pub enum Side {
 }
 
 impl SignatureKey {
-    /// The key of the wrong hits and misses of the same case and function. No other aspect of a
-    /// wrong hit or miss is judged. `None` if this is that key.
-    pub(super) fn hit_or_miss(&self) -> Option<SignatureKey> {
-        let key = SignatureKey {
+    /// The keys of the wrong hits and misses, or samples and `None`s, of the same case and function.
+    /// Where these are wrong, no other aspect is judged. None if this is such a key.
+    pub(super) fn decisions(&self) -> impl Iterator<Item = SignatureKey> {
+        let of = |aspect| SignatureKey {
             case: self.case.clone(),
             side: Side::Aspect {
-                aspect: Aspect::HitOrMiss,
+                aspect,
                 function: self.side.function().map(str::to_string),
                 fault: None,
             },
         };
-        (key != *self).then_some(key)
+        let decides = self
+            .side
+            .place()
+            .is_some_and(|(aspect, _)| aspect.is_decision());
+        let keys = [Aspect::HitOrMiss, Aspect::SampleOrNone].map(of);
+        keys.into_iter().filter(move |_| !decides)
     }
 
     /// The key of a crash of the same case.
@@ -149,11 +154,9 @@ mod tests {
     fn nothing_else_is_judged_where_a_hit_is_missed_in_the_same_function() {
         let key = |text| SignatureKey::parse(text).expect("it is a key");
         let hit_or_miss = key("one decision@refract");
-        assert_eq!(
-            key("one t@refract").hit_or_miss(),
-            Some(hit_or_miss.clone())
-        );
-        assert_eq!(hit_or_miss.hit_or_miss(), None);
+        let decides = |key: &SignatureKey| key.decisions().any(|key| key == hit_or_miss);
+        assert!(decides(&key("one t@refract")));
+        assert!(!decides(&key("one t@glass")) && !decides(&hit_or_miss));
         assert_eq!(key("one t").crash(), key("one crashed"));
     }
 }

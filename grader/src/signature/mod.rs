@@ -159,22 +159,12 @@ impl Signature {
 
     /// Counts the calls on which both are wrong, and those on which both are wrong in the same way.
     pub fn agreement(&self, other: &Signature) -> Agreement {
-        let mut agreement = Agreement {
-            first: self.wrong(),
-            second: other.wrong(),
-            ..Agreement::default()
-        };
-        for (key, codes) in self.cases() {
-            let Some(others) = other.cases().get(key) else {
-                continue;
-            };
-            let pairs = codes.0.iter().zip(&others.0);
-            for (a, b) in pairs.filter(|(a, b)| **a != 0 && **b != 0) {
-                agreement.both += 1;
-                agreement.equal += usize::from(a == b);
-            }
-        }
-        agreement
+        Agreement::of(self.cases(), other.cases())
+    }
+
+    /// As [`Signature::agreement`], in the robust cases alone.
+    pub fn robust_agreement(&self, other: &Signature) -> Agreement {
+        Agreement::of(&self.robust, &other.robust)
     }
 
     /// Whether this code is right where `mistake` would make it wrong, so it cannot be this
@@ -199,8 +189,9 @@ impl Signature {
     }
 
     /// Whether a case disagrees with `mistake` throughout: at least `DISAGREEING` values of it are
-    /// wrong here or there, and not one of them in the same way. Where a hit is missed, or code
-    /// crashes, nothing else can agree.
+    /// wrong here or there, and not one of them in the same way. A test of all calls together, such
+    /// as that of a distribution, weighs as much as a case: it disagrees if it fails only here or
+    /// only there. Where a hit is missed, or code crashes, nothing else can agree.
     pub fn disagrees_throughout(&self, mistake: &Signature) -> bool {
         let mut cases: BTreeMap<&str, Alone> = BTreeMap::new();
         let [mine, theirs] = [self, mistake].map(Signature::cases);
@@ -211,6 +202,13 @@ impl Signature {
                 codes.map_or(&[][..], |codes| &codes.0)
             });
             let hidden = [mine, theirs].map(|cases| Hiding::of(cases, key));
+            let is_of_all_calls = matches!(&key.side, Side::Aspect { aspect, fault: None, .. } if aspect.is_of_chance());
+            if is_of_all_calls
+                && codes.iter().any(|codes| codes.is_empty())
+                && !hidden.iter().any(|hidden| hidden.at(0))
+            {
+                return true;
+            }
             let case = cases.entry(&key.case).or_default();
             for call in 0..codes[0].len().max(codes[1].len()) {
                 let [a, b] = codes.map(|codes| codes.get(call).copied().unwrap_or(0));
@@ -307,6 +305,26 @@ impl Signature {
 }
 
 impl Agreement {
+    fn of(cases: &Cases, others: &Cases) -> Agreement {
+        let wrong = |cases: &Cases| cases.values().map(Codes::wrong).sum();
+        let mut agreement = Agreement {
+            first: wrong(cases),
+            second: wrong(others),
+            ..Agreement::default()
+        };
+        for (key, codes) in cases {
+            let Some(others) = others.get(key) else {
+                continue;
+            };
+            let pairs = codes.0.iter().zip(&others.0);
+            for (a, b) in pairs.filter(|(a, b)| **a != 0 && **b != 0) {
+                agreement.both += 1;
+                agreement.equal += usize::from(a == b);
+            }
+        }
+        agreement
+    }
+
     /// Of the calls on which at least one of the two is wrong, the fraction on which both are wrong
     /// in the same way; 1 for equal signatures.
     pub fn likeness(&self) -> f64 {

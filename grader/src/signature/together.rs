@@ -86,7 +86,7 @@ pub(super) struct Hiding<'a> {
 
 impl Hiding<'_> {
     pub(super) fn of<'a>(cases: &'a Cases, key: &SignatureKey) -> Hiding<'a> {
-        let decisions = key.hit_or_miss().and_then(|key| cases.get(&key));
+        let decisions = key.decisions().find_map(|key| cases.get(&key));
         Hiding {
             crashed: cases.contains_key(&key.crash()),
             decisions: decisions.map_or(&[], |codes| &codes.0),

@@ -14,6 +14,7 @@ use base::{GraderError, Workspace, out, outln};
 use clap::{Arg, ArgAction, ArgMatches, Command};
 use grader::course::Course;
 use grader::diagnosis::{self, Diagnosis, Known};
+use grader::report::claims;
 use grader::score::regularity;
 use grader::signature::Signature;
 use grader::sketch::Sketch;
@@ -144,6 +145,10 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
                 let known = diagnosis::known(&workspace, &task.key)?;
                 let graded = run::unlisted(&workspace, &course, task, mutants)?;
                 show_unlisted(&task.key, &graded, &known);
+                for claim in false_claims(&task.key, &graded, &known) {
+                    outln!("  FALSE: {claim}");
+                    verdict = Exit::Failed;
+                }
                 if !show_blessings(&task.key, &graded, against_bless) {
                     verdict = Exit::Failed;
                 }
@@ -165,6 +170,10 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
         }
         let none_is_blessed = show_blessings(&task.key, &graded, against_bless);
         let rewarded = table::rewarded(&graded);
+        let claims = false_claims(&task.key, &graded, &known);
+        for claim in &claims {
+            outln!("  FALSE: {claim}");
+        }
         for (name, [earned, base]) in &rewarded {
             outln!(
                 "  REWARDED: {name} earns {earned} points, and the correct code that it is made from {base}"
@@ -174,6 +183,7 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
             || !table.survivors().is_empty()
             || !none_is_blessed
             || !rewarded.is_empty()
+            || !claims.is_empty()
         {
             verdict = Exit::Failed;
         }
@@ -198,6 +208,22 @@ fn print_stored(workspace: &Workspace, task: &str) -> Result<(), GraderError> {
         out!("{}", known.signature.to_text());
     }
     Ok(())
+}
+
+/// What reports would say of these versions that is false of their answers.
+fn false_claims(task: &str, graded: &[run::Graded], known: &[Known]) -> Vec<String> {
+    let specs = cases::all(0);
+    let each = graded.iter().flat_map(|graded| {
+        let cases = &graded.result.cases;
+        let common = regularity::of(task, cases, &specs);
+        let diagnosis = diagnosis::diagnose(known, &Signature::of(cases));
+        let claims = claims::false_ones(task, cases, &specs, &common, diagnosis.as_ref());
+        let name = &graded.name;
+        claims
+            .into_iter()
+            .map(move |claim| format!("{name}: {claim}"))
+    });
+    each.collect()
 }
 
 /// Compares with the stored table and signatures, and prints what differs.

@@ -78,5 +78,5 @@ fn is_about(spec: &Spec, aspect: Aspect) -> bool {
     let about = spec.about_aspects;
     about.is_empty()
         || about.contains(&aspect)
-        || aspect == Aspect::HitOrMiss && about.iter().any(|aspect| aspect.needs_a_hit())
+        || aspect.is_decision() && about.iter().any(|aspect| aspect.needs_a_hit())
 }

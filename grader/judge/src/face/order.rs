@@ -1,6 +1,6 @@
 //! Orders the findings about a case: those that explain the most come first.
 
-use crate::tools::tally::{Aspect, Class, Finding};
+use crate::tools::tally::{Class, Finding};
 use std::collections::BTreeSet;
 
 /// Orders the findings of a case by how much they explain: each next one is wrong on the most calls
@@ -29,10 +29,9 @@ fn rank(finding: &Finding, explained: &BTreeSet<u32>) -> impl Ord + use<> {
     let calls: BTreeSet<u32> = finding.faults.iter().map(|fault| fault.call).collect();
     let new = calls.difference(explained).count();
     let is_named = |fault: &crate::tools::tally::Fault| matches!(fault.class, Class::Named(_));
-    let is_hit_or_miss = finding.aspect == Aspect::HitOrMiss;
     (
         std::cmp::Reverse(new),
-        !is_hit_or_miss,
+        !finding.aspect.is_decision(),
         !finding.faults.iter().any(is_named),
     )
 }
@@ -40,7 +39,7 @@ fn rank(finding: &Finding, explained: &BTreeSet<u32>) -> impl Ord + use<> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::tools::tally::Aspect::*;
+    use crate::tools::tally::Aspect::{self, *};
     use crate::tools::tally::Tally;
 
     /// The aspects in order, of findings that are wrong in these calls of 10; `named` aspects have

@@ -115,8 +115,8 @@ impl Spec {
     /// such as the positions of samples; if there are none, the first that the case is about.
     /// Wherever hit or miss is judged it is main, since without it nothing else means much.
     pub(crate) fn is_main(&self, aspect: Aspect) -> bool {
-        if aspect == Aspect::HitOrMiss || !self.main_aspects.is_empty() {
-            return aspect == Aspect::HitOrMiss || self.main_aspects.contains(&aspect);
+        if aspect.is_decision() || !self.main_aspects.is_empty() {
+            return aspect.is_decision() || self.main_aspects.contains(&aspect);
         }
         let of_kind = self.check.main();
         let about = self.about_aspects;

@@ -286,7 +286,7 @@ fn explanation(out: &mut Lines, report: &TaskReport, reveal: Reveal) {
         None if reveal.hint >= HintLevel::Mistake && lost_core && !has_crashed => {
             let common = &report.regularities;
             if !common.iter().any(|says| says.contains(FEW_DIGITS)) {
-                out.add(2, 1, "  The answers match no known mistake.");
+                out.add(2, 1, "  No single known mistake explains the answers.");
             }
             if reveal.hint >= HintLevel::Remedy {
                 read_more(out, &report.result.key, Section::Contract);

@@ -509,7 +509,7 @@ fn a_cause_that_is_told_is_not_called_unknown() {
         };
         let context = context("part1.task3");
         let text = screen(vec![wrong], &context, reveal(HintLevel::Mistake));
-        text.contains("match no known mistake")
+        text.contains("single known mistake explains")
     };
     assert!(says("wrong: t"));
     assert!(!says(&format!(

@@ -3,7 +3,9 @@
 use super::turns;
 use crate::tools::questions::probes::ProbeRng;
 use crate::tools::spec::Spec;
-use crate::tools::tally::Aspect::{Bsdf, HitOrMiss, Pdf, SampleRecord, SampledDirection, Spread};
+use crate::tools::tally::Aspect::{
+    Bsdf, Pdf, SampleOrNone, SampleRecord, SampledDirection, Spread,
+};
 use kit::Vec3;
 use wire::direct::LambertProbe;
 use wire::kind;
@@ -49,7 +51,7 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
                 rng.one_of(&[(near_the_plane, other), (other, near_the_plane)])
             }),
         )
-        .only(&[Bsdf, Pdf, HitOrMiss]),
+        .only(&[Bsdf, Pdf, SampleOrNone]),
         case(
             "sampled_directions",
             "Many samples: unit vectors on the side of wo, with a density proportional to the \

@@ -58,7 +58,7 @@ pub(crate) fn untested(tally: &mut Tally, probes: &[LambertProbe], answers: &[La
 }
 
 fn one(tally: &mut Tally, call: usize, probe: &LambertProbe, answer: &LambertAnswer) {
-    for aspect in [Aspect::Bsdf, Aspect::Pdf, Aspect::HitOrMiss] {
+    for aspect in [Aspect::Bsdf, Aspect::Pdf, Aspect::SampleOrNone] {
         tally.expect(aspect);
     }
     let (wo, wi) = (Vec3::from(probe.wo), Vec3::from(probe.wi));
@@ -86,7 +86,7 @@ fn one(tally: &mut Tally, call: usize, probe: &LambertProbe, answer: &LambertAns
         });
     }
     let of_a_sample = [
-        Aspect::HitOrMiss,
+        Aspect::SampleOrNone,
         Aspect::SampledDirection,
         Aspect::SampleRecord,
     ];
@@ -97,13 +97,13 @@ fn one(tally: &mut Tally, call: usize, probe: &LambertProbe, answer: &LambertAns
     let sample_input = || format!("lambert_sample: wo = {}, u = {:?}", show(wo), probe.u);
     let Some(sample) = answer.sample else {
         let class = (wo.z != 0.0).then_some(Class::FalseMiss);
-        tally.judge_class(Aspect::HitOrMiss, call, class, 1.0, || {
+        tally.judge_class(Aspect::SampleOrNone, call, class, 1.0, || {
             format!("your result: None; expected: a sample. {}", sample_input())
         });
         return;
     };
     let class = (wo.z == 0.0).then_some(Class::FalseHit);
-    tally.judge_class(Aspect::HitOrMiss, call, class, 1.0, || {
+    tally.judge_class(Aspect::SampleOrNone, call, class, 1.0, || {
         format!(
             "your result: a sample; expected: None, since wo lies in the plane of the surface. {}",
             sample_input()
@@ -119,7 +119,7 @@ fn one(tally: &mut Tally, call: usize, probe: &LambertProbe, answer: &LambertAns
     let class = if off.is_nan() || off > BOUND {
         Some(Class::WrongLength)
     } else {
-        (cosine_of(drawn_wi) == 0.0).then_some(Class::Negated)
+        (cosine_of(drawn_wi) == 0.0).then_some(Class::OtherSide)
     };
     tally.judge_class(Aspect::SampledDirection, call, class, off, || {
         format!(

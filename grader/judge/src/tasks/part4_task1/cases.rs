@@ -2,7 +2,7 @@
 
 use crate::tools::questions::probes::ProbeRng;
 use crate::tools::spec::Spec;
-use crate::tools::tally::Aspect::{Bsdf, Fresnel, HitOrMiss, Mean, Pdf, SampledDirection};
+use crate::tools::tally::Aspect::{Bsdf, Fresnel, Mean, Pdf, SampleOrNone, SampledDirection};
 use kit::Vec3;
 use wire::global::SpecularCall::{
     self, Fresnel as Share, Glass, Mirror, Reflect, Refract, Refraction,
@@ -41,7 +41,7 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
              division by 0.",
             edge_on(),
         )
-        .only(&[HitOrMiss]),
+        .only(&[SampleOrNone]),
         case(
             "snells_law",
             "sin θi = η · sin θo on the other side of the normal and of the surface: η is 1 / ior \
@@ -87,7 +87,7 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
                 ]
             }),
         )
-        .only(&[HitOrMiss, SampledDirection, Fresnel, Bsdf]),
+        .only(&[SampleOrNone, SampledDirection, Fresnel, Bsdf]),
         case(
             "fresnel",
             "The Fresnel reflectance from normal incidence (0.04 for glass) to grazing incidence \
@@ -110,7 +110,7 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
                 }]
             }),
         )
-        .only(&[Bsdf, Pdf, HitOrMiss]),
+        .only(&[Bsdf, Pdf, SampleOrNone]),
         case(
             "either_way",
             "Glass reflects if choice < F and refracts otherwise; the pdf is F or 1 - F, and f \
@@ -157,7 +157,7 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
              the cosine are lost; η² cos² + (1 - η)(1 + η) keeps them.",
             grazing(),
         )
-        .only(&[HitOrMiss, SampledDirection, Fresnel]),
+        .only(&[SampleOrNone, SampledDirection, Fresnel]),
     ]
 }
 

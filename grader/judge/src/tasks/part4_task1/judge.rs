@@ -58,11 +58,11 @@ pub(crate) fn is_answer_to(input: &SpecularCall, answer: &SpecularAnswer) -> boo
 
 /// The aspects of an answer.
 fn aspects(answer: &SpecularAnswer) -> &'static [Aspect] {
-    use Aspect::{Bsdf, Fresnel, HitOrMiss, Pdf, SampledDirection};
+    use Aspect::{Bsdf, Fresnel, Pdf, SampleOrNone, SampledDirection};
     match answer {
         SpecularAnswer::Share(_) => &[Fresnel],
-        SpecularAnswer::Direction(_) => &[HitOrMiss, SampledDirection],
-        SpecularAnswer::Sample(_) => &[HitOrMiss, SampledDirection, Pdf, Bsdf],
+        SpecularAnswer::Direction(_) => &[SampleOrNone, SampledDirection],
+        SpecularAnswer::Sample(_) => &[SampleOrNone, SampledDirection, Pdf, Bsdf],
     }
 }
 
@@ -109,13 +109,13 @@ fn optional_direction(
     right: Option<Vec3>,
     bound: f64,
 ) {
-    tally.expect(Aspect::HitOrMiss);
+    tally.expect(Aspect::SampleOrNone);
     let class = match (answered, right) {
         (Some(_), None) => Some(Class::FalseHit),
         (None, Some(_)) => Some(Class::FalseMiss),
         _ => None,
     };
-    tally.judge_class(Aspect::HitOrMiss, call, class, 1.0, || {
+    tally.judge_class(Aspect::SampleOrNone, call, class, 1.0, || {
         let right = right.map_or("no direction".into(), show);
         format!("your result: {answered:?}; expected: {right}. {input:?}")
     });

@@ -29,6 +29,8 @@ pub enum Aspect {
     // Reports and signatures have had this name from the start.
     #[serde(rename = "decision")]
     HitOrMiss,
+    /// Whether there is a sample, or a direction.
+    SampleOrNone,
     /// The index of the primitive.
     Primitive,
     /// Distance along the ray.
@@ -86,6 +88,11 @@ pub enum Aspect {
 }
 
 impl Aspect {
+    /// Whether the aspect is the one without which no other of the same answer is judged.
+    pub fn is_decision(self) -> bool {
+        matches!(self, Aspect::HitOrMiss | Aspect::SampleOrNone)
+    }
+
     /// Whether only an answer that is a hit, or a sample, has the aspect. A false miss lacks it, so
     /// a case about the aspect is also about hit or miss.
     pub(crate) fn needs_a_hit(self) -> bool {
@@ -106,7 +113,7 @@ impl Aspect {
 
     /// Whether the aspect is one of all answers of a case together. Its faults are recorded at one
     /// call, but no call is to blame alone.
-    pub(crate) fn is_of_all_calls(self) -> bool {
+    pub fn is_of_all_calls(self) -> bool {
         matches!(
             self,
             Aspect::Mean
@@ -119,6 +126,11 @@ impl Aspect {
                 | Aspect::LeafSize
                 | Aspect::Repeatable
         )
+    }
+
+    /// Whether a statistical test of many random answers judges the aspect.
+    pub fn is_of_chance(self) -> bool {
+        matches!(self, Aspect::Mean | Aspect::Spread)
     }
 
     /// The name of the aspect in reports.
@@ -134,6 +146,7 @@ impl Aspect {
             Aspect::UnitLength => "unit length",
             Aspect::Range => "min_t and max_t",
             Aspect::HitOrMiss => "hit or miss",
+            Aspect::SampleOrNone => "whether there is a sample",
             Aspect::Primitive => "primitive",
             Aspect::T => "t",
             Aspect::Barycentrics => "barycentric weights",

@@ -10,18 +10,26 @@ pub enum Class {
     Wrong,
     /// Off by about 2 to this power.
     Off(i8),
-    /// A hit where there is none.
+    /// A hit where there is none, a number that is not 0 where 0 is right.
     FalseHit,
-    /// No hit where there is one.
+    /// No hit where there is one, black where there is light.
     FalseMiss,
     /// NaN.
     NotANumber,
     /// The negated right number or direction.
     Negated,
+    /// A number with the wrong sign and another magnitude.
+    WrongSign,
+    /// A direction on the other side of the surface.
+    OtherSide,
     /// The right direction with another length.
     WrongLength,
     /// A number that is about 2 to this power times the right one.
     Ratio(i8),
+    /// A number that is too small by less than a factor of the square root of 2.
+    SlightlyLess,
+    /// A number that is too large by less than a factor of the square root of 2.
+    SlightlyMore,
     /// A colour whose channels are about 2 to the power of these numbers over `PER_OCTAVE` times
     /// the right ones; `BLACK_CHANNEL` for channels that are rightly black.
     Colour([i8; 3]),
@@ -57,6 +65,19 @@ impl Class {
             Class::Ratio(ratio.log2().round().clamp(-99.0, 99.0) as i8)
         } else {
             Class::Wrong
+        }
+    }
+
+    /// As [`Class::of_number`], but too small and too large, a wrong sign and a number in the place
+    /// of 0 have classes of their own: for densities, counts and sums, in which different mistakes
+    /// cause them.
+    pub fn of_signed_number(answered: f64, right: f64) -> Class {
+        match Class::of_number(answered, right) {
+            Class::Ratio(0) if answered.abs() < right.abs() => Class::SlightlyLess,
+            Class::Ratio(0) => Class::SlightlyMore,
+            Class::Wrong if right == 0.0 => Class::FalseHit,
+            Class::Wrong if answered / right < 0.0 => Class::WrongSign,
+            class => class,
         }
     }
 

@@ -12,6 +12,12 @@ pub use finding::{Fault, Finding, FunctionCount, Worst, WrongAnswer};
 pub use not_judged::NotJudged;
 
 use crate::tools::errors::{ErrorSpread, NumberError};
+use std::cmp::Ordering;
+
+/// The number of digits that a reader of the message has to compare.
+fn digits(message: &str) -> usize {
+    message.bytes().filter(u8::is_ascii_digit).count()
+}
 
 /// Collects the findings of a case.
 #[derive(Clone, Debug, Default)]
@@ -124,14 +130,18 @@ impl Tally {
         } else {
             badness
         };
-        let is_worst = finding
-            .worst
-            .as_ref()
-            .is_none_or(|worst| badness > worst.badness);
-        if !is_worst && !keeps_messages {
+        let size = |badness: f64| badness.log2().floor();
+        let worst = finding.worst.as_ref();
+        let compared = worst.map(|worst| size(badness).total_cmp(&size(worst.badness)));
+        if compared == Some(Ordering::Less) && !keeps_messages {
             return;
         }
         let message = message();
+        // Of errors of about the same size, the one with the fewest digits to read.
+        let is_worst = match (compared, worst) {
+            (Some(Ordering::Equal), Some(worst)) => digits(&message) < digits(&worst.message),
+            (compared, _) => compared != Some(Ordering::Less),
+        };
         if is_worst {
             finding.worst = Some(Worst {
                 call,
@@ -245,6 +255,30 @@ mod tests {
         assert_eq!(finding.passed_by("test"), Some(true));
         assert_eq!(finding.passed_by("record"), Some(false));
         assert_eq!(finding.passed_by("other"), None);
+    }
+
+    #[test]
+    fn the_worst_answer_is_large_and_simple() {
+        let worst = |answers: &[(f64, &str)]| {
+            let mut tally = Tally::default();
+            for (call, (badness, message)) in answers.iter().enumerate() {
+                tally.judge(Aspect::T, call, false, *badness, || message.to_string());
+            }
+            let finding = tally.into_findings().remove(0);
+            finding.worst.map(|worst| worst.message)
+        };
+        let all = [
+            (1.0, "1.741 against 1.74"),
+            (6.0, "7.31"),
+            (7.5, "8.125"),
+            (5.0, "7"),
+        ];
+        assert_eq!(worst(&all).as_deref(), Some("7"));
+        assert_eq!(worst(&all[..3]).as_deref(), Some("7.31"));
+        assert_eq!(
+            worst(&[all[3], (f64::NAN, "NaN at 0.25")]).as_deref(),
+            Some("NaN at 0.25")
+        );
     }
 
     #[test]

@@ -152,7 +152,8 @@ impl Estimate<'_> {
         let named = mistakes.iter().find(|(_, sum)| !is(right) && is(*sum));
         if let Some((name, _)) = named {
             let class = Some(Class::Named(name));
-            tally.judge_class(aspect, call, class, 1.0, || {
+            let off = (Vec3::from(answered) - right).length();
+            tally.judge_class(aspect, call, class, off, || {
                 let right = right.to_array();
                 format!(
                     "your result: {answered:?}; expected: {right:?}. {}",
@@ -261,7 +262,7 @@ impl Estimate<'_> {
         } else if all(&|d| d.z) {
             Class::Named("as if they were local")
         } else {
-            Class::Negated
+            Class::OtherSide
         }
     }
 
@@ -454,7 +455,11 @@ impl Estimate<'_> {
         let traced = self.answer.rays.len();
         let right = (least as usize..=most as usize).contains(&traced);
         let (wanted, size) = (f64::from(least), traced as f64 - f64::from(most));
-        let class = (!right).then(|| Class::of_number(traced as f64, wanted));
+        let class_of = match self.work.strategy {
+            Strategy::Hemisphere => Class::of_signed_number,
+            Strategy::ZeroBounce | Strategy::Lights => Class::of_number,
+        };
+        let class = (!right).then(|| class_of(traced as f64, wanted));
         tally.judge_class(Aspect::Rays, self.call, class, size.abs(), || {
             let right = if least == most {
                 format!("{least}")

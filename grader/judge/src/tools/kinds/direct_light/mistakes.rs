@@ -18,6 +18,8 @@ pub(crate) struct HemisphereMistakes {
     local: Vec3,
     world_wi: Vec3,
     world_wo: Vec3,
+    world_both: Vec3,
+    all_in_world: Vec3,
     world_up: Vec3,
     world_z: Vec3,
     geometric: Vec3,
@@ -47,6 +49,9 @@ impl HemisphereMistakes {
         self.local += place.f(wo, d) * seen * d.z.abs();
         self.world_wi += place.f(wo, d) * seen * wi.z.abs();
         self.world_wo += place.f(place.frame.to_world(wo), wi) * seen * wi.z.abs();
+        let in_world = place.f(place.frame.to_world(wo), d) * seen;
+        self.world_both += in_world * wi.z.abs();
+        self.all_in_world += in_world * d.z.abs();
         self.world_z += light * d.z.abs();
         self.geometric += light * d.dot(place.ng).abs();
         self.world_up += light * d.y.abs();
@@ -59,7 +64,7 @@ impl HemisphereMistakes {
     }
 
     /// The sums, with `share` as the weight of each ray, and the names of the mistakes.
-    pub(crate) fn sums(&self, share: f64) -> [(&'static str, Vec3); 16] {
+    pub(crate) fn sums(&self, share: f64) -> [(&'static str, Vec3); 18] {
         let of_those = f64::from(self.rays) / f64::from(self.rays_to_light.max(1));
         [
             ("without the cosine", self.without_cosine * share),
@@ -75,6 +80,8 @@ impl HemisphereMistakes {
             ("the cosine to the geometric normal", self.geometric * share),
             ("f of the world's wo", self.world_wo * share),
             ("the cosine to the world's z", self.world_z * share),
+            ("f of both in the world", self.world_both * share),
+            ("f and the cosine in the world", self.all_in_world * share),
             ("grey light", self.grey * share),
             ("the last ray alone", self.last * share),
             ("mean of what finds light", self.right * share * of_those),

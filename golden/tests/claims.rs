@@ -1,0 +1,96 @@
+//! No sentence of a report is false of the answers that it is about: typical mistakes are planted in
+//! the reference's answers, alone and in pairs, and what a student would read is compared with them.
+//! `grader mutants` does the same with the code of every mutant, `.ci/nightly mutants` with all.
+
+use super::mistakes::{SPECS, TRIANGLE_MISTAKES, TriangleMistake, reference};
+use base::Workspace;
+use grader::course::Course;
+use grader::diagnosis;
+use grader::report::claims;
+use grader::score::{CaseResult, Status, regularity};
+use grader::signature::Signature;
+use judge::cases::Spec;
+use std::path::Path;
+use wire::{Answer, Work};
+
+const TASK: &str = "part1.task3";
+
+/// The cases of the task whose answers are those of triangles, with the reference's answers.
+fn right_answers() -> Vec<(&'static Spec, Answer)> {
+    let of_task = SPECS.iter().filter(|spec| spec.task == TASK);
+    let triangles = of_task.filter(|spec| matches!(spec.work, Work::Triangles(_)));
+    triangles
+        .filter_map(|spec| Some((spec, reference(spec)?)))
+        .collect()
+}
+
+/// The results of code that makes these mistakes.
+fn results(
+    course: &Course,
+    right: &[(&Spec, Answer)],
+    mistakes: &[TriangleMistake],
+) -> Vec<CaseResult> {
+    let task = course.tasks().find(|task| task.key == TASK);
+    let entries = &task.expect("the task is in the course").cases;
+    let one = |(spec, answer): &(&Spec, Answer)| {
+        let entry = entries.iter().find(|entry| entry.name == spec.name)?;
+        let (Work::Triangles(work), Answer::Triangles(answers)) = (&spec.work, answer) else {
+            return None;
+        };
+        let mut answers = answers.clone();
+        for (probe, answer) in work.probes.iter().zip(&mut answers) {
+            let triangle = &work.triangles[probe.shape as usize];
+            for mistake in mistakes {
+                mistake(triangle, &probe.ray, answer);
+            }
+        }
+        let answer = Answer::Triangles(answers);
+        let findings = judge::judge_written(spec, entry.tier, &answer, &[]);
+        let result = CaseResult::new(entry, spec.about, Status::Passed, findings, &[]);
+        Some(CaseResult {
+            calls: judge::calls(&spec.work),
+            ..result
+        })
+    };
+    right.iter().filter_map(one).collect()
+}
+
+#[test]
+fn no_sentence_is_false_of_planted_mistakes() {
+    let workspace = Workspace::above(Path::new(env!("CARGO_MANIFEST_DIR"))).expect("a workspace");
+    let course = Course::read(&workspace).expect("the course is sound");
+    let known = diagnosis::known(&workspace, TASK).expect("the signatures can be read");
+    let right = right_answers();
+    let next = TRIANGLE_MISTAKES.iter().cycle().skip(1);
+    let pairs = TRIANGLE_MISTAKES.iter().zip(next);
+    let mut said = 0;
+    for ((name, mistake), (second, other)) in pairs {
+        for mistakes in [&[*mistake][..], &[*mistake, *other]] {
+            let cases = results(&course, &right, mistakes);
+            let common = regularity::of(TASK, &cases, &SPECS);
+            let diagnosis = diagnosis::diagnose(&known, &Signature::of(&cases));
+            said += common.len() + usize::from(diagnosis.is_some());
+            let of = |common: &[String]| {
+                claims::false_ones(TASK, &cases, &SPECS, common, diagnosis.as_ref())
+            };
+            assert_eq!(of(&common), [""; 0], "{name}, {second}: {}", mistakes.len());
+            // A sentence that nothing is right about is seen.
+            if !cases
+                .iter()
+                .any(|case| case.findings.iter().any(|f| f.wrong > 0))
+            {
+                continue;
+            }
+            for planted in [
+                "wrong: uv; all other fields are right",
+                "only the answers of nobody are wrong",
+                "wrong only where the moon shines",
+                "an unheard sentence",
+            ] {
+                assert_eq!(of(&[planted.into()]).len(), 1, "{name}: {planted}");
+            }
+        }
+    }
+    // In a handout nothing is written yet.
+    assert!(said > 20 || right.is_empty(), "only {said} sentences");
+}

@@ -141,11 +141,17 @@ impl Answers<'_> {
 
 type AboutFinding = Box<dyn Fn(&Finding) -> bool>;
 
+/// Whether a sentence is true of an error of a class.
+type IsTrueOf = fn(Class) -> bool;
+
+/// How a sentence ends, the aspect that it is about, and the classes of which it is true.
+type Ending = (&'static str, Aspect, IsTrueOf);
+
 /// Which findings a sentence about the manner of errors speaks of, and the classes of which it is
 /// true.
-fn manner(sentence: &str) -> Option<(AboutFinding, fn(Class) -> bool)> {
+fn manner(sentence: &str) -> Option<(AboutFinding, IsTrueOf)> {
     let of = |aspect: Aspect| -> AboutFinding { Box::new(move |finding| finding.aspect == aspect) };
-    let whole: [(&str, Aspect, fn(Class) -> bool); 8] = [
+    let whole: [Ending; 8] = [
         (
             "there is a hit instead of a miss",
             Aspect::HitOrMiss,
@@ -186,7 +192,7 @@ fn manner(sentence: &str) -> Option<(AboutFinding, fn(Class) -> bool)> {
     }
     let (label, says) = sentence.split_once(": ")?;
     let label = label.to_owned();
-    let is: fn(Class) -> bool = match says {
+    let is: IsTrueOf = match says {
         "every wrong answer is NaN" => |class| class == Class::NotANumber,
         "every wrong answer is infinite" => |class| class == Class::Infinite,
         "every wrong answer is 0" => |class| class == Class::Zero,

@@ -271,6 +271,95 @@ fn clones_that_lead_elsewhere_are_not_followed() {
     }
 }
 
+/// A link in the place of a folder of a clone leads to the clone of somebody else.
+#[cfg(unix)]
+#[test]
+fn links_to_the_clone_of_somebody_else_are_not_followed() {
+    use std::os::unix::fs::symlink;
+    let class = tempfile::tempdir().expect("a folder");
+    let alice = class.path().join("alice");
+    write(&alice, &[(LIB, b"a secret")]);
+    git(&alice, &["init", "--quiet"], b"");
+    git(&alice, &["add", "--all"], b"");
+    git(&alice, &["commit", "--quiet", "--message", "all"], b"");
+    for (name, target) in [
+        (".git", "../alice/.git"),
+        ("sub", "../alice"),
+        ("sub/.git", "../../alice/.git"),
+        (".git/objects", "../../alice/.git/objects"),
+        (".git/refs", "../../alice/.git/refs"),
+        (".git/HEAD", "../../alice/.git/HEAD"),
+    ] {
+        let bob = class.path().join("bob");
+        std::fs::create_dir_all(&bob).expect("a folder");
+        if name.starts_with(".git/") {
+            git(&bob, &["init", "--quiet"], b"");
+        }
+        let link = bob.join(name);
+        std::fs::create_dir_all(link.parent().expect("a folder")).expect("a folder");
+        let _ = std::fs::remove_dir_all(&link).or_else(|_| std::fs::remove_file(&link)); // git's own
+        symlink(target, &link).expect("a link");
+        let said = said(&bob, Some(&Revision::Commit("HEAD".into())));
+        let expected = "damaged: is no git clone: expected a folder .git in it, and no link";
+        assert!(said.starts_with(expected), "{name}: {said}");
+        std::fs::remove_dir_all(&bob).expect("it is removed");
+    }
+}
+
+/// The names of a clone's commits are copied: neither large ones nor many fill the disk.
+#[test]
+fn names_of_commits_are_copied_within_limits() {
+    let folder = tempfile::tempdir().expect("a folder");
+    write(folder.path(), &[(LIB, b"mod a;")]);
+    git(folder.path(), &["init", "--quiet"], b"");
+    git(folder.path(), &["add", "--all"], b"");
+    git(
+        folder.path(),
+        &["commit", "--quiet", "--message", "all"],
+        b"",
+    );
+    let hash = git(folder.path(), &["rev-parse", "HEAD"], b"");
+    let names = folder.path().join(".git/refs/heads");
+    // A name of holes is no name: it is not copied, and what remains is read.
+    let large = std::fs::File::create(names.join("large")).expect("a file");
+    large.set_len(4 << 20).expect("it has holes");
+    let of = |name: &str| said(folder.path(), Some(&Revision::Commit(name.into())));
+    assert!(of("HEAD").starts_with("read Ok(\"mod a;\")"));
+    let none = "damaged: has no commit, tag or branch large";
+    assert!(of("large").starts_with(none));
+    for i in 0..4100 {
+        std::fs::write(names.join(i.to_string()), &hash).expect("a file");
+    }
+    let many = of("HEAD");
+    let expected = "too large: has names of commits of more than 16 MB";
+    assert!(many.starts_with(expected), "{many}");
+}
+
+/// Tables are the same for every run, so what is said has no name of a temporary folder.
+#[test]
+fn what_git_says_names_no_temporary_folder() {
+    let folder = tempfile::tempdir().expect("a folder");
+    git(folder.path(), &["init", "--quiet"], b"");
+    write(folder.path(), &[(".git/HEAD", b"ref: HEAD\n")]);
+    let said = said(folder.path(), Some(&Revision::Before("2030-01-01".into())));
+    let expected = "damaged: is a clone that git cannot read: fatal: not a git repository: '.git'";
+    assert!(said.starts_with(expected), "{said}");
+}
+
+/// Folders are removed again, by a process without limits if the one that reads was ended.
+#[test]
+fn an_archive_of_very_many_folders_is_refused_before_they_are_made() {
+    let deep = |i: usize| format!("{i}/{}x", "d/".repeat(200));
+    let files: Vec<String> = (0..60).map(deep).collect();
+    let files: Vec<(&str, &[u8])> = files.iter().map(|name| (name.as_str(), &b""[..])).collect();
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("anna.zip");
+    std::fs::write(&path, zip(&files)).expect("a file");
+    let said = said(&path, None);
+    let expected = "too large: contains more than 10000 folders: expected the folder stages";
+    assert!(said.starts_with(expected), "{said}");
+}
+
 /// Somebody's name is as long as a name can be, or a pipe, or has a socket in it.
 #[cfg(unix)]
 #[test]

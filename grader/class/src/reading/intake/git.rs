@@ -83,14 +83,26 @@ impl fmt::Display for Revision {
     }
 }
 
-/// The largest file with names of commits that is copied.
-const MAX_REFS: u64 = 4 << 20;
+/// The largest file with a list of commits that is copied: `packed-refs`, `shallow`.
+const MAX_LIST_OF_REFS: u64 = 4 << 20;
+
+/// The largest file with the name of one commit that is copied.
+const MAX_REF: u64 = 1 << 10;
+
+/// The most that is copied of a clone's names of commits, all together.
+const MAX_REFS: u64 = 16 << 20;
+
+/// What a file takes on a disk, however small it is.
+const BLOCK: u64 = 4 << 10;
 
 /// The longest list of files of a commit that is read, in bytes.
 const MAX_LIST: u64 = 32 << 20;
 
-/// The most files below `.git/refs` and `.git/objects`.
+/// The most files below `.git/objects`.
 const MAX_GIT_FILES: usize = 200_000;
+
+/// The most files and folders below `.git/refs`. They are copied, and removed again.
+const MAX_REF_FILES: usize = 10_000;
 
 /// When a commit was made, in seconds since 1970, as the student's machine said.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -179,22 +191,37 @@ pub(super) fn unpack(
 /// The folder with the `objects` of the clone in `folder`: its `.git`, that of its only subfolder
 /// with one, or `folder` itself.
 fn clone_in(folder: &Path) -> Result<PathBuf, Unreadable> {
-    let is_git = |path: &Path| path.join("objects").is_dir() && path.join("HEAD").is_file();
+    // Links are not followed: they may lead to the clone of somebody else.
+    let is_git = |path: &Path| {
+        is_folder(path)
+            && is_folder(&path.join("objects"))
+            && is_folder(&path.join("refs"))
+            && path
+                .join("HEAD")
+                .symlink_metadata()
+                .is_ok_and(|kind| kind.is_file())
+    };
     let candidates = [folder.join(".git"), folder.to_path_buf()];
     if let Some(found) = candidates.into_iter().find(|path| is_git(path)) {
         return Ok(found);
     }
     let below = std::fs::read_dir(folder).into_iter().flatten().flatten();
     let mut below: Vec<PathBuf> = below
+        .filter(|entry| entry.file_type().is_ok_and(|kind| kind.is_dir()))
         .map(|entry| entry.path().join(".git"))
         .filter(|path| is_git(path))
         .collect();
     match below.len() {
         1 => Ok(below.remove(0)),
         _ => Err(Unreadable::NoClone(
-            "is no git clone: expected a folder .git in it, because a commit or a time was asked for".into(),
+            "is no git clone: expected a folder .git in it, and no link, because a commit or a time was asked for".into(),
         )),
     }
+}
+
+/// Whether `path` is a folder, and no link to one.
+fn is_folder(path: &Path) -> bool {
+    path.symlink_metadata().is_ok_and(|kind| kind.is_dir())
 }
 
 /// Runs git on the objects of somebody else's clone.
@@ -216,7 +243,15 @@ impl Git {
                     .into(),
             ));
         }
-        let write = |name: &str, text: &[u8]| {
+        let mut copied = 0;
+        let mut write = |name: &str, text: &[u8]| {
+            copied += (text.len() as u64).max(BLOCK);
+            if copied > MAX_REFS {
+                return Err(Unreadable::TooLarge(format!(
+                    "has names of commits of more than {} MB: ask for a new clone",
+                    MAX_REFS >> 20
+                )));
+            }
             let path = own.path().join(name);
             let folder = path.parent().unwrap_or(&path).to_path_buf();
             std::fs::create_dir_all(&folder)
@@ -233,24 +268,28 @@ impl Git {
                 .map_err(|e| Unreadable::from(GraderError::file("create", &folder, e)))?;
         }
         for name in ["HEAD", "packed-refs", "shallow"] {
-            if let Some(text) = small_file(&clone.join(name)) {
+            if let Some(text) = small_file(&clone.join(name), MAX_LIST_OF_REFS) {
                 write(name, &text)?;
             }
         }
         let mut folders = vec![PathBuf::from("refs")];
+        let mut names = 0;
         while let Some(folder) = folders.pop() {
             let Ok(entries) = std::fs::read_dir(clone.join(&folder)) else {
                 continue;
             };
             for entry in entries.flatten() {
                 let name = folder.join(entry.file_name());
-                files += 1;
-                if files > MAX_GIT_FILES {
-                    return Err(too_many_files());
+                names += 1;
+                if names > MAX_REF_FILES {
+                    return Err(Unreadable::TooLarge(format!(
+                        "has more than {MAX_REF_FILES} names of commits: ask for a new clone"
+                    )));
                 }
                 if entry.file_type().is_ok_and(|kind| kind.is_dir()) {
                     folders.push(name);
-                } else if let (Some(text), Some(name)) = (small_file(&entry.path()), name.to_str())
+                } else if let (Some(text), Some(name)) =
+                    (small_file(&entry.path(), MAX_REF), name.to_str())
                 {
                     write(name, &text)?;
                 }
@@ -309,9 +348,11 @@ impl Git {
             return Err(stopped());
         }
         if !status.success() {
+            // Tables are the same for every run: the temporary folder has another name in each.
+            let own = self.own.path().display().to_string();
             return Err(Unreadable::Damaged(format!(
                 "is a clone that git cannot read: {}",
-                says.trim()
+                says.trim().replace(&own, ".git")
             )));
         }
         String::from_utf8(output).map_err(|_| {
@@ -422,10 +463,10 @@ fn too_many_files() -> Unreadable {
     Unreadable::TooLarge(format!("has a history of more than {MAX_GIT_FILES} files"))
 }
 
-/// The contents of a regular file that is not too large for a list of commits.
-fn small_file(path: &Path) -> Option<Vec<u8>> {
+/// The contents of a regular file of at most `most` bytes.
+fn small_file(path: &Path, most: u64) -> Option<Vec<u8>> {
     let kind = path.symlink_metadata().ok()?;
-    (kind.is_file() && kind.len() <= MAX_REFS).then(|| std::fs::read(path).ok())?
+    (kind.is_file() && kind.len() <= most).then(|| std::fs::read(path).ok())?
 }
 
 /// Checks that there are only folders and regular files below `folder`: a link may lead to the
@@ -433,8 +474,7 @@ fn small_file(path: &Path) -> Option<Vec<u8>> {
 fn check_plain(folder: &Path, files: &mut usize) -> Result<(), Unreadable> {
     let failed =
         |e: std::io::Error| Unreadable::Damaged(format!("has an unreadable folder .git: {e}"));
-    let is_folder = |path: &Path| path.symlink_metadata().map(|kind| kind.is_dir());
-    if !is_folder(folder).map_err(failed)? {
+    if !is_folder(folder) {
         return Err(Unreadable::Damaged(
             "has a link in its folder .git: refused".into(),
         ));

@@ -3,6 +3,7 @@
 use crate::reading::Unreadable;
 use base::GraderError;
 use base::interrupt::TempFolder;
+use std::collections::HashSet;
 use std::io::{self, Read, Write};
 use std::path::{Component, Path, PathBuf};
 
@@ -15,11 +16,18 @@ const MAX_OTHER_FILE: u64 = 4 << 20;
 /// The most entries of an archive. A forgotten build folder has some ten thousand.
 const MAX_ENTRIES: usize = 200_000;
 
+/// The most files and folders that are written. A handout with all its libraries has 30,000. They are
+/// removed again, which takes longer than writing them.
+const MAX_WRITTEN: usize = 50_000;
+
+/// The most of them that are folders: paths of 200 folders each would be millions.
+const MAX_FOLDERS: usize = 10_000;
+
 /// The longest path of an entry, in bytes: longer than any project's, shorter than a system's.
 const MAX_PATH: usize = 512;
 
 /// Folders that no submission is graded by. They are not unpacked.
-const LEFT_OUT: [&str; 3] = ["target", ".git", "__MACOSX"];
+const LEFT_OUT: [&str; 4] = ["target", ".git", "__MACOSX", "node_modules"];
 
 /// How many links are named.
 const NAMED_LINKS: usize = 3;
@@ -30,6 +38,9 @@ pub(super) struct Unpacker {
     folder: TempFolder,
     entries: usize,
     bytes: u64,
+    files: usize,
+    /// The folders that were made.
+    folders: HashSet<PathBuf>,
     links: Vec<String>,
     large: Vec<String>,
 }
@@ -40,6 +51,8 @@ impl Unpacker {
             folder,
             entries: 0,
             bytes: 0,
+            files: 0,
+            folders: HashSet::new(),
             links: Vec::new(),
             large: Vec::new(),
         }
@@ -112,9 +125,8 @@ impl Unpacker {
                 path.display()
             )),
         };
-        if let Some(parent) = full.parent() {
-            std::fs::create_dir_all(parent).map_err(failed)?;
-        }
+        self.files += 1;
+        self.create_folders(path, &failed)?;
         let mut file = std::fs::File::create(&full).map_err(failed)?;
         let mut contents = contents.take(MAX_BYTES - self.bytes + 1);
         let mut chunk = [0; 1 << 16];
@@ -134,6 +146,39 @@ impl Unpacker {
             }
             file.write_all(&chunk[..read]).map_err(failed)?;
         }
+    }
+
+    /// Creates the folders above `path` that are missing.
+    fn create_folders(
+        &mut self,
+        path: &Path,
+        failed: &dyn Fn(io::Error) -> Unreadable,
+    ) -> Result<(), Unreadable> {
+        let above = path.ancestors().skip(1);
+        let mut missing: Vec<&Path> = above
+            .take_while(|folder| !folder.as_os_str().is_empty() && !self.folders.contains(*folder))
+            .collect();
+        while let Some(folder) = missing.pop() {
+            self.folders.insert(folder.to_path_buf());
+            let (written, folders) = (self.files + self.folders.len(), self.folders.len());
+            if folders > MAX_FOLDERS || written > MAX_WRITTEN {
+                break;
+            }
+            match std::fs::create_dir(self.folder.path().join(folder)) {
+                // The disk may take `A` for `a`. If it is a file, writing below it says so.
+                Err(e) if e.kind() == io::ErrorKind::AlreadyExists => {}
+                created => created.map_err(failed)?,
+            }
+        }
+        let folders = self.folders.len();
+        let (most, what) = match (folders > MAX_FOLDERS, self.files + folders > MAX_WRITTEN) {
+            (true, _) => (MAX_FOLDERS, "folders"),
+            (_, true) => (MAX_WRITTEN, "files and folders"),
+            _ => return Ok(()),
+        };
+        Err(Unreadable::TooLarge(format!(
+            "contains more than {most} {what}: expected the folder stages"
+        )))
     }
 
     /// The folder, and sentences about what was left out.

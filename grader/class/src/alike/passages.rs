@@ -41,6 +41,8 @@ pub struct Text {
     is_own: Vec<bool>,
     /// The places of the fingerprints, by their hashes.
     fingerprints: BTreeMap<u64, Vec<usize>>,
+    /// The same, by their places.
+    by_place: Vec<(usize, u64)>,
 }
 
 /// A common passage: its tokens in both texts.
@@ -72,10 +74,15 @@ impl Text {
             }
         }
         fingerprints.retain(|_, places| places.len() <= MOST_PLACES);
+        let all = fingerprints.iter();
+        let all = all.flat_map(|(hash, places)| places.iter().map(|place| (*place, *hash)));
+        let mut by_place: Vec<(usize, u64)> = all.collect();
+        by_place.sort_unstable();
         Text {
             tokens,
             is_own,
             fingerprints,
+            by_place,
         }
     }
 
@@ -92,10 +99,10 @@ impl Text {
     /// The hashes of the fingerprints in a passage that starts at `start`.
     pub fn fingerprints_in(&self, start: usize, length: usize) -> impl Iterator<Item = u64> {
         let end = start + length;
-        let inside = move |place: &usize| *place >= start && *place + SHORTEST <= end;
-        let all = self.fingerprints.iter();
-        all.filter(move |(_, places)| places.iter().any(inside))
-            .map(|(hash, _)| *hash)
+        let first = self.by_place.partition_point(|(place, _)| *place < start);
+        let from = self.by_place[first..].iter();
+        from.take_while(move |(place, _)| *place + SHORTEST <= end)
+            .map(|(_, hash)| *hash)
     }
 
     /// The lines of a passage that starts at `start`, counted from 1.
@@ -106,14 +113,8 @@ impl Text {
     /// The passages that it has in common with `other`, in its order, the longer first where two
     /// overlap.
     pub fn common(&self, other: &Text) -> Vec<Passage> {
-        let mut found: Vec<Passage> = Vec::new();
-        for (hash, places) in &self.fingerprints {
-            let others = other.fingerprints.get(hash).into_iter().flatten();
-            let both = others.flat_map(|b| places.iter().map(move |a| [*a, *b]));
-            found.extend(both.filter_map(|starts| self.grown(other, starts)));
-        }
+        let mut found = self.runs(other);
         found.sort_by_key(|passage| (usize::MAX - passage.length, passage.starts));
-        found.dedup();
         let mut taken = [
             vec![false; self.tokens.len()],
             vec![false; other.tokens.len()],
@@ -129,6 +130,31 @@ impl Text {
         }
         passages.sort_by_key(|passage| passage.starts);
         passages
+    }
+
+    /// All common runs that are long enough for a passage, each once: a pair of fingerprints in a run
+    /// that was found is not followed again. Otherwise the work for equal texts would grow with the
+    /// square of their length.
+    fn runs(&self, other: &Text) -> Vec<Passage> {
+        let mut found: Vec<Passage> = Vec::new();
+        // The ends of the runs, by how far the texts are shifted and by the start of the run. Runs of
+        // one shift do not overlap: each goes on as far as it can.
+        let mut ends: BTreeMap<(usize, usize), usize> = BTreeMap::new();
+        for (hash, places) in &self.fingerprints {
+            let others = other.fingerprints.get(hash).into_iter().flatten();
+            for [a, b] in others.flat_map(|b| places.iter().map(move |a| [*a, *b])) {
+                let shift = other.tokens.len() + a - b;
+                let before = ends.range((shift, 0)..=(shift, a)).next_back();
+                if before.is_none_or(|(_, end)| *end < a + SHORTEST)
+                    && let Some(passage) = self.grown(other, [a, b])
+                {
+                    let start = passage.starts[0];
+                    ends.insert((shift, start), start + passage.length);
+                    found.push(passage);
+                }
+            }
+        }
+        found
     }
 
     /// Whether a passage has the same names in both texts, too.
@@ -148,11 +174,14 @@ impl Text {
             let own = |text: &Text, i: usize| text.is_own.get(i).copied() == Some(true);
             own(self, a) && own(other, b) && self.tokens[a].form == other.tokens[b].form
         };
+        let from = (0..).take_while(|n| is_equal(a + n, b + n)).count();
+        if from < SHORTEST {
+            return None;
+        }
         let before = (1..=a.min(b))
             .take_while(|n| is_equal(a - n, b - n))
             .count();
-        let from = (0..).take_while(|n| is_equal(a + n, b + n)).count();
-        (from >= SHORTEST && before + from >= CERTAIN).then_some(Passage {
+        (before + from >= CERTAIN).then_some(Passage {
             starts: [a - before, b - before],
             length: before + from,
         })
@@ -210,6 +239,21 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn equal_texts_are_followed_once_for_each_shift() {
+        let [a, b] = [0..2000, 0..2000].map(|numbers| Text::new(code(numbers), &Known::default()));
+        let runs = a.runs(&b);
+        assert!(a.fingerprints.len() > 1000, "{}", a.fingerprints.len());
+        assert_eq!(runs.len(), 1);
+        assert_eq!(runs, a.common(&b));
+        // The same three times in one of them: three shifts.
+        let three = (0..3).flat_map(|i| (0..100).chain(5000 + i..5001 + i));
+        let three = Text::new(code(three), &Known::default());
+        let once = Text::new(code(0..100), &Known::default());
+        assert_eq!(three.runs(&once).len(), 3);
+        assert_eq!(three.common(&once).len(), 1);
     }
 
     #[test]

@@ -7,7 +7,7 @@ pub use formats::gradebook::points_text as points;
 pub use report::{Case, Diagnosis, Finding, Simplest, StudentReport, Task};
 
 use crate::late;
-use crate::out::Out;
+use crate::out::{Out, read_regular};
 use crate::plan::{Plan, Planned, State};
 use crate::unit::{self, Outcome, Unit, WrongAnswers};
 use base::GraderError;
@@ -245,8 +245,9 @@ fn row(out: &Out, plan: &Plan, planned: &Planned) -> Result<(Row, Option<Details
     let (unit, report) = match stored {
         Ok(Some(stored)) => stored,
         Ok(None) => {
-            let why = std::fs::read_to_string(out.failure(key));
-            let why = why.map_or_else(|_| NOT_YET.to_string(), |why| why.trim().to_string());
+            let why = read_regular(&out.failure(key)).ok();
+            let why = why.and_then(|why| String::from_utf8(why).ok());
+            let why = why.map_or_else(|| NOT_YET.to_string(), |why| why.trim().to_string());
             return Ok(without_unit(Status::Infrastructure(why.into()), None));
         }
         Err(why) => {

@@ -1,6 +1,7 @@
 //! The folder `OUT`: where the plan, the results of units and the tables are.
 
 use base::GraderError;
+use std::io;
 use std::path::{Path, PathBuf};
 
 /// The folder `OUT`.
@@ -63,5 +64,16 @@ impl Out {
     /// Whether there is a result of a unit. [`crate::unit::is_stored`] also looks into it.
     pub fn has(&self, key: &str) -> bool {
         self.unit(key).is_file()
+    }
+}
+
+/// Reads a regular file. Opening a pipe would wait for a writer.
+pub(crate) fn read_regular(path: &Path) -> io::Result<Vec<u8>> {
+    match path.metadata()?.is_file() {
+        true => std::fs::read(path),
+        false => Err(io::Error::new(
+            io::ErrorKind::InvalidInput,
+            "it is no regular file: remove it",
+        )),
     }
 }

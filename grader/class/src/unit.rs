@@ -2,7 +2,7 @@
 
 use crate::course_hash;
 use crate::hash;
-use crate::out::Out;
+use crate::out::{Out, read_regular};
 use crate::plan::{Plan, Planned, State};
 use crate::reading::Reader;
 use base::GraderError;
@@ -190,17 +190,42 @@ pub fn grade(
     Ok(())
 }
 
+/// The part of a unit that is looked at before a run, without its report.
+#[derive(Deserialize)]
+struct Checked {
+    key: String,
+    earned: BTreeMap<String, BTreeMap<String, f64>>,
+}
+
+impl Checked {
+    /// What is wrong with it as the unit `key`.
+    fn damage(&self, key: &str) -> Option<String> {
+        if self.key != key {
+            return Some("it is the result of another unit".into());
+        }
+        let mut cases = self
+            .earned
+            .iter()
+            .flat_map(|(task, cases)| cases.iter().map(move |(case, earned)| (task, case, earned)));
+        let (task, case, earned) = cases.find(|(_, _, earned)| !(0.0..=1.0).contains(*earned))?;
+        Some(format!(
+            "{task}/{case} earned {earned} of its points: expected 0 to 1"
+        ))
+    }
+}
+
 /// Whether the result of a unit is stored, and whole: a machine that crashed or whose disk was full
 /// may have left a part of it.
 pub fn is_stored(out: &Out, key: &str) -> bool {
-    let text = std::fs::read(out.unit(key));
-    text.is_ok_and(|text| serde_json::from_slice::<serde::de::IgnoredAny>(&text).is_ok())
+    let text = read_regular(&out.unit(key));
+    let unit = text.map(|text| serde_json::from_slice::<Checked>(&text));
+    matches!(unit, Ok(Ok(unit)) if unit.damage(key).is_none())
 }
 
 /// Reads the result of a unit; `None` if it is not stored.
 pub fn load(out: &Out, key: &str) -> Result<Option<Unit>, GraderError> {
     let path = out.unit(key);
-    let text = match std::fs::read(&path) {
+    let text = match read_regular(&path) {
         Ok(text) => text,
         Err(e) if e.kind() == std::io::ErrorKind::NotFound => return Ok(None),
         Err(e) => return Err(GraderError::file("read", &path, e)),
@@ -210,11 +235,13 @@ pub fn load(out: &Out, key: &str) -> Result<Option<Unit>, GraderError> {
             "the result units/{key}.json is damaged ({why}). Run again: it is graded anew"
         ))
     };
-    let unit: Unit = serde_json::from_slice(&text).map_err(|e| damaged(&e))?;
-    match unit.key == key {
-        true => Ok(Some(unit)),
-        false => Err(damaged(&"it is the result of another unit")),
+    let checked: Checked = serde_json::from_slice(&text).map_err(|e| damaged(&e))?;
+    if let Some(damage) = checked.damage(key) {
+        return Err(damaged(&damage));
     }
+    serde_json::from_slice(&text)
+        .map(Some)
+        .map_err(|e| damaged(&e))
 }
 
 /// The processor time of this process and of the processes that it has waited for, as Linux shows

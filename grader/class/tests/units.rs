@@ -150,6 +150,87 @@ fn a_cut_result_stops_no_table() {
     }
 }
 
+/// A result that was changed by hand is one row without a score, whatever it claims, and graded again.
+#[test]
+fn a_changed_result_gives_no_points_that_do_not_exist() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let class = FakeClass::new(folder.path(), 4);
+    let out = class.out("out");
+    grade(&class, &out, 0, 1, Behaviour::Fine);
+    let whole = class.tables(&out);
+    let key = class.plan.submissions[1].key().expect("it has a unit");
+    let text = std::fs::read_to_string(out.unit(key)).expect("a unit");
+    for claimed in [1e6, -1e308, 1.0000001] {
+        let mut unit: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+        unit["earned"]["part1.task1"]["a_case"] = claimed.into();
+        std::fs::write(out.unit(key), unit.to_string()).expect("a unit");
+        assert!(!unit::is_stored(&out, key), "{claimed}");
+        let tables = class.tables(&out);
+        let gradebook = String::from_utf8_lossy(&tables[&PathBuf::from("gradebook.csv")]);
+        let row = "student01,,infrastructure,,10,,2,,,the result units/";
+        assert!(gradebook.contains(row), "{gradebook}");
+        assert!(
+            gradebook.contains("is damaged (part1.task1/a_case earned"),
+            "{gradebook}"
+        );
+        grade(&class, &out, 0, 1, Behaviour::Fine);
+        assert!(class.tables(&out) == whole, "{claimed}");
+    }
+}
+
+/// A pipe in the place of a result would be waited for without end.
+#[cfg(unix)]
+#[test]
+fn a_pipe_in_the_place_of_a_result_is_not_waited_for() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let class = FakeClass::new(folder.path(), 4);
+    let out = class.out("out");
+    grade(&class, &out, 0, 1, Behaviour::Fine);
+    let whole = class.tables(&out);
+    let keys = [1, 2].map(|i| class.plan.submissions[i].key().expect("it has a unit"));
+    for path in [out.unit(keys[0]), out.unit(keys[1]), out.failure(keys[1])] {
+        let _ = std::fs::remove_file(&path);
+        let made = Command::new("mkfifo").arg(&path).status();
+        assert!(made.expect("mkfifo runs").success());
+    }
+    std::fs::remove_file(out.unit(keys[1])).expect("it is removed");
+    let tables = class.tables(&out);
+    let gradebook = String::from_utf8_lossy(&tables[&PathBuf::from("gradebook.csv")]);
+    assert!(gradebook.contains("it is no regular file"), "{gradebook}");
+    assert!(
+        gradebook.contains("student02,,infrastructure,,10,,2,,,not graded yet"),
+        "{gradebook}"
+    );
+    assert!(!unit::is_stored(&out, keys[0]));
+    grade(&class, &out, 0, 1, Behaviour::Fine);
+    assert!(class.tables(&out) == whole);
+}
+
+/// Who knows the seed knows every question of a second try.
+#[test]
+fn the_seed_is_for_the_instructor_alone() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut class = FakeClass::new(folder.path(), 4);
+    class.plan.settings.seed = 1_234_567;
+    let out = class.out("out");
+    grade(&class, &out, 0, 1, Behaviour::Fine);
+    for key in class.plan.units().into_keys() {
+        let text = std::fs::read_to_string(out.unit(key)).expect("a unit");
+        let text = text.replace("\"seed\":7", "\"seed\":1234567");
+        assert!(text.contains("1234567"), "{text}");
+        std::fs::write(out.unit(key), text).expect("a unit");
+    }
+    for (path, bytes) in class.tables(&out) {
+        let names_seed = String::from_utf8_lossy(&bytes).contains("1234567");
+        assert_eq!(
+            names_seed,
+            path == PathBuf::from("class.html"),
+            "{}",
+            path.display()
+        );
+    }
+}
+
 /// Other points are other tables, and nothing is graded.
 #[test]
 fn a_change_of_points_grades_nothing() {

@@ -18,7 +18,7 @@ use std::fmt::Write;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 use submission::SubmissionReport;
-use submission::arguments::{containment, seeded_request};
+use submission::arguments::{containment, draws_seed, seeded_request};
 use submission::one::{GradingCourse, NotGraded, Options, grade_one};
 use submission::read::Submission;
 
@@ -48,8 +48,10 @@ fn attempt(matches: &ArgMatches) -> Result<Outcome, GraderError> {
                 request: seeded_request(matches)?,
                 together: matches.get_flag("together"),
             };
+            let seed = options.request.seed;
             let course = GradingCourse::open(&workspace, containment(matches, &workspace)?)?;
-            submission(&workspace, &course, options, reveal, folder)
+            let graded = submission(&workspace, &course, options, reveal, folder)?;
+            Ok(with_seed(graded, draws_seed(matches).then_some(seed)))
         }
         None if matches.contains_id("class") => Err(GraderError::new(
             "a class has formats of its own: grade it with `grader class`",
@@ -129,6 +131,15 @@ fn submission(
     })))
 }
 
+/// Adds the seed to what students read, if it was drawn for this run alone. The next submission gets
+/// the seed of `--seed`, too: who knows it knows every question.
+fn with_seed(mut outcome: Outcome, drawn: Option<u64>) -> Outcome {
+    if let (Outcome::Graded(graded), Some(seed)) = (&mut outcome, drawn) {
+        graded.notes = format!("seed of the random inputs: {seed}\n{}", graded.notes);
+    }
+    outcome
+}
+
 /// The files of a submission that were graded, by their paths in the workspace.
 fn files(submission: &Submission, tasks: &[&Task]) -> Vec<SourceFile> {
     let stages = grade::stages(tasks);
@@ -148,7 +159,6 @@ fn files(submission: &Submission, tasks: &[&Task]) -> Vec<SourceFile> {
 /// instructor, and not in it: students read these files.
 fn notes(report: &SubmissionReport) -> String {
     let mut text = String::new();
-    let _ = writeln!(text, "seed of the random inputs: {}", report.seed);
     let _ = writeln!(text, "containment: {}", report.containment);
     for stage in &report.missing {
         let _ = writeln!(text, "not handed in: stages/{stage}/src");
@@ -181,5 +191,36 @@ fn join<const N: usize>(texts: [&str; N]) -> String {
     match texts.is_empty() {
         true => String::new(),
         false => format!("{}\n", texts.join("\n\n")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use grader::report::{HintLevel, Report};
+
+    #[test]
+    fn students_read_the_seed_of_one_run_and_not_that_of_all() {
+        let notes = |drawn| {
+            let graded = Outcome::Graded(Box::new(Graded {
+                what: "part1".into(),
+                report: Report::new(Vec::new(), None),
+                json: String::new(),
+                reveal: Reveal {
+                    hint: HintLevel::Cases,
+                    extra: false,
+                },
+                notes: "containment: none\n".into(),
+                refused: BTreeMap::new(),
+                annotations: Vec::new(),
+            }));
+            match with_seed(graded, drawn) {
+                Outcome::Graded(graded) => graded.notes,
+                _ => String::new(),
+            }
+        };
+        assert_eq!(notes(None), "containment: none\n");
+        let drawn = "seed of the random inputs: 7\ncontainment: none\n";
+        assert_eq!(notes(Some(7)), drawn);
     }
 }

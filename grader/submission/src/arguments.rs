@@ -11,10 +11,15 @@ use grader::grade::GradeRequest;
 /// What to grade. Without `--seed`, with a seed that nobody knows.
 pub fn seeded_request(matches: &ArgMatches) -> Result<GradeRequest, GraderError> {
     let mut request = request(matches)?;
-    if matches.value_source("seed") == Some(ValueSource::DefaultValue) {
+    if draws_seed(matches) {
         request.seed = random_seed();
     }
     Ok(request)
+}
+
+/// Whether the seed is a new one, and not that of `--seed`.
+pub fn draws_seed(matches: &ArgMatches) -> bool {
+    matches.value_source("seed") == Some(ValueSource::DefaultValue)
 }
 
 /// How the code of submissions is contained: by the strongest means of this machine, or, with

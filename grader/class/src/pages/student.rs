@@ -58,7 +58,7 @@ pub fn page(
                 pre { (shortened(&report.printed)) }
             }
             p.soft {
-                "Random inputs: seed " (unit.seed) ". "
+                // Not the seed: who knows it knows every question of a second try.
                 @if !report.containment.is_empty() { "Containment: " (report.containment) ". " }
                 "Submission " (unit.submission) "."
             }

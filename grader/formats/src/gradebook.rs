@@ -89,15 +89,19 @@ pub fn points_text(points: f64) -> String {
     }
 }
 
-/// Characters with which a spreadsheet begins a formula.
-const FORMULA: [char; 4] = ['=', '+', '-', '@'];
+/// Characters with which a spreadsheet begins a formula, also as wide and as small ones.
+const FORMULA: [char; 12] = [
+    '=', '+', '-', '@', '＝', '＋', '－', '＠', '﹦', '﹢', '﹣', '﹫',
+];
 
 /// A text as a field, shown as text that was handed in is. Where a spreadsheet would read a formula,
-/// at the start or, where `;` divides columns, after one, it gets an apostrophe in front.
+/// at the start, perhaps after blanks, or, where `;` divides columns, after one, it gets an
+/// apostrophe in front.
 pub fn text(text: &str) -> String {
     let shown = shown(text, Layout::Line);
     let parts = shown.split(';').map(|part| {
-        let apostrophe = if part.starts_with(FORMULA) { "'" } else { "" };
+        let is_formula = part.trim_start().starts_with(FORMULA);
+        let apostrophe = if is_formula { "'" } else { "" };
         format!("{apostrophe}{part}")
     });
     parts.collect::<Vec<_>>().join(";")
@@ -117,6 +121,11 @@ mod tests {
             ("-2", "'-2"),
             ("+cmd|' /C calc'!A0", "'+cmd|' /C calc'!A0"),
             ("\t=1", "\\t=1"),
+            (" =1", "' =1"),
+            ("\u{3000}\u{a0}-1", "'\u{3000}\u{a0}-1"),
+            ("＝1", "'＝1"),
+            ("a; ＠b", "a;' ＠b"),
+            (" a=1", " a=1"),
             ("a;=1", "a;'=1"),
             ("two\nlines", "two\\nlines"),
             ("\u{202e}evil\r", "\\u{202e}evil\\u{d}"),

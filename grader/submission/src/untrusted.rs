@@ -95,14 +95,16 @@ pub fn shown(text: &str, layout: Layout) -> String {
 
 /// Whether a character does something where it is shown: control characters (ESC, CR and U+009B
 /// among them), the ends of lines and paragraphs of Unicode, marks and overrides of direction, byte
-/// order marks, fillers without width, tags, and what is no character in XML. Joiners stay: Persian
-/// and Indian names need them.
+/// order marks, fillers that show nothing, selectors of variants, tags, and what is no character in XML.
+/// Joiners stay: Persian and Indian names need them.
 fn is_obeyed(c: char) -> bool {
     let is_no_character = u32::from(c) & 0xfffe == 0xfffe;
     c.is_control()
         || is_no_character
         || matches!(c,
-            '\u{61c}' | '\u{200b}' | '\u{200e}' | '\u{200f}'
+            '\u{ad}' | '\u{34f}' | '\u{61c}' | '\u{115f}' | '\u{1160}' | '\u{17b4}' | '\u{17b5}'
+            | '\u{180b}'..='\u{180f}' | '\u{3164}' | '\u{fe00}'..='\u{fe0f}' | '\u{ffa0}'
+            | '\u{fff9}'..='\u{fffc}' | '\u{200b}' | '\u{200e}' | '\u{200f}'
             | '\u{2028}'..='\u{202e}' | '\u{2060}'..='\u{206f}'
             | '\u{feff}' | '\u{e0000}'..='\u{e007f}')
 }
@@ -113,7 +115,7 @@ mod tests {
 
     #[test]
     fn only_what_is_obeyed_is_escaped() {
-        let lines = |text| shown(text, Layout::Lines);
+        let lines = |text: &str| shown(text, Layout::Lines);
         assert_eq!(lines("a\tb é …\n"), "a\tb é …\n");
         assert_eq!(lines("a\r\nb"), "a\nb");
         assert_eq!(lines("\u{1b}[2Jx\r\u{7}"), "\\u{1b}[2Jx\\u{d}\\u{7}");
@@ -124,7 +126,13 @@ mod tests {
         assert_eq!(lines("\u{202e}08 fo 08\u{9b}"), "\\u{202e}08 fo 08\\u{9b}");
         // A name with a joiner, and one that looks like another one.
         assert_eq!(lines("می\u{200c}خواهم"), "می\u{200c}خواهم");
-        assert_eq!(lines("an\u{200b}na"), "an\\u{200b}na");
+        for hidden in [
+            '\u{ad}', '\u{34f}', '\u{115f}', '\u{1160}', '\u{180e}', '\u{200b}', '\u{3164}',
+            '\u{fe0f}', '\u{ffa0}', '\u{fff9}', '\u{fffc}',
+        ] {
+            let name = format!("an{hidden}na");
+            assert_eq!(lines(&name), format!("an{}na", hidden.escape_unicode()));
+        }
     }
 
     #[test]

@@ -75,6 +75,10 @@ const LINKS: &str =
 const OTHER_FILE: &str =
     "names another file as the source of a module: put it where `mod` expects it";
 const OUTLIVES: &str = "refers to a reference of another lifetime: functions with such arguments get around the compiler's checks (rust-lang/rust#25860)";
+const HIDDEN: &str =
+    "is a name for the compiler that an argument of a macro decides: write the name itself";
+const ALIAS: &str =
+    "gets another name: what reads files or the environment has to be called by its own";
 const UNSTABLE: &str = "needs another compiler: stages are compiled by a stable one";
 
 /// Macros, by their names in front of a `!`.
@@ -133,6 +137,7 @@ fn places(tokens: &[Token]) -> Vec<(usize, &str, &'static str)> {
     let mut found = Vec::new();
     // The depth of brackets inside an attribute.
     let mut depth = 0_usize;
+    let mut in_use = false;
     for (i, token) in tokens.iter().enumerate() {
         let word = token.text.as_str();
         let opens = word == "[" && (i > 0 && text(i - 1) == "#" || is_inner(tokens, i));
@@ -148,8 +153,15 @@ fn places(tokens: &[Token]) -> Vec<(usize, &str, &'static str)> {
         let unstable = word == "feature" && i > 0 && is_inner(tokens, i - 1);
         let unstable = unstable.then_some(UNSTABLE);
         let of_lifetimes = outlives(&tokens[i..]).then_some(OUTLIVES);
+        let hidden = is_hidden(tokens, i, depth > 0).then_some(HIDDEN);
+        // Not the `use<'a>` of a type.
+        in_use = word == "use" && text(i + 1) != "<" || in_use && word != ";";
+        let is_in_path = in_use || i > 0 && text(i - 1) == ":";
+        let is_renamed = is_in_path && text(i + 1) == "as" && reason(&MACROS, word).is_some();
+        let renamed = (is_renamed || in_use && word == "$").then_some(ALIAS);
         let why = of_macro.or(reason(&WORDS, word)).or(of_lifetimes);
-        if let Some(why) = why.or(of_attribute).or(unstable) {
+        let why = why.or(of_attribute).or(unstable).or(hidden).or(renamed);
+        if let Some(why) = why {
             found.push((token.line, word, why));
         }
     }
@@ -167,6 +179,21 @@ fn outlives(tokens: &[Token]) -> bool {
     };
     let (outer, inner) = (reference(), reference());
     outer.is_some() && inner.is_some() && outer != inner
+}
+
+/// Whether at token `i` an argument of a macro becomes an attribute, its name, or the name of a macro:
+/// `#[$name = "file"]`, `#$attribute`, `$name!("file")`. The values of attributes are no names.
+fn is_hidden(tokens: &[Token], i: usize, in_attribute: bool) -> bool {
+    let text = |i: usize| tokens.get(i).map_or("", |token| token.text.as_str());
+    let before = if i > 0 { text(i - 1) } else { "" };
+    let is_followed_by = |mark| text(i + 2) == mark && text(i + 3) != "=";
+    match text(i) {
+        "$" if in_attribute => before != "=",
+        // The `#` before `[$name = "file"]` may be an argument, too.
+        "$" => before == "#" || before == "[" && is_followed_by("=") || is_followed_by("!"),
+        "#" => !matches!(text(i + 1), "[" | "!" | "$"),
+        _ => false,
+    }
 }
 
 /// Whether token `i` is the bracket of an attribute `#![...]`.
@@ -448,6 +475,39 @@ mod tests {
                 "a.rs:2: `env",
             ),
             ("#![doc = \"]\"] extern crate a;", "a.rs:1: `extern"),
+            (
+                "macro_rules! m { ($a:ident) => { #[$a = \"x\"] mod x; } }",
+                "a.rs:1: `$",
+            ),
+            (
+                "macro_rules! m { ($a:meta) => { #[$a] mod x; } }",
+                "a.rs:1: `$",
+            ),
+            ("#[cfg_attr(all(), $a)] mod x;", "a.rs:1: `$"),
+            (
+                "macro_rules! m { ($a:tt) => { # $a mod x; } }",
+                "a.rs:1: `$",
+            ),
+            (
+                "macro_rules! m { ($h:tt $a:ident) => { $h[$a = \"x\"] mod x; } }",
+                "a.rs:1: `$",
+            ),
+            ("m!(# x)", "a.rs:1: `#"),
+            (
+                "macro_rules! m { ($f:ident) => { $f!(\"x\"); } } m!(include);",
+                "a.rs:1: `$",
+            ),
+            ("use std::include as inc;", "a.rs:1: `include"),
+            ("use std::{fmt, env as e};", "a.rs:1: `env"),
+            (
+                "pub use core::prelude::v1::{self as v, include as i};",
+                "a.rs:1: `include",
+            ),
+            (
+                "macro_rules! m { ($f:ident) => { use std::$f as f; } }",
+                "a.rs:1: `$",
+            ),
+            ("m!(std::include as inc);", "a.rs:1: `include"),
             ("include\u{200e}!(\"x\");", "a.rs:1: `include"),
             ("#\u{200f}[path = \"x\"] mod a;", "a.rs:1: `path"),
         ] {
@@ -465,6 +525,9 @@ mod tests {
             "#[cfg(feature = \"x\")] #[derive(Clone)] #[inline(always)] fn f() {}",
             "fn f<'a>(a: &'a &'a u8, b: &'a [&'static u8]) { 'x: loop { break 'x } a & b & c }",
             "let c = ['\\u{1F600}', '\\n', 'x', '\\\\']; let l: &'static str;",
+            "macro_rules! m { ($a:ident, $($b:expr),*) => { #[doc = $a] fn $a() { $($b != 1);* } } }",
+            "macro_rules! m { ($v:expr, $i:expr) => { $v[$i] == $i; $v[$i + 1] = 0; [$i == 0] } }",
+            "use std::env::args; fn f(include: bool) -> impl Sized + use<> { include as u8 }",
             "#[doc = \"[path]\"] struct A { path: [u8; 3] }",
         ] {
             assert_eq!(found(code), [""; 0], "{code}");

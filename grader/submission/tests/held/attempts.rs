@@ -60,6 +60,10 @@ pub(crate) const ALL: &[Attempt] = &[
             .iter()
             .any(|path| fs::read_link(path).is_ok())
     }),
+    attempt("learn from its arguments where it is", |_| {
+        let mut arguments = std::env::args_os();
+        arguments.any(|argument| argument.to_string_lossy().contains('/'))
+    }),
     attempt("learn the real path of a file", |_| {
         fs::canonicalize("/etc/../etc/passwd").is_ok()
     }),

@@ -3,7 +3,7 @@
 //! are a function of the plan and of the units in `OUT`: the same bytes, whichever machines graded.
 
 use crate::collect::Class;
-use crate::out::Out;
+use crate::out::{Out, read_regular};
 use crate::plan::Plan;
 use crate::{entries, gradebook, pages};
 use base::{GraderError, write_whole};
@@ -17,7 +17,7 @@ pub fn write(out: &Out, plan: Plan, hint: HintLevel) -> Result<Class, GraderErro
     let students = out.join("students");
     std::fs::create_dir_all(&students).map_err(|e| GraderError::file("create", &students, e))?;
     let class = Class::read(out, plan, |plan, i, row, details| {
-        let pictures = |name: &str| std::fs::read(out.picture(name)).ok();
+        let pictures = |name: &str| read_regular(&out.picture(name)).ok();
         let page = pages::student::page(plan, row, details, hint, &pictures);
         let path = students.join(format!("{}.html", page_names[i]));
         write_whole(&path, page.as_bytes())

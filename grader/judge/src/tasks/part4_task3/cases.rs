@@ -54,13 +54,13 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
             "mean_of_many",
             "Over many calls the mean throughput is the throughput before: the picture gets \
              neither darker nor brighter. A bias of 19 % is always detected.",
-            random_numbers(0, "mean_of_many", 12_000),
+            mean_of_many(),
         )
         .only(&[Mean]),
         case(
             "fresh_games",
-            "Random numbers u that depend on the seed.",
-            random_numbers(seed, "fresh_games", 1000),
+            "Throughputs and random numbers u that depend on the seed.",
+            fresh_games(seed),
         )
         .only(&[Survival, Throughput]),
     ]
@@ -84,10 +84,20 @@ fn work(throughputs: &[Xyz], bounces: &[u32]) -> RouletteWork {
     }
 }
 
-fn random_numbers(seed: u64, name: &str, count: u32) -> RouletteWork {
-    let mut rng = ProbeRng::new(name, seed);
+fn mean_of_many() -> RouletteWork {
+    let mut rng = ProbeRng::new("mean_of_many", 0);
     RouletteWork {
         paths: vec![(DIM, 4), ([0.6, 0.3, 0.1], 9)],
-        numbers: (0..count).map(|_| rng.range(0.0, 1.0)).collect(),
+        numbers: (0..12_000).map(|_| rng.range(0.0, 1.0)).collect(),
+    }
+}
+
+fn fresh_games(seed: u64) -> RouletteWork {
+    let mut rng = ProbeRng::new("fresh_games", seed);
+    let mut channel = || rng.range(0.01, 0.99);
+    let paths = [4, 5, 9, 30].map(|bounces| ([channel(), channel(), channel()], bounces));
+    RouletteWork {
+        paths: paths.to_vec(),
+        numbers: (0..500).map(|_| rng.range(0.0, 1.0)).collect(),
     }
 }

@@ -34,14 +34,12 @@ fn path(workspace: &Workspace, key: &str) -> PathBuf {
 }
 
 /// The commands that run the test of `task`, if it has one, in lines that can be pasted into a
-/// shell together. They make the folder for it, which a handout does not have.
-pub(super) fn commands(task: &TaskReport) -> Option<[String; 3]> {
-    let file = with_slashes(task.test_file.as_ref()?);
-    let stage = &task.result.stage;
-    let folder = format!("stages/{stage}/tests");
+/// shell together. Each stage has the folder for it.
+pub(super) fn commands(task: &TaskReport) -> Option<[String; 2]> {
+    let file = task.test_file.as_ref()?;
+    let (name, stage) = (file.file_stem()?.display(), &task.result.stage);
     Some([
-        format!("mkdir -p {folder} &&"),
-        format!("cp {file} {folder}/worst.rs &&"),
-        format!("cargo test -p {stage} --test worst"),
+        format!("cp {} stages/{stage}/tests &&", with_slashes(file)),
+        format!("cargo test -p {stage} --test {name}"),
     ])
 }

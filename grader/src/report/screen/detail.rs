@@ -182,12 +182,8 @@ fn wrong(out: &mut Lines, report: &TaskReport, reveal: Reveal) {
     for reduction in first.reductions.iter().take(1) {
         out.add(1, 2, &format!("  {}: {reduction}", first.name));
     }
-    if let Some([make, copy, test]) = worst_test::commands(report) {
-        let lines = [
-            format!("  As a test: {make}"),
-            format!("    {copy}"),
-            format!("    {test}"),
-        ];
+    if let Some([copy, test]) = worst_test::commands(report) {
+        let lines = [format!("  As a test: {copy}"), format!("    {test}")];
         let lines = lines.map(|line| one_line(&line, out.page.width));
         out.blocks.push(Block {
             rank: 2,

@@ -160,7 +160,7 @@ fn the_screen_has_what_helps_most() {
         "  back_face: hit or miss wrong on 1 of 1 calls\n",
         "    test_triangle: your result: miss; expected: hit at t = 11.6\n",
         "    Ray: o = (1.25, 0.1235, 2.0), d = (0.3333, 0.6667, 0.6667), t in [0.0, inf]\n",
-        "  As a test: mkdir -p stages/intersect/tests &&\n    cp target/first-light/part1_task3.rs stages/intersect/tests/worst.rs &&\n    cargo test -p intersect --test worst\n",
+        "  As a test: cp target/first-light/part1_task3.rs stages/intersect/tests &&\n    cargo test -p intersect --test part1_task3\n",
         "score 58 of 60; extra credit 6 of 30\n",
         "`--hint 3` for more (the likely mistake)",
         "explain part1.task3/back_face`\n",

@@ -33,8 +33,10 @@ pub struct Row {
     pub status: Status,
     /// The points; `None` if there is no score.
     pub score: Option<Score>,
-    /// What the instructor should know, as sentences.
+    /// What the student and the instructor should know, as sentences.
     pub notes: Vec<Untrusted>,
+    /// What the instructor alone should look at, as sentences.
+    pub doubts: Vec<Untrusted>,
     /// What the tables of the class need of its unit, if there is one.
     pub graded: Option<Graded>,
 }
@@ -71,8 +73,9 @@ pub struct TaskOutcome {
 impl Row {
     /// What a person should know about it, in one line.
     pub fn about(&self) -> String {
-        let notes = self.status.detail().into_iter().chain(&self.notes);
-        notes.map(Untrusted::line).collect::<Vec<_>>().join("; ")
+        let detail = self.status.detail().into_iter();
+        let all = detail.chain(&self.notes).chain(&self.doubts);
+        all.map(Untrusted::line).collect::<Vec<_>>().join("; ")
     }
 }
 
@@ -206,6 +209,7 @@ fn row(out: &Out, plan: &Plan, planned: &Planned) -> Result<(Row, Option<Details
             status,
             score,
             notes: Vec::new(),
+            doubts: Vec::new(),
             graded: None,
         };
         (row, None)
@@ -291,6 +295,7 @@ fn row(out: &Out, plan: &Plan, planned: &Planned) -> Result<(Row, Option<Details
         status,
         score: Some(score),
         notes,
+        doubts: report.doubts(),
         graded: Some(Graded {
             tasks: outcomes.collect(),
             wrong_answers: unit.wrong_answers.clone(),

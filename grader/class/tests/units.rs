@@ -231,6 +231,29 @@ fn the_seed_is_for_the_instructor_alone() {
     }
 }
 
+/// A sentence such as "which may be a table of answers" is a question to the instructor, not to the
+/// student.
+#[test]
+fn what_to_look_at_is_for_the_instructor_alone() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let class = FakeClass::new(folder.path(), 4);
+    let out = class.out("out");
+    grade(&class, &out, 0, 1, Behaviour::Fine);
+    for key in class.plan.units().into_keys() {
+        let text = std::fs::read_to_string(out.unit(key)).expect("a unit");
+        let mut unit: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+        unit["report"]["to_check"] = serde_json::json!(["a table of answers"]);
+        std::fs::write(out.unit(key), unit.to_string()).expect("a unit");
+    }
+    let tables = class.tables(&out);
+    let says = |path: &str| {
+        let text = String::from_utf8_lossy(&tables[&PathBuf::from(path)]);
+        text.contains("please look at a table of answers")
+    };
+    assert!(says("gradebook.csv") && says("class.html"));
+    assert!(!says("students/student01.html"));
+}
+
 /// Other points are other tables, and nothing is graded.
 #[test]
 fn a_change_of_points_grades_nothing() {

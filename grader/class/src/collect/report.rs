@@ -171,7 +171,15 @@ impl StudentReport {
         Ok(report)
     }
 
-    /// What an instructor should know besides the points, as sentences.
+    /// What an instructor alone should look at, as sentences.
+    pub(super) fn doubts(&self) -> Vec<Untrusted> {
+        let doubts = self.to_check.iter();
+        doubts
+            .map(|what| format!("please look at {what}").into())
+            .collect()
+    }
+
+    /// What is to be known besides the points, as sentences.
     pub(super) fn notes(&self) -> Vec<Untrusted> {
         let mut notes: Vec<String> = Vec::new();
         if !self.missing.is_empty() {
@@ -197,9 +205,6 @@ impl StudentReport {
                 0 => format!("ignored: {file}"),
                 more => format!("ignored: {file} and {more} more files"),
             });
-        }
-        if !self.to_check.is_empty() {
-            notes.push(format!("please look at {}", self.to_check.join("; ")));
         }
         notes.into_iter().map(Untrusted::from).collect()
     }

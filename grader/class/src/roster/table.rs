@@ -232,6 +232,7 @@ mod tests {
                 tasks: [("part1.task1".to_string(), [core, 1.5])].into(),
             }),
             notes: Vec::new(),
+            doubts: Vec::new(),
             graded: None,
         });
         Class {

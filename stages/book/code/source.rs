@@ -8,7 +8,7 @@
 //! - A drawn figure gets its number, a caption, and the drawing's description in words, which a
 //!   program that reads the page aloud reads in place of the picture. An explorable figure has a
 //!   caption of its own, and gets its number.
-//! - The questions of a chapter get their choices as a form ([`crate::predictions`]).
+//! - The questions of a chapter get their choices as a form (`predictions.rs`).
 //! - A sheet of mistakes becomes its panels, which are below each other where the page is narrow.
 
 use crate::maths;

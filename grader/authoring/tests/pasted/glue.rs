@@ -182,7 +182,8 @@ fn argument(hole: &Hole, name: &str, of: &str) -> Vec<(String, Vec<usize>)> {
     options
 }
 
-/// Expressions for a hole without any code behind them: what the glue alone earns.
+/// Expressions for a hole without any code behind them, constants and its own arguments: what the
+/// glue alone earns.
 pub(super) fn constants(hole: &Hole) -> Vec<String> {
     let constants = [
         ("[0.0, 0.0, 1.0]", "[f64; 3]"),
@@ -192,9 +193,14 @@ pub(super) fn constants(hole: &Hole) -> Vec<String> {
         ("true", "bool"),
         ("None::<[f64; 3]>", "Option<[f64; 3]>"),
     ];
-    let each = constants.iter();
-    each.filter_map(|(value, of)| result(hole, value, of))
-        .collect()
+    let constants = constants
+        .iter()
+        .filter_map(|(value, of)| result(hole, value, of));
+    let triples = hole.parameters.iter().filter_map(|(name, of)| {
+        let is_triple = meaning(of) == Meaning::Triple;
+        is_triple.then(|| result(hole, &format!("triple({name})"), "[f64; 3]"))?
+    });
+    constants.chain(triples).collect()
 }
 
 /// `call`, which returns the type `of`, in the form that the hole returns; `None` if it has none.

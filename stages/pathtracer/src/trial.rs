@@ -79,6 +79,7 @@ fn lit_triangle() -> Scene {
     }
 }
 
+// BEGIN SOLUTION(part4.task3)
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -99,3 +100,4 @@ mod tests {
         }
     }
 }
+// END SOLUTION(part4.task3)

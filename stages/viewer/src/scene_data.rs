@@ -251,6 +251,7 @@ pub fn modified(path: &Path) -> Option<SystemTime> {
         .ok()
 }
 
+// BEGIN SOLUTION(part4.task3)
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -279,3 +280,4 @@ mod tests {
         assert!(differs_with(&mut data.prepared, &Accel::Bvh(losing)));
     }
 }
+// END SOLUTION(part4.task3)

@@ -3,9 +3,6 @@
 
 use crate::tools::packed_truth;
 use kit::{Ray, Vec3};
-// BEGIN SOLUTION(part1.task2)
-use kit::{Camera, camera::half_tan};
-// END SOLUTION(part1.task2)
 use serde::{Deserialize, Serialize};
 use wire::picture::View;
 use wire::work::Xyz;
@@ -17,8 +14,9 @@ pub(crate) const SIZE: [u32; 2] = [160, 120];
 pub(crate) fn picture_rays(pos: Vec3, target: Vec3, h_fov: f64) -> Vec<Ray> {
     let input: (Xyz, Xyz, f64) = (pos.into(), target.into(), h_fov);
     // BEGIN SOLUTION(part1.task2)
-    let c2w = Camera::look_at(pos, target, Vec3::Y).expect("the pictures do not look along +y");
-    let half_w = half_tan(h_fov);
+    let c2w =
+        kit::Camera::look_at(pos, target, Vec3::Y).expect("the pictures do not look along +y");
+    let half_w = kit::camera::half_tan(h_fov);
     let [w, h] = SIZE.map(f64::from);
     let mut towards = Vec::new();
     for y in 0..SIZE[1] {
@@ -84,10 +82,10 @@ impl Bends {
 pub(crate) fn view(eye: Xyz, target: Xyz, h_fov: f64, size: [u32; 2]) -> View {
     let input = (eye, target, h_fov, size);
     // BEGIN SOLUTION(part1.task2)
-    let c2w = Camera::look_at(eye.into(), target.into(), Vec3::Y)
+    let c2w = kit::Camera::look_at(eye.into(), target.into(), Vec3::Y)
         .expect("the pictures do not look along +y");
     let [w, h] = size.map(f64::from);
-    let half_w = half_tan(h_fov);
+    let half_w = kit::camera::half_tan(h_fov);
     let [right, up] = [c2w.x_axis * half_w, c2w.y_axis * (half_w * h / w)];
     let view = View {
         eye,

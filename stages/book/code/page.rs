@@ -44,8 +44,8 @@ fn with_formulas(html: &str, formulas: &[String]) -> Result<String, String> {
     Ok(page)
 }
 
-/// Loads the scripts that the page needs: that of the explorable figures, which loads the rest itself, and that of
-/// the questions.
+/// Loads the scripts that the page needs: that of the explorable figures, which loads the rest
+/// itself, and that of the questions.
 fn with_scripts(html: &str, to_book: &str) -> String {
     let mut scripts = String::new();
     for (mark, script) in [

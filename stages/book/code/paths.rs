@@ -23,6 +23,13 @@ pub fn project() -> PathBuf {
     normal(&crate::folder().join("../.."))
 }
 
+/// The number of a task's chapter, such as `1.3` for `part1/task3.md`; `None` for another chapter.
+pub fn task_number(chapter: &Path) -> Option<String> {
+    let name = chapter.with_extension("").display().to_string();
+    let (part, task) = name.strip_prefix("part")?.split_once("/task")?;
+    Some(format!("{part}.{task}"))
+}
+
 /// `path` without `.` and `..`.
 pub fn normal(path: &Path) -> PathBuf {
     let mut normal = PathBuf::new();
@@ -53,6 +60,14 @@ pub fn relative(from: &Path, to: &Path) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn chapters_of_tasks_have_numbers() {
+        let number = |path: &str| task_number(Path::new(path));
+        assert_eq!(number("part1/task3.md").as_deref(), Some("1.3"));
+        assert_eq!(number("part1/README.md"), None);
+        assert_eq!(number("light.md"), None);
+    }
 
     #[test]
     fn relative_paths_go_up_and_down() {

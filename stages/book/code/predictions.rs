@@ -1,8 +1,10 @@
 //! The choices of the section "Predict", for the page.
 //!
-//! They stand in `src/predictions.toml`, which `cargo grader predict` reads, too. The page asks with the script
-//! `predict.js`: without it the form stays hidden, and the questions of the chapter can be read.
+//! They stand in `src/predictions.toml`, which `cargo grader predict` reads, too. The page asks
+//! with the script `predict.js`: without it the form stays hidden, and the questions of the chapter
+//! can be read.
 
+use crate::source::escaped;
 use std::fmt::Write;
 use std::path::Path;
 
@@ -42,12 +44,6 @@ pub(crate) fn form(path: &Path) -> Result<Option<String>, String> {
     }
     html.push_str("</form>\n");
     Ok(Some(html))
-}
-
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;")
-        .replace('<', "&lt;")
-        .replace('"', "&quot;")
 }
 
 #[cfg(test)]

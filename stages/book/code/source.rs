@@ -12,7 +12,7 @@
 //! - A sheet of mistakes becomes its panels, which are below each other where the page is narrow.
 
 use crate::maths;
-use crate::paths::{folder_of, normal, project, relative};
+use crate::paths::{folder_of, normal, project, relative, task_number};
 use crate::predictions;
 use pulldown_cmark::{Event, Parser, Tag, TagEnd};
 use std::collections::BTreeSet;
@@ -142,7 +142,9 @@ impl Sources {
         // Each task's chapter has this section with folded answers: `tests/course.rs`.
         let predict = markdown.find("\n## Predict\n");
         let answers = predict.and_then(|start| Some(start + markdown[start..].find("<details>")?));
-        if let (Some(place), Some(form)) = (answers, predictions::form(at)?) {
+        if let Some(place) = answers
+            && let Some(form) = predictions::form(at)?
+        {
             changes.push((place..place, format!("{form}\n")));
         }
         changes.sort_by_key(|(range, _)| range.start);
@@ -193,11 +195,7 @@ struct FigureNumbers {
 impl FigureNumbers {
     /// Those of the chapter `at`: `1.3-1` is the first of Part 1, Task 3.
     fn of(at: &Path) -> FigureNumbers {
-        let name = at.with_extension("").display().to_string();
-        let of_task = name
-            .strip_prefix("part")
-            .and_then(|rest| rest.split_once("/task"));
-        let prefix = of_task.map_or(String::new(), |(part, task)| format!("{part}.{task}-"));
+        let prefix = task_number(at).map_or(String::new(), |task| format!("{task}-"));
         FigureNumbers { prefix, last: 0 }
     }
 
@@ -290,7 +288,8 @@ fn size_of_png(file: &Path) -> Result<[u32; 2], String> {
     }
 }
 
-fn escaped(text: &str) -> String {
+/// `text` in HTML, also as the value of an attribute.
+pub(crate) fn escaped(text: &str) -> String {
     text.replace('&', "&amp;")
         .replace('<', "&lt;")
         .replace('"', "&quot;")

@@ -1,6 +1,7 @@
 //! The index of symbols at the end of the glossary, made of the chapters' tables.
 
 use crate::chapter::{self, Chapter};
+use crate::paths::task_number;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::Path;
@@ -34,7 +35,9 @@ fn index(chapters: &[Chapter]) -> String {
         let Some(figure) = chapter.section("The figure") else {
             continue;
         };
-        let link = format!("[{}]({})", short(chapter), chapter.path.display());
+        // `1.3` for Part 1, Task 3, else the title.
+        let name = task_number(&chapter.path).unwrap_or_else(|| chapter.title.clone());
+        let link = format!("[{name}]({})", chapter.path.display());
         for row in figure.table_rows() {
             let meanings = symbols.entry(row[0].clone()).or_default();
             match meanings.iter_mut().find(|(known, _)| *known == row[1]) {
@@ -58,17 +61,6 @@ fn index(chapters: &[Chapter]) -> String {
         let _ = writeln!(table, "| {symbol} | {} |", meanings.join("; "));
     }
     table
-}
-
-/// The short name of a chapter: `1.3` for Part 1, Task 3, else its title.
-fn short(chapter: &Chapter) -> String {
-    let name = chapter.path.with_extension("").display().to_string();
-    let of_task = name
-        .strip_prefix("part")
-        .and_then(|rest| rest.split_once("/task"));
-    of_task.map_or(chapter.title.clone(), |(part, task)| {
-        format!("{part}.{task}")
-    })
 }
 
 #[cfg(test)]

@@ -125,8 +125,7 @@ impl<'a> Asked<'a> {
                     "in call {call} it counts {} box tests and {} primitive tests, but it asked for {} and {}",
                     counted.boxes, counted.prims, asked.boxes, asked.prims
                 );
-                self.why_changed = Some(why.clone());
-                return Err(why);
+                return self.changed(why);
             }
         }
         self.compare(record.case, answers)
@@ -146,8 +145,13 @@ impl<'a> Asked<'a> {
             return Ok(());
         }
         let why = "it makes more tests for the rays whose tests the grader counts than it counts for the others, which chance does not explain";
-        self.why_changed = Some(why.to_string());
-        Err(why.to_string())
+        self.changed(why.to_string())
+    }
+
+    /// Notes that something changed the worker's counts.
+    fn changed(&mut self, why: String) -> Result<(), String> {
+        self.why_changed = Some(why.clone());
+        Err(why)
     }
 }
 

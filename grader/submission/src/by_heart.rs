@@ -66,10 +66,34 @@ fn is_by_heart(drawn: &[CaseResult], known: &[CaseResult]) -> bool {
     known > 0.0 && known >= MOST * all && lost >= MOST * known
 }
 
-/// Whether code that contains a table of answers ([`crate::scan::table`]) has them from there: it is
-/// right in most cases whose questions are only moved, and fails those that the seed draws. Code can
-/// undo a move before it looks into the table.
-pub(crate) fn has_answers_from_a_table(drawn: &[CaseResult]) -> bool {
+/// Why the code of `task` gets no points for its answers: it learned them by heart. `drawn` is its
+/// result with `seed`, `known` that with [`KNOWN_SEED`] if it [is suspicious](is_suspicious), and
+/// `has_table` says whether its stage may contain a [table](crate::scan::table).
+pub(crate) fn why_learned(
+    task: &Task,
+    seed: u64,
+    drawn: &TaskResult,
+    known: Option<&TaskResult>,
+    has_table: bool,
+) -> Option<String> {
+    let how = if known.is_some_and(|known| accuses(drawn, known)) {
+        format!(
+            "it answers the questions of seed {KNOWN_SEED}, but not those of seed {seed}, which differ in their numbers only. It recognizes the questions"
+        )
+    } else if has_table && has_answers_from_a_table(&drawn.cases) {
+        format!(
+            "its stage contains a table, and it answers the questions that students have, moved, but not those whose numbers the seed {seed} draws. It has the answers from the table"
+        )
+    } else {
+        return None;
+    };
+    Some(format!("{}: no points: {how}", task.key))
+}
+
+/// Whether code that contains a table of answers has them from there: it is right in most cases
+/// whose questions are only moved, and fails those that the seed draws. Code can undo a move before
+/// it looks into the table.
+fn has_answers_from_a_table(drawn: &[CaseResult]) -> bool {
     let core = |fresh: bool| {
         let cases = drawn.iter().filter(|case| case.tier == Tier::Core);
         cases.filter(move |case| case.name.starts_with(FRESH) == fresh)
@@ -78,22 +102,6 @@ pub(crate) fn has_answers_from_a_table(drawn: &[CaseResult]) -> bool {
         (earned + case.earned, all + case.max_score)
     });
     core(true).any(fails_often) && earned >= MOST * all
-}
-
-/// What is said about a task whose answers come from a table.
-pub(crate) fn sentence_about_a_table(task: &Task, seed: u64) -> String {
-    format!(
-        "{}: no points: its stage contains a table, and it answers the questions that students have, moved, but not those whose numbers the seed {seed} draws. It has the answers from the table",
-        task.key
-    )
-}
-
-/// What is said about such a task.
-pub(crate) fn sentence(task: &Task, seed: u64) -> String {
-    format!(
-        "{}: no points: it answers the questions of seed {KNOWN_SEED}, but not those of seed {seed}, which differ in their numbers only. It recognizes the questions",
-        task.key
-    )
 }
 
 fn fails_often(case: &CaseResult) -> bool {

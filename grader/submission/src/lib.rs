@@ -77,8 +77,8 @@ pub struct SubmissionReport {
     pub compiler: String,
     /// What the student's code printed, case by case.
     pub printed: String,
-    /// Pictures of tasks that lost core points, if they were asked for: PNG files of expected, yours
-    /// and their difference, by the keys of the tasks.
+    /// Pictures of tasks that lost core points, if they were asked for: PNG files of expected,
+    /// yours and their difference, by the keys of the tasks.
     #[serde(skip)]
     pub pictures: BTreeMap<String, Vec<u8>>,
 }
@@ -201,39 +201,30 @@ fn without_learned_points(
     seed: u64,
     known: impl FnOnce(&[&Task]) -> Result<Vec<TaskResult>, GraderError>,
 ) -> Result<Vec<String>, GraderError> {
-    let result = |task: &Task| {
-        let mut results = judged.iter().map(|report| &report.result);
-        results.find(|result| result.key == task.key)
-    };
-    let is_suspicious = |task: &&Task| result(task).is_some_and(by_heart::is_suspicious);
-    let suspicious: Vec<&Task> = tasks.iter().copied().filter(is_suspicious).collect();
+    let suspicious: Vec<&Task> = judged
+        .iter()
+        .filter(|report| by_heart::is_suspicious(&report.result))
+        .filter_map(|report| tasks.iter().find(|task| task.key == report.result.key))
+        .copied()
+        .collect();
     let known = match suspicious.is_empty() {
         true => Vec::new(),
         false => known(&suspicious)?,
     };
-    let sentence = |task: &Task| {
-        let drawn = result(task)?;
-        let known = known.iter().find(|known| known.key == task.key);
-        if known.is_some_and(|known| by_heart::accuses(drawn, known)) {
-            return Some(by_heart::sentence(task, seed));
-        }
-        let is_from_table = has_table && by_heart::has_answers_from_a_table(&drawn.cases);
-        is_from_table.then(|| by_heart::sentence_about_a_table(task, seed))
-    };
-    let said: Vec<(&Task, Option<String>)> =
-        tasks.iter().map(|task| (*task, sentence(task))).collect();
-    let mut sentences = Vec::new();
-    for (task, sentence) in said {
-        let Some(sentence) = sentence else { continue };
-        for report in judged
-            .iter_mut()
-            .filter(|report| report.result.key == task.key)
-        {
+    let mut said = Vec::new();
+    for report in judged {
+        let key = report.result.key.as_str();
+        let Some(task) = tasks.iter().find(|task| task.key == key) else {
+            continue;
+        };
+        let known = known.iter().find(|known| known.key == key);
+        let why = by_heart::why_learned(task, seed, &report.result, known, has_table);
+        if let Some(why) = why {
             *report = no_points(task, &Status::Failed);
+            said.push(why);
         }
-        sentences.push(sentence);
     }
-    Ok(sentences)
+    Ok(said)
 }
 
 /// How long all stages of a submission may be built and run: some thirty times what honest code takes,

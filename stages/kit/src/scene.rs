@@ -73,6 +73,16 @@ pub enum Primitive<'a> {
     Sphere(&'a Sphere),
 }
 
+impl Primitive<'_> {
+    /// The bounding box of the primitive.
+    pub fn bounds(&self) -> Aabb {
+        match self {
+            Primitive::Triangle(triangle) => triangle.bounds(),
+            Primitive::Sphere(sphere) => sphere.bounds(),
+        }
+    }
+}
+
 impl Scene {
     /// Number of primitives.
     pub fn len(&self) -> usize {
@@ -102,9 +112,8 @@ impl Scene {
 
     /// The bounding boxes of all primitives, in the order of their ids.
     pub fn primitive_bounds(&self) -> Vec<Aabb> {
-        let triangles = self.triangles.iter().map(Triangle::bounds);
-        triangles
-            .chain(self.spheres.iter().map(Sphere::bounds))
+        self.primitives()
+            .map(|primitive| primitive.bounds())
             .collect()
     }
 

@@ -214,7 +214,7 @@ fn recorded_tests_are_those_that_were_counted() {
     let job = job(&scene, 16);
     let map = heat_map(&scene.picture, &scene.textures, &tree, &job, &light, &stop);
     assert_eq!(map.get(12, 8), replay.counters);
-    let (x, y) = map.dearest(|pixel| pixel.box_tests).expect("pixels");
+    let (x, y) = map.costliest(|pixel| pixel.box_tests).expect("pixels");
     let most = map.pixels.iter().map(|pixel| pixel.box_tests).max();
     assert_eq!(Some(map.get(x, y).box_tests), most);
 }

@@ -9,7 +9,7 @@ use crate::primitive_list::PrimitiveList;
 use crate::ray_packet::RayPacket;
 use crate::vec3x8::{LANES, Vec3x8};
 use fearless_simd::{Simd, f64x8, prelude::*};
-use kit::{Aabb, PrimId, Primitive, Scene, Vec3};
+use kit::{Aabb, PrimId, Scene, Vec3};
 
 /// The large primitives of a scene, and where all others are.
 #[derive(Clone, Debug)]
@@ -95,13 +95,9 @@ fn slab<S: Simd>(low: f64x8<S>, high: f64x8<S>, inverse: f64x8<S>) -> [f64x8<S>;
 
 /// All primitives and their boxes, without the empty ones, which no ray can hit.
 fn boxes(scene: &Scene) -> impl Iterator<Item = (PrimId, Aabb)> {
-    let boxes = scene.primitives().map(|primitive| match primitive {
-        Primitive::Triangle(triangle) => triangle.bounds(),
-        Primitive::Sphere(sphere) => sphere.bounds(),
-    });
     (0..)
         .map(PrimId)
-        .zip(boxes)
+        .zip(scene.primitive_bounds())
         .filter(|(_, bounds)| !bounds.is_empty())
 }
 

@@ -264,10 +264,7 @@ fn untested(
             sentence: format!("every test is right, but {outcome}"),
         };
     };
-    let bounds = match primitives[id.0 as usize] {
-        Primitive::Triangle(triangle) => triangle.bounds(),
-        Primitive::Sphere(sphere) => sphere.bounds(),
-    };
+    let bounds = primitives[id.0 as usize].bounds();
     // The smallest box around the primitive that the traversal did not look into.
     let area = |b: &Aabb| b.surface_area();
     let skipped = record

@@ -26,7 +26,7 @@ impl HeatMap {
 
     /// The pixel with the most of what `count` counts, the first one of several; `None` if the film
     /// has no pixels.
-    pub fn dearest(&self, count: impl Fn(&Counters) -> u64) -> Option<(u32, u32)> {
+    pub fn costliest(&self, count: impl Fn(&Counters) -> u64) -> Option<(u32, u32)> {
         let (i, _) = self
             .pixels
             .iter()

@@ -23,8 +23,8 @@ pub struct VisitCase {
     pub right: Option<(PrimId, f64)>,
     /// The first event that is wrong.
     pub parting: Option<Parting>,
-    /// The nodes of which the ray enters both children. Empty for a shadow ray, for which any order is
-    /// as good.
+    /// The nodes of which the ray enters both children. Empty for a shadow ray, for which any order
+    /// is as good.
     pub orders: Vec<ChildOrder>,
 }
 
@@ -52,10 +52,7 @@ impl VisitCase {
             Test::Box { bounds, .. } => Some(*bounds),
             Test::Primitive { prim, .. } => {
                 let index = prim.0 as usize;
-                (index < self.scene.len()).then(|| match self.scene.primitive(*prim) {
-                    kit::Primitive::Triangle(triangle) => triangle.bounds(),
-                    kit::Primitive::Sphere(sphere) => sphere.bounds(),
-                })
+                (index < self.scene.len()).then(|| self.scene.primitive(*prim).bounds())
             }
         });
         test.or(order)

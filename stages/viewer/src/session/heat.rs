@@ -129,7 +129,7 @@ impl Session {
             self.heat.kind,
             self.heat.map(),
         ) {
-            let costliest = map.dearest(|counters| kind.of(counters));
+            let costliest = map.costliest(|counters| kind.of(counters));
             self.heat.goes_to_costliest = false;
             if let Some((x, y)) = costliest {
                 self.inspect(x, y);

@@ -204,10 +204,10 @@ fn x_t_and_g_show_where_the_work_is() {
     window.press(Key::X);
     assert_eq!(window.session().heat().kind, Some(HeatKind::Primitives));
     window.press(Key::G);
-    let dearest = map.dearest(|counts| counts.prim_tests).expect("a pixel");
+    let costliest = map.costliest(|counts| counts.prim_tests).expect("a pixel");
     let inspected = window.session().inspector.inspected().expect("a replay");
-    assert_eq!(inspected.replay.pixel, dearest);
-    assert_eq!(inspected.replay.counters, map.get(dearest.0, dearest.1));
+    assert_eq!(inspected.replay.pixel, costliest);
+    assert_eq!(inspected.replay.counters, map.get(costliest.0, costliest.1));
     window.press(Key::X);
     assert_eq!(window.session().heat().kind, None);
     window.press(Key::T);

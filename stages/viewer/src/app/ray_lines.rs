@@ -23,50 +23,41 @@ pub(super) fn frustum(
     pixel: Option<(u32, u32)>,
 ) {
     // The first call ends it, so that no half is drawn.
-    let _ = guarded(|| written_frustum(lines, camera, film, depth, color, pixel));
-}
-
-fn written_frustum(
-    lines: &Lines<'_>,
-    camera: &Camera,
-    film: FilmSize,
-    depth: f64,
-    color: Color32,
-    pixel: Option<(u32, u32)>,
-) {
-    let at = |x: f64, y: f64| {
-        let ray = generate_ray(camera, Vec2::new(x, y));
-        ray.at(depth / ray.d.dot(-camera.c2w.z_axis))
-    };
-    let stroke = Stroke::new(1.5, color);
-    let corners = [at(0.0, 0.0), at(1.0, 0.0), at(1.0, 1.0), at(0.0, 1.0)];
-    for (i, corner) in corners.iter().enumerate() {
-        lines.line(camera.pos, *corner, stroke, Hidden::Faint);
-        lines.line(*corner, corners[(i + 1) % 4], stroke, Hidden::Faint);
-    }
-    let rectangle = |x0: f64, y0: f64, x1: f64, y1: f64, stroke: Stroke| {
-        let corners = [at(x0, y0), at(x1, y0), at(x1, y1), at(x0, y1)];
+    let _ = guarded(|| {
+        let at = |x: f64, y: f64| {
+            let ray = generate_ray(camera, Vec2::new(x, y));
+            ray.at(depth / ray.d.dot(-camera.c2w.z_axis))
+        };
+        let stroke = Stroke::new(1.5, color);
+        let corners = [at(0.0, 0.0), at(1.0, 0.0), at(1.0, 1.0), at(0.0, 1.0)];
         for (i, corner) in corners.iter().enumerate() {
-            lines.line(*corner, corners[(i + 1) % 4], stroke, Hidden::Shown);
+            lines.line(camera.pos, *corner, stroke, Hidden::Faint);
+            lines.line(*corner, corners[(i + 1) % 4], stroke, Hidden::Faint);
         }
-    };
-    let (w, h) = (f64::from(film.w), f64::from(film.h));
-    // The grid: every pixel of a small film, else every tenth of a film's edge.
-    let (columns, rows) = (w.min(10.0), h.min(10.0));
-    let thin = Stroke::new(0.7, color.gamma_multiply(0.45));
-    for i in 1..columns as u32 {
-        let x = f64::from(i) / columns;
-        lines.line(at(x, 0.0), at(x, 1.0), thin, Hidden::Faint);
-    }
-    for i in 1..rows as u32 {
-        let y = f64::from(i) / rows;
-        lines.line(at(0.0, y), at(1.0, y), thin, Hidden::Faint);
-    }
-    if let Some((x, y)) = pixel {
-        let (x, y) = (f64::from(x), f64::from(y));
-        let stroke = Stroke::new(2.0, lines.palette.selected);
-        rectangle(x / w, y / h, (x + 1.0) / w, (y + 1.0) / h, stroke);
-    }
+        let rectangle = |x0: f64, y0: f64, x1: f64, y1: f64, stroke: Stroke| {
+            let corners = [at(x0, y0), at(x1, y0), at(x1, y1), at(x0, y1)];
+            for (i, corner) in corners.iter().enumerate() {
+                lines.line(*corner, corners[(i + 1) % 4], stroke, Hidden::Shown);
+            }
+        };
+        let (w, h) = (f64::from(film.w), f64::from(film.h));
+        // The grid: every pixel of a small film, else every tenth of a film's edge.
+        let (columns, rows) = (w.min(10.0), h.min(10.0));
+        let thin = Stroke::new(0.7, color.gamma_multiply(0.45));
+        for i in 1..columns as u32 {
+            let x = f64::from(i) / columns;
+            lines.line(at(x, 0.0), at(x, 1.0), thin, Hidden::Faint);
+        }
+        for i in 1..rows as u32 {
+            let y = f64::from(i) / rows;
+            lines.line(at(0.0, y), at(1.0, y), thin, Hidden::Faint);
+        }
+        if let Some((x, y)) = pixel {
+            let (x, y) = (f64::from(x), f64::from(y));
+            let stroke = Stroke::new(2.0, lines.palette.selected);
+            rectangle(x / w, y / h, (x + 1.0) / w, (y + 1.0) / h, stroke);
+        }
+    });
 }
 
 /// The rays of the replay, the selected one with the boxes of its walk.

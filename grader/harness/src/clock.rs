@@ -75,8 +75,8 @@ const TIME_OF_BYTE: Duration = Duration::from_nanos(25);
 /// time in which a busy machine has no processor for it.
 const WAITING: u32 = 8;
 
-/// Code that has printed may wait for so much longer: on a busy machine whoever reads what it prints
-/// may come late, and a full pipe makes it wait.
+/// Code that has printed may wait for so much longer: on a busy machine whoever reads what it
+/// prints may come late, and a full pipe makes it wait.
 const WAITING_FOR_READER: Duration = Duration::from_secs(30);
 
 /// How code used up its time.
@@ -204,8 +204,8 @@ impl Output {
 }
 
 /// The rest of `limit` after `worked` processor time and `passed` elapsed time in which the thread
-/// had a processor or waited for something else, `to_wait` at most. Where the system does not report
-/// processor time, elapsed time counts.
+/// had a processor or waited for something else, `to_wait` at most. Where the system does not
+/// report processor time, elapsed time counts.
 fn left(
     limit: Duration,
     to_wait: Duration,

@@ -25,8 +25,8 @@ pub fn forbidden(stage: &str, files: &Files) -> Vec<String> {
 /// most variants less than 100.
 const MOST_LITERALS: usize = 3000;
 
-/// A sentence if the files of `stage` contain so many numbers and strings that they may be a table of
-/// answers. Honest code may have them, too: a person should look.
+/// A sentence if the files of `stage` contain so many numbers and strings that they may be a table
+/// of answers. Honest code may have them, too: a person should look.
 pub fn table(stage: &str, files: &Files) -> Option<String> {
     let literals = files
         .values()
@@ -181,8 +181,9 @@ fn outlives(tokens: &[Token]) -> bool {
     outer.is_some() && inner.is_some() && outer != inner
 }
 
-/// Whether at token `i` an argument of a macro becomes an attribute, its name, or the name of a macro:
-/// `#[$name = "file"]`, `#$attribute`, `$name!("file")`. The values of attributes are no names.
+/// Whether at token `i` an argument of a macro becomes an attribute, its name, or the name of a
+/// macro: `#[$name = "file"]`, `#$attribute`, `$name!("file")`. The values of attributes are no
+/// names.
 fn is_hidden(tokens: &[Token], i: usize, in_attribute: bool) -> bool {
     let text = |i: usize| tokens.get(i).map_or("", |token| token.text.as_str());
     let before = if i > 0 { text(i - 1) } else { "" };

@@ -95,8 +95,8 @@ pub fn shown(text: &str, layout: Layout) -> String {
 
 /// Whether a character does something where it is shown: control characters (ESC, CR and U+009B
 /// among them), the ends of lines and paragraphs of Unicode, marks and overrides of direction, byte
-/// order marks, fillers that show nothing, selectors of variants, tags, and what is no character in XML.
-/// Joiners stay: Persian and Indian names need them.
+/// order marks, fillers that show nothing, selectors of variants, tags, and what is no character in
+/// XML. Joiners stay: Persian and Indian names need them.
 fn is_obeyed(c: char) -> bool {
     let is_no_character = u32::from(c) & 0xfffe == 0xfffe;
     c.is_control()

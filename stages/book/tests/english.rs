@@ -9,8 +9,8 @@ const SENTENCE: usize = 35;
 /// The most words of a paragraph.
 const PARAGRAPH: usize = 80;
 
-/// The paragraphs and the items of lists as text. A formula and a piece of code are a word each; tables and blocks of
-/// code are left out.
+/// The paragraphs and the items of lists as text. A formula and a piece of code are a word each;
+/// tables and blocks of code are left out.
 fn paragraphs(markdown: &str) -> Vec<String> {
     let mut found = Vec::new();
     let mut text = String::new();

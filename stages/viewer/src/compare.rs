@@ -30,7 +30,8 @@ impl Reference {
         }
     }
 
-    /// Reads a picture file: png, jpg, exr or hdr, or a part of a picture, sums. The error is a sentence.
+    /// Reads a picture file: png, jpg, exr or hdr, or a part of a picture, sums. The error is a
+    /// sentence.
     pub fn load(path: &Path) -> Result<Reference, String> {
         let name = path.display();
         if path
@@ -82,7 +83,8 @@ impl Reference {
         })
     }
 
-    /// The radiance of the pixel in column `x` and row `y`, from the bottom left, if the picture has it.
+    /// The radiance of the pixel in column `x` and row `y`, from the bottom left, if the picture
+    /// has it.
     pub fn radiance(&self, x: u32, y: u32) -> Option<[f64; 3]> {
         let linear = self.linear.as_ref()?;
         linear

@@ -47,8 +47,8 @@ pub struct SceneData {
     pub tree: Accel,
     /// The first boxes of the wide tree and their depths, breadth first; none if it is not used.
     pub wide_boxes: Vec<(Aabb, usize)>,
-    /// Whether the wide tree is not used because the stages of Parts 1 to 5 render another picture: then
-    /// their picture is the one to see.
+    /// Whether the wide tree is not used because the stages of Parts 1 to 5 render another picture:
+    /// then their picture is the one to see.
     pub stages_differ: bool,
     /// Why the wide tree is not used, if it should be.
     pub missing_accel: Option<StageFailure>,

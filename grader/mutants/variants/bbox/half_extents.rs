@@ -1,5 +1,5 @@
-//! The slab of each axis by its centre and half its extent, so that no plane is chosen by the sign of
-//! `d`. The difference of the two is less exact than a plane.
+//! The slab of each axis by its centre and half its extent, so that no plane is chosen by the sign
+//! of `d`. The difference of the two is less exact than a plane.
 
 pub use base::*;
 use kit::{Aabb, Interval, Ray};

@@ -59,8 +59,8 @@ pub fn occludes_bvh<W: World>(bvh: &Bvh, ray: &Ray, world: &mut W) -> bool {
 }
 ";
 
-/// The same, but only for rays whose results the worker has: those of the others are two empty lists
-/// in the memory that the world refers to.
+/// The same, but only for rays whose results the worker has: those of the others are two empty
+/// lists in the memory that the world refers to.
 const CODE_FOR_VISIBLE_RAYS: &str = r"use kit::{Bvh, Hit, Ray, World};
 use std::hint::black_box;
 

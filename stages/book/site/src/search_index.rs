@@ -1,8 +1,9 @@
-//! Makes mdBook's index for the search smaller: it is the largest file of the site, and every handout has it.
+//! Makes mdBook's index for the search smaller: it is the largest file of the site, and every
+//! handout has it.
 //!
-//! The index knows the words of each section, and has its whole text beside them, from which the results show some
-//! words. Only so many are kept. It also knows the words of the path of headings to a section; the search finds them
-//! by the headings themselves.
+//! The index knows the words of each section, and has its whole text beside them, from which the
+//! results show some words. Only so many are kept. It also knows the words of the path of headings
+//! to a section; the search finds them by the headings themselves.
 
 use serde_json::{Value, json};
 

@@ -47,11 +47,12 @@ pub(crate) fn build(out: &Path, links: Links) -> Result<(), String> {
     Ok(())
 }
 
-/// The languages of the book's code, with the names that highlight.js has for them: `sh` is a shell's,
-/// `toml` an ini file's, `text` plain text.
+/// The languages of the book's code, with the names that highlight.js has for them: `sh` is a
+/// shell's, `toml` an ini file's, `text` plain text.
 const LANGUAGES: [&str; 4] = ["bash", "ini", "plaintext", "rust"];
 
-/// The script of highlight.js without the languages that the book has no code in: nine tenths of it.
+/// The script of highlight.js without the languages that the book has no code in: nine tenths of
+/// it.
 fn with_languages_of_the_book(js: &str) -> String {
     const START: &str = "hljs.registerLanguage(\"";
     let mut parts = js.split(START);

@@ -1,4 +1,5 @@
-//! The numbers of the chapters about chance and light, by integration and not by the formulas of the text.
+//! The numbers of the chapters about chance and light, by integration and not by the formulas of
+//! the text.
 
 use super::claims::Claim;
 use super::{Numbers, check};

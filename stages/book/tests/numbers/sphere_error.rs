@@ -85,8 +85,8 @@ fn errors(distance: f64) -> Errors {
     }
 }
 
-/// The median errors of t for rays that start a millionth above the surface: the textbook's formula,
-/// the other root from `c / q`, and this root with a `c` that is nearly exact.
+/// The median errors of t for rays that start a millionth above the surface: the textbook's
+/// formula, the other root from `c / q`, and this root with a `c` that is nearly exact.
 fn errors_near_the_surface() -> [f64; 3] {
     let kernels = [kernel("quadratic formula"), kernel("q form")];
     let mut sampler = PixelSampler::new(0, 0, 2);

@@ -190,8 +190,8 @@ impl Verdict {
     }
 }
 
-/// The sentence below the case: the first event where it parts from the truth, or else what the case
-/// loses points for. It is right only if the whole case is.
+/// The sentence below the case: the first event where it parts from the truth, or else what the
+/// case loses points for. It is right only if the whole case is.
 fn verdict(view: &CaseView, opened: &OpenCase) -> Option<(Verdict, String)> {
     let wrong_now = opened.content()?.wrong_now.as_deref();
     let of_case = match wrong_now? {

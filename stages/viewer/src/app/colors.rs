@@ -19,7 +19,8 @@ pub(super) struct Palette {
     pub(super) wrong: Color32,
     /// What is not judged but worth a look, and what is under the mouse.
     pub(super) attention: Color32,
-    /// The selected element or node. In the dark it is the assignment's program's (1, 0.25, 0), lighter.
+    /// The selected element or node. In the dark it is the assignment's program's (1, 0.25, 0),
+    /// lighter.
     pub(super) selected: Color32,
     camera: Color32,
     bounce: Color32,

@@ -246,8 +246,8 @@ fn tests(ui: &mut Ui, inspector: &Inspector, commands: &mut Vec<Command>) {
     }
 }
 
-/// The tests of a ray, of which `step` were walked; `differing` is the first that differs from a right
-/// traversal's, and a word about it. Returns the one that was clicked.
+/// The tests of a ray, of which `step` were walked; `differing` is the first that differs from a
+/// right traversal's, and a word about it. Returns the one that was clicked.
 pub(super) fn test_list(
     ui: &mut Ui,
     scene: &Scene,

@@ -241,8 +241,8 @@ impl<'a> Lines<'a> {
         }
     }
 
-    /// The end of a range at `p` of a line along `d`: a bar across the line, with a name. `side` is 1 or
-    /// -1: where the name is.
+    /// The end of a range at `p` of a line along `d`: a bar across the line, with a name. `side` is
+    /// 1 or -1: where the name is.
     pub(super) fn end_mark(&self, p: Vec3, d: Vec3, color: Color32, name: &str, side: f32) {
         let Some(at) = self.point(p) else { return };
         let small = 1e-3 * self.projection.distance(p) / d.length();
@@ -351,8 +351,8 @@ pub(super) fn sample(painter: &Painter, at: Pos2, stroke: Stroke, pattern: Patte
     }
 }
 
-/// The shares of the segment from `from` to `to` between which it is in `rect` (Liang and Barsky, "A
-/// New Concept and Method for Line Clipping", 1984); `None` if it is outside.
+/// The shares of the segment from `from` to `to` between which it is in `rect` (Liang and Barsky,
+/// "A New Concept and Method for Line Clipping", 1984); `None` if it is outside.
 fn shares_inside(rect: Rect, from: Pos2, to: Pos2) -> Option<[f32; 2]> {
     let d = to - from;
     let (mut first, mut last) = (0.0_f32, 1.0_f32);

@@ -1,10 +1,12 @@
 //! Draws the session with egui, and turns its input into commands.
 //!
 //! Reading order: this file (the layout), `input` (keys and files), `view_panel` (the 3D view and
-//! its mouse), `lines` with `scene_lines` and `ray_lines` (grid, boxes, rays), `picture_panel` with `zoom` and `single_picture` (the
-//! picture and its mouse), `pair_view` (two pictures), `divider` (between them and the view), `case_panel` with `case_lines` (a case of a
-//! report), `side_panel` with `settings_panel`, `compare_panel`, `tree_panel`, `inspector_panel` and
-//! `report_panel`, `text` (short numbers), `problem_panel` (a scene that is not loaded), `sheets` (help, questions).
+//! its mouse), `lines` with `scene_lines` and `ray_lines` (grid, boxes, rays), `picture_panel` with
+//! `zoom` and `single_picture` (the picture and its mouse), `pair_view` (two pictures), `divider`
+//! (between them and the view), `case_panel` with `case_lines` (a case of a report), `side_panel`
+//! with `settings_panel`, `compare_panel`, `tree_panel`, `inspector_panel` and `report_panel`,
+//! `text` (short numbers), `problem_panel` (a scene that is not loaded), `sheets` (help,
+//! questions).
 
 mod case_lines;
 mod case_panel;

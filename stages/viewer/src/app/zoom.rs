@@ -3,16 +3,16 @@
 use egui::{PointerButton, Pos2, Rect, Response, Ui, Vec2};
 use kit::FilmSize;
 
-/// The enlargements of the wheel: whole numbers of the screen's pixels for each pixel of the picture,
-/// and the inverse of some.
+/// The enlargements of the wheel: whole numbers of the screen's pixels for each pixel of the
+/// picture, and the inverse of some.
 const SCALES: [f32; 16] = [
     0.125, 0.25, 0.5, 1.0, 2.0, 3.0, 4.0, 6.0, 8.0, 12.0, 16.0, 24.0, 32.0, 48.0, 64.0, 96.0,
 ];
 /// The points of scrolling that are one step.
 const STEP: f32 = 40.0;
 
-/// The enlargement of a picture, and which part of it is visible. A picture that is not enlarged fits
-/// its place.
+/// The enlargement of a picture, and which part of it is visible. A picture that is not enlarged
+/// fits its place.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Zoom {
     /// The enlargement, and the point of the picture in the middle, as shares of its edges.
@@ -36,8 +36,8 @@ impl Zoom {
         Rect::from_min_size(rect.center() - center * size, size)
     }
 
-    /// The wheel enlarges the picture at the mouse. The right and the middle button move it, and the
-    /// left one if `left_moves`.
+    /// The wheel enlarges the picture at the mouse. The right and the middle button move it, and
+    /// the left one if `left_moves`.
     pub(super) fn mouse(
         &mut self,
         ui: &Ui,

@@ -111,8 +111,8 @@ impl CaseView {
     }
 }
 
-/// The ray with this number of a scripted world. Where the sentence is about all rays of the case, such
-/// as the number of their tests, that one may be right: then it is the first one that is not.
+/// The ray with this number of a scripted world. Where the sentence is about all rays of the case,
+/// such as the number of their tests, that one may be right: then it is the first one that is not.
 fn scripted(world: &ScriptedWorld, call: usize) -> Option<VisitCase> {
     let named = VisitCase::in_script(world, world.rays.get(call)?);
     if named.first_difference().is_some() || named.parting.is_some() {

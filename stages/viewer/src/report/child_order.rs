@@ -1,4 +1,5 @@
-//! In which order a traversal went into the two children of each node, beside the order of distance.
+//! In which order a traversal went into the two children of each node, beside the order of
+//! distance.
 
 use kit::{Bvh, NodeKind};
 use pathtracer::replay::{RayRecord, Test, Visit};

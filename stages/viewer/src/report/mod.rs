@@ -2,8 +2,8 @@
 //!
 //! Reading order: [`mod@file`] (what is read of `report.json`), [`stage_answer`] (what the stages of
 //! this program answer now), [`case_view`] (a case in 3D: [`ray_case`], [`tree_case`],
-//! [`visit_case`] with [`child_order`], [`light_case`]), [`case_pictures`] (golden, actual and difference), [`open_case`]
-//! (the case that is shown).
+//! [`visit_case`] with [`child_order`], [`light_case`]), [`case_pictures`] (golden, actual and
+//! difference), [`open_case`] (the case that is shown).
 
 pub mod case_pictures;
 pub mod case_view;

@@ -79,8 +79,8 @@ fn a_picture_of_another_size_has_no_errors() {
     assert!(window.session().message().contains("none.png"));
 }
 
-/// Two pictures that differ only within their noise are not said to be equal, and what only the picture
-/// of a render has is not offered.
+/// Two pictures that differ only within their noise are not said to be equal, and what only the
+/// picture of a render has is not offered.
 #[test]
 fn noise_is_no_difference_and_maps_wait_for_the_end_of_a_comparison() {
     let mut window = Window::open("-r 40 30 -s 4 -m 2", "cornell_spheres.dae");

@@ -322,8 +322,8 @@ fn the_picture_and_the_view_share_the_window_as_one_drags() {
     assert!((moved - 90.0).abs() <= 2.0, "{moved}");
 }
 
-/// The wheel enlarges the picture, a drag moves it, and the pixel under the mouse is still the one that
-/// a click replays.
+/// The wheel enlarges the picture, a drag moves it, and the pixel under the mouse is still the one
+/// that a click replays.
 #[test]
 fn an_enlarged_picture_is_moved_and_its_pixels_are_replayed() {
     let mut window = window();

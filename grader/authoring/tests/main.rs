@@ -9,3 +9,4 @@ mod new_stage;
 mod pasted;
 mod repro;
 mod term;
+mod versions_crate;

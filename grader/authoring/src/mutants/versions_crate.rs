@@ -315,9 +315,13 @@ impl<'a> StageVersions<'a> {
         }
     }
 
-    /// The folder of its crate in the job's folder.
-    fn folder(&self) -> String {
-        format!("host-{}", self.stage)
+    /// The folder of its crate in the folder of `job`.
+    ///
+    /// Cargo names what it builds by the path of the package *inside* its workspace, and all jobs
+    /// build in one target folder. If two jobs had the same path for a stage, cargo would take the
+    /// versions of the job that was built last for those of the other.
+    fn folder(&self, job: &str) -> String {
+        format!("{job}-{}", self.stage)
     }
 }
 
@@ -416,15 +420,15 @@ fn build(
 ) -> Result<Result<TempPath, CompileErrors>, GraderError> {
     let folder = workspace.root().join("target/mutants");
     let _lock = lock(&folder)?;
-    let job = job_folder(workspace, job);
+    let root = job_folder(workspace, job);
     for stage in stages {
-        write_versions(&job.join(stage.folder()), stage)?;
+        write_versions(&root.join(stage.folder(job)), stage)?;
     }
-    write_workspace(workspace, &job, stages)?;
+    write_workspace(workspace, job, stages)?;
     let target = workspace.root().join("target/mutants/target");
     let features = &["part1", "part2", "part3", "part4", "part5", "meshes"];
     let build_root = BuildRoot {
-        root: &job,
+        root: &root,
         target: Some(&target),
         sealed: false,
         quiet: false,
@@ -538,14 +542,15 @@ fn library(versions: &StageVersions<'_>) -> String {
     text
 }
 
-/// Writes a workspace of the versions' crates and the worker. Their dependencies are in the
-/// course's workspace.
+/// Writes the workspace of `job`: the versions' crates and the worker. Their dependencies are in
+/// the course's workspace.
 fn write_workspace(
     workspace: &Workspace,
-    job: &Path,
+    job: &str,
     stages: &[StageVersions<'_>],
 ) -> Result<(), GraderError> {
     let root = workspace.root();
+    let job_root = job_folder(workspace, job);
     let path = root.join("Cargo.toml");
     let text = std::fs::read_to_string(&path).map_err(|e| GraderError::file("read", &path, e))?;
     let mut manifest: toml::Table = text
@@ -556,7 +561,7 @@ fn write_workspace(
         .get_mut("workspace")
         .and_then(toml::Value::as_table_mut)
         .ok_or_else(no_table)?;
-    let hosts = stages.iter().map(StageVersions::folder);
+    let hosts = stages.iter().map(|stage| stage.folder(job));
     let members: Vec<String> = hosts.chain(["worker".to_string()]).collect();
     spec.insert("members".into(), toml::Value::from(members));
     spec.remove("default-members");
@@ -570,8 +575,8 @@ fn write_workspace(
         };
         let host = stages.iter().find(|stage| stage.stage == name);
         let folder = match (host, path.as_str()) {
-            (Some(host), _) => job.join(host.folder()),
-            _ if name == "worker" => job.join("worker"),
+            (Some(host), _) => job_root.join(host.folder(job)),
+            _ if name == "worker" => job_root.join("worker"),
             (None, Some(below)) => root.join(below),
             (None, None) => continue,
         };
@@ -592,13 +597,16 @@ fn write_workspace(
             release.remove("package");
         }
     }
-    write(&job.join("Cargo.toml"), &manifest.to_string())?;
-    copy(&root.join("Cargo.lock"), &job.join("Cargo.lock"))?;
+    write(&job_root.join("Cargo.toml"), &manifest.to_string())?;
+    copy(&root.join("Cargo.lock"), &job_root.join("Cargo.lock"))?;
     copy(
         &root.join("grader/worker/Cargo.toml"),
-        &job.join("worker/Cargo.toml"),
+        &job_root.join("worker/Cargo.toml"),
     )?;
-    copy_folder(&root.join("grader/worker/src"), &job.join("worker/src"))
+    copy_folder(
+        &root.join("grader/worker/src"),
+        &job_root.join("worker/src"),
+    )
 }
 
 fn copy_folder(from: &Path, to: &Path) -> Result<(), GraderError> {

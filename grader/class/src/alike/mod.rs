@@ -45,18 +45,14 @@ pub fn given(workspace: &Workspace, stage: &str) -> Result<Files, GraderError> {
     files.collect()
 }
 
-/// The folders below `grader/` whose code could be pasted into a stage: what judges, and the exact
-/// arithmetic.
-const GRADERS: [&str; 3] = ["judge", "oracle", "review"];
+/// The folders with code that could be pasted into a stage: what judges, and the exact arithmetic.
+const GRADERS: [&str; 3] = ["grader/judge/src", "grader/oracle/src", "grader/review/src"];
 
 /// The code of the grader, as a handout has it.
 pub fn of_the_grader(workspace: &Workspace) -> Result<Files, GraderError> {
     let root = workspace.root();
     let is_judge = |path: &PathBuf| {
-        let mut folders = GRADERS
-            .iter()
-            .map(|name| Path::new("grader").join(name).join("src"));
-        folders.any(|folder| path.starts_with(folder))
+        GRADERS.iter().any(|folder| path.starts_with(folder))
             && path.extension().is_some_and(|e| e == "rs")
     };
     let paths = file_tree::workspace_paths(root)?

@@ -86,9 +86,12 @@ pub fn pairs(students: &[Student]) -> Vec<Pair> {
             candidates.extend(owners[i + 1..].iter().map(|b| [*a, *b]));
         }
     }
-    let all = candidates
-        .into_iter()
-        .map(|both| pair(students, &owners, both));
+    let all = candidates.into_iter().map(|both| {
+        let [a, b] = both.map(|i| &students[i]);
+        pair([a, b], students.len(), |stage, one, passage| {
+            others(&owners, both, stage, one, passage)
+        })
+    });
     let mut listed: Vec<Pair> = all
         .filter(|pair| pair.expected < EXPECTED || pair.share() >= LARGE_SHARE)
         .collect();
@@ -101,16 +104,15 @@ pub fn pairs(students: &[Student]) -> Vec<Pair> {
     listed
 }
 
-/// The fewest tokens of a passage that looks pasted from the grader: the grader has so much code that
-/// a shorter run may be equal by chance.
+/// The fewest tokens of a passage that looks pasted from the grader: the grader has so much code
+/// that a shorter run may be equal by chance.
 pub const PASTED: usize = 60;
 
-/// What students have in common with the code of the grader: long passages only. `grader` has it as
-/// each stage. The students with most of it first.
+/// The long passages that students have in common with the code of the grader, which is each stage
+/// of `grader`. The students with the largest shares come first.
 pub fn pasted(grader: &Student, students: &[Student]) -> Vec<Pair> {
     let with_passages = students.iter().filter_map(|student| {
-        let both = [student.clone(), grader.clone()];
-        let mut pair = pair(&both, &owners(&both), [0, 1]);
+        let mut pair = pair([student, grader], 2, |_, _, _| 0);
         for stage in &mut pair.stages {
             stage.passages.retain(|passage| passage.tokens >= PASTED);
         }
@@ -141,9 +143,31 @@ fn is_few(owners: usize) -> bool {
     (2..=SHARED_BY_FEW).contains(&owners)
 }
 
-fn pair(students: &[Student], owners: &Owners<'_>, both: [usize; 2]) -> Pair {
-    let [a, b] = both.map(|i| &students[i]);
-    let n = students.len() as f64;
+/// How many students have a passage of `stage` besides the two students `both`. `one` is the code
+/// of the first of them.
+fn others(
+    owners: &Owners<'_>,
+    both: [usize; 2],
+    stage: &str,
+    one: &Source,
+    passage: &Passage,
+) -> usize {
+    let [start, _] = passage.starts;
+    let hashes = one.text.fingerprints_in(start, passage.length);
+    // At the ends of a passage, the fingerprint of one is not that of the other.
+    let owners = hashes.filter_map(|hash| owners.get(&(stage, hash)));
+    let of_both = owners.filter(|owners| both.iter().all(|i| owners.contains(i)));
+    of_both.map(|owners| owners.len() - 2).min().unwrap_or(0)
+}
+
+/// What `a` and `b`, two of `students` students, have in common. `others` returns how many others
+/// have a passage: its arguments are the stage, the code of `a` and the passage.
+fn pair(
+    [a, b]: [&Student; 2],
+    students: usize,
+    others: impl Fn(&str, &Source, &Passage) -> usize,
+) -> Pair {
+    let n = students as f64;
     let mut expected = n * (n - 1.0) / 2.0;
     let mut stages = Vec::new();
     for (stage, one) in &a.stages {
@@ -152,12 +176,7 @@ fn pair(students: &[Student], owners: &Owners<'_>, both: [usize; 2]) -> Pair {
         };
         let mut passages = Vec::new();
         for passage in one.text.common(&other.text) {
-            let [start, _] = passage.starts;
-            let hashes = one.text.fingerprints_in(start, passage.length);
-            // At the ends of a passage, the fingerprint of one is not that of the other.
-            let owners = hashes.filter_map(|hash| owners.get(&(stage.as_str(), hash)));
-            let of_both = owners.filter(|owners| both.iter().all(|i| owners.contains(i)));
-            let others = of_both.map(|owners| owners.len() - 2).min().unwrap_or(0);
+            let others = others(stage, one, &passage);
             expected *= (others as f64 + 0.5) / (n - 1.0);
             passages.push(SharedPassage {
                 excerpts: [

@@ -10,7 +10,7 @@ use crate::reading::intake::Revision;
 use base::program::Exit;
 use base::{GraderError, Workspace, errln, outln, write_whole};
 use grader::course::Course;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 use submission::Untrusted;
 
@@ -77,9 +77,13 @@ pub(super) fn run(
     }
     let (pairs, common) = (pairs::pairs(&students), pairs::common(&students));
     let of_the_grader = alike::of_the_grader(workspace)?;
-    let as_stages = known.iter().map(|(stage, known)| {
-        let source = Source::new(&of_the_grader, known);
-        ((*stage).to_string(), source)
+    let handed_in: BTreeSet<&String> = students
+        .iter()
+        .flat_map(|student| student.stages.keys())
+        .collect();
+    let as_stages = handed_in.into_iter().map(|stage| {
+        let source = Source::new(&of_the_grader, &known[stage.as_str()]);
+        (stage.clone(), source)
     });
     let grader = Student {
         name: Untrusted::from("the grader"),

@@ -2,18 +2,21 @@
 //! bytes.
 
 use crate::fake_class::{Behaviour, FakeClass, HOSTILE};
+use class::out::Out;
 use class::plan::Plan;
 use class::pool;
 use class::progress::Progress;
 use class::unit;
-use std::path::PathBuf;
+use serde_json::{Value, json};
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
 /// Longer than any machine needs for these classes.
 const TIMEOUT: Duration = Duration::from_secs(120);
 
-fn grade(class: &FakeClass, out: &class::out::Out, shard: usize, of: usize, behaviour: Behaviour) {
+fn grade(class: &FakeClass, out: &Out, shard: usize, of: usize, behaviour: Behaviour) {
     let units = class.plan.units();
     let jobs = units.into_iter().skip(shard).step_by(of);
     let jobs: Vec<_> = jobs.filter(|(key, _)| !unit::is_stored(out, key)).collect();
@@ -22,6 +25,22 @@ fn grade(class: &FakeClass, out: &class::out::Out, shard: usize, of: usize, beha
         class.command(out, key, behaviour)
     })
     .expect("graded");
+}
+
+/// The table or page `path` of a folder of results.
+fn text(tables: &BTreeMap<PathBuf, Vec<u8>>, path: &str) -> String {
+    String::from_utf8(tables[Path::new(path)].clone()).expect("it is UTF-8")
+}
+
+/// The stored result of the unit `key`.
+fn stored(out: &Out, key: &str) -> Value {
+    let text = std::fs::read_to_string(out.unit(key)).expect("a unit");
+    serde_json::from_str(&text).expect("JSON")
+}
+
+/// Stores `unit` as the result of the unit `key`.
+fn store(out: &Out, key: &str, unit: &Value) {
+    std::fs::write(out.unit(key), unit.to_string()).expect("a unit");
 }
 
 #[test]
@@ -37,8 +56,7 @@ fn shards_of_1_3_and_17_collect_to_the_same_bytes() {
     });
     assert_eq!(tables[0].len(), 3 + 41);
     assert!(tables[0] == tables[1] && tables[1] == tables[2]);
-    let gradebook = String::from_utf8(tables[0][&PathBuf::from("gradebook.csv")].clone());
-    let gradebook = gradebook.expect("it is UTF-8");
+    let gradebook = text(&tables[0], "gradebook.csv");
     assert!(
         gradebook.contains("\r\nstudent05,,graded,5,10,0,2,5,0,\r\n"),
         "{gradebook}"
@@ -59,7 +77,7 @@ fn mistakes_are_grouped_by_idea_and_a_lecture_names_nobody() {
     std::fs::write(out.picture("picture"), b"PNG").expect("a picture");
     grade(&class, &out, 0, 1, Behaviour::Fine);
     let tables = class.tables(&out);
-    let text = |name: &str| String::from_utf8(tables[&PathBuf::from(name)].clone()).expect("UTF-8");
+    let text = |name: &str| text(&tables, name);
     let (page, lecture) = (text("class.html"), text("lecture.html"));
     for page in [&page, &lecture] {
         for words in [
@@ -119,7 +137,7 @@ fn names_and_texts_are_shown_and_not_obeyed() {
             "{shown}"
         );
     }
-    let gradebook = String::from_utf8_lossy(&tables[&PathBuf::from("gradebook.csv")]).into_owned();
+    let gradebook = text(&tables, "gradebook.csv");
     assert_eq!(gradebook.lines().count(), 1 + 4, "{gradebook}");
     assert!(
         gradebook.contains("</p><script>\\u{1b}[2J\\u{d}\\u{202e}08"),
@@ -137,11 +155,11 @@ fn a_cut_result_stops_no_table() {
     grade(&class, &out, 0, 1, Behaviour::Fine);
     let whole = class.tables(&out);
     let path = out.unit(class.plan.submissions[1].key().expect("it has a unit"));
-    let text = std::fs::read(&path).expect("a unit");
-    for kept in [0, 1, text.len() / 2, text.len() - 1] {
-        std::fs::write(&path, &text[..kept]).expect("it is cut");
+    let unit = std::fs::read(&path).expect("a unit");
+    for kept in [0, 1, unit.len() / 2, unit.len() - 1] {
+        std::fs::write(&path, &unit[..kept]).expect("it is cut");
         let tables = class.tables(&out);
-        let gradebook = String::from_utf8_lossy(&tables[&PathBuf::from("gradebook.csv")]);
+        let gradebook = text(&tables, "gradebook.csv");
         let row = "student01,,infrastructure,,10,,2,,,the result units/";
         assert!(gradebook.contains(row), "{gradebook}");
         assert!(gradebook.contains("is damaged"), "{gradebook}");
@@ -150,7 +168,8 @@ fn a_cut_result_stops_no_table() {
     }
 }
 
-/// A result that was changed by hand is one row without a score, whatever it claims, and graded again.
+/// A result that was changed by hand is one row without a score, whatever it claims, and graded
+/// again.
 #[test]
 fn a_changed_result_gives_no_points_that_do_not_exist() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -159,14 +178,13 @@ fn a_changed_result_gives_no_points_that_do_not_exist() {
     grade(&class, &out, 0, 1, Behaviour::Fine);
     let whole = class.tables(&out);
     let key = class.plan.submissions[1].key().expect("it has a unit");
-    let text = std::fs::read_to_string(out.unit(key)).expect("a unit");
     for claimed in [1e6, -1e308, 1.0000001] {
-        let mut unit: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+        let mut unit = stored(&out, key);
         unit["earned"]["part1.task1"]["a_case"] = claimed.into();
-        std::fs::write(out.unit(key), unit.to_string()).expect("a unit");
+        store(&out, key, &unit);
         assert!(!unit::is_stored(&out, key), "{claimed}");
         let tables = class.tables(&out);
-        let gradebook = String::from_utf8_lossy(&tables[&PathBuf::from("gradebook.csv")]);
+        let gradebook = text(&tables, "gradebook.csv");
         let row = "student01,,infrastructure,,10,,2,,,the result units/";
         assert!(gradebook.contains(row), "{gradebook}");
         assert!(
@@ -195,7 +213,7 @@ fn a_pipe_in_the_place_of_a_result_is_not_waited_for() {
     }
     std::fs::remove_file(out.unit(keys[1])).expect("it is removed");
     let tables = class.tables(&out);
-    let gradebook = String::from_utf8_lossy(&tables[&PathBuf::from("gradebook.csv")]);
+    let gradebook = text(&tables, "gradebook.csv");
     assert!(gradebook.contains("it is no regular file"), "{gradebook}");
     assert!(
         gradebook.contains("student02,,infrastructure,,10,,2,,,not graded yet"),
@@ -224,7 +242,7 @@ fn the_seed_is_for_the_instructor_alone() {
         let names_seed = String::from_utf8_lossy(&bytes).contains("1234567");
         assert_eq!(
             names_seed,
-            path.as_path() == std::path::Path::new("class.html"),
+            path.as_path() == Path::new("class.html"),
             "{}",
             path.display()
         );
@@ -240,16 +258,12 @@ fn what_to_look_at_is_for_the_instructor_alone() {
     let out = class.out("out");
     grade(&class, &out, 0, 1, Behaviour::Fine);
     for key in class.plan.units().into_keys() {
-        let text = std::fs::read_to_string(out.unit(key)).expect("a unit");
-        let mut unit: serde_json::Value = serde_json::from_str(&text).expect("JSON");
-        unit["report"]["to_check"] = serde_json::json!(["a table of answers"]);
-        std::fs::write(out.unit(key), unit.to_string()).expect("a unit");
+        let mut unit = stored(&out, key);
+        unit["report"]["to_check"] = json!(["a table of answers"]);
+        store(&out, key, &unit);
     }
     let tables = class.tables(&out);
-    let says = |path: &str| {
-        let text = String::from_utf8_lossy(&tables[&PathBuf::from(path)]);
-        text.contains("please look at a table of answers")
-    };
+    let says = |path: &str| text(&tables, path).contains("please look at a table of answers");
     assert!(says("gradebook.csv") && says("class.html"));
     assert!(!says("students/student01.html"));
 }
@@ -268,17 +282,17 @@ fn a_change_of_points_grades_nothing() {
         ["other points of part1.task1"]
     );
     let tables = class.tables(&out);
-    let gradebook = String::from_utf8_lossy(&tables[&PathBuf::from("gradebook.csv")]);
+    let gradebook = text(&tables, "gradebook.csv");
     assert!(
         gradebook.contains("student05,,graded,15,30,0,2,15,0,"),
         "{gradebook}"
     );
-    let page = String::from_utf8_lossy(&tables[&PathBuf::from("students/student05.html")]);
+    let page = text(&tables, "students/student05.html");
     assert!(page.contains("15 of 30 points"), "{page}");
     // A case whose question was never asked is no zero.
     class.plan.tasks[0].cases[1].name = "a_new_case".into();
     let tables = class.tables(&out);
-    let gradebook = String::from_utf8_lossy(&tables[&PathBuf::from("gradebook.csv")]);
+    let gradebook = text(&tables, "gradebook.csv");
     assert!(
         gradebook.contains("student05,,infrastructure,,30,"),
         "{gradebook}"
@@ -298,7 +312,7 @@ fn files_of_a_class_have_the_usual_permissions() {
     let class = FakeClass::new(folder.path(), 2);
     let usual = folder.path().join("usual");
     std::fs::write(&usual, "").expect("a file");
-    let mode = |path: &std::path::Path| {
+    let mode = |path: &Path| {
         let metadata = path.metadata().expect("it exists");
         metadata.permissions().mode()
     };
@@ -319,16 +333,14 @@ fn a_stage_that_was_refused_is_not_said_to_be_broken() {
     let out = class.out("out");
     grade(&class, &out, 0, 1, Behaviour::Fine);
     let key = class.plan.submissions[0].key().expect("it has a unit");
-    let unit = std::fs::read_to_string(out.unit(key)).expect("a unit");
-    let mut unit: serde_json::Value = serde_json::from_str(&unit).expect("JSON");
+    let mut unit = stored(&out, key);
     unit["outcome"] = "does_not_compile".into();
     unit["report"]["tasks"][0]["status"] = "does_not_compile".into();
-    let table = |unit: &serde_json::Value, path: &str| {
-        std::fs::write(out.unit(key), unit.to_string()).expect("a unit");
-        let tables = class.tables(&out);
-        String::from_utf8_lossy(&tables[&PathBuf::from(path)]).into_owned()
+    let table = |unit: &Value, path: &str| {
+        store(&out, key, unit);
+        text(&class.tables(&out), path)
     };
-    let gradebook = |unit: &serde_json::Value| table(unit, "gradebook.csv");
+    let gradebook = |unit: &Value| table(unit, "gradebook.csv");
     let broken = gradebook(&unit);
     assert!(broken.contains("student00,,does not compile,"), "{broken}");
     assert!(broken.contains("does not compile: raygen"), "{broken}");
@@ -336,7 +348,7 @@ fn a_stage_that_was_refused_is_not_said_to_be_broken() {
         "lib.rs:3: `unsafe` is not allowed",
         "lib.rs:9: `asm` is not allowed",
     ];
-    unit["report"]["refused_stages"] = serde_json::json!({ "raygen": reasons });
+    unit["report"]["refused_stages"] = json!({ "raygen": reasons });
     let refused = gradebook(&unit);
     assert!(refused.contains("student00,,refused,"), "{refused}");
     let page = table(&unit, "students/student00.html");
@@ -379,7 +391,7 @@ fn it_is_said_why_fewer_are_graded_than_were_handed_in() {
 fn only_failures_of_the_machine_are_tried_again() {
     let folder = tempfile::tempdir().expect("a folder");
     let class = FakeClass::new(folder.path(), 4);
-    let tries = |out: &class::out::Out| -> Vec<usize> {
+    let tries = |out: &Out| -> Vec<usize> {
         let tries = class.plan.units().into_keys();
         let tries = tries.map(|key| {
             std::fs::read(out.join(format!("{key}.tries")))
@@ -402,7 +414,7 @@ fn only_failures_of_the_machine_are_tried_again() {
     grade(&class, &out, 0, 1, Behaviour::FailsFirst(3));
     assert_eq!(tries(&out), [3, 3, 3]);
     let tables = class.tables(&out);
-    let gradebook = String::from_utf8_lossy(&tables[&PathBuf::from("gradebook.csv")]).into_owned();
+    let gradebook = text(&tables, "gradebook.csv");
     let expected = "student00,,infrastructure,,10,,2,,,the disk is full\r\n";
     assert!(gradebook.contains(expected), "{gradebook}");
     // The next run grades them, and nothing of the failure is left.

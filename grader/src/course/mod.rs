@@ -299,6 +299,12 @@ impl Task {
             .fold(0.0, |sum, points| sum + points)
     }
 
+    /// The names of the cases that show its idea.
+    pub fn cases_of_idea(&self) -> impl Iterator<Item = &String> {
+        let of_idea = self.idea.iter();
+        of_idea.flat_map(|idea| std::iter::once(&idea.case).chain(&idea.or_in))
+    }
+
     fn check(&self) -> Result<(), GraderError> {
         let mut names = BTreeSet::new();
         for case in &self.cases {
@@ -312,8 +318,7 @@ impl Task {
                 )
             })?;
         }
-        let of_idea = self.idea.iter();
-        for case in of_idea.flat_map(|idea| std::iter::once(&idea.case).chain(&idea.or_in)) {
+        for case in self.cases_of_idea() {
             ensure(names.contains(case), || {
                 let key = &self.key;
                 format!("`idea` of `{key}` names the case `{case}`, which the task does not have")

@@ -15,24 +15,27 @@ const COURSE: &str = "stages/course.toml";
 /// The folder of the scene files.
 const SCENES: &str = "scenes/dae";
 
-/// Applies `changes` to `files`, those of First Light. Returns the paths of the files that it
-/// changed or added.
-pub fn apply(files: &mut Files, changes: &Changes) -> Result<Vec<PathBuf>, GraderError> {
-    let original = text(files, Path::new(COURSE))?;
-    let before = Course::parse(&original)?;
-    let changed = list::with_changes(&original, &before, changes)?;
-    let after = Course::parse(&changed).map_err(|e| {
-        GraderError::new(format!("course.toml cannot be applied to First Light: {e}"))
-    })?;
+/// A file that a term changed or added.
+#[derive(Clone, Debug)]
+pub struct Written {
+    /// Its path.
+    pub path: PathBuf,
+    /// Its contents in First Light; `None` if the term added it.
+    pub original: Option<Vec<u8>>,
+}
+
+/// Applies `changes` to `files`, those of First Light. Returns the files that it changed or added.
+pub fn apply(files: &mut Files, changes: &Changes) -> Result<Vec<Written>, GraderError> {
+    let list = List::with_changes(files, changes)?;
     let mut written = Vec::new();
     let mut write = |files: &mut Files, path: PathBuf, contents: Vec<u8>| {
         if files.get(&path) != Some(&contents) {
-            files.insert(path.clone(), contents);
-            written.push(path);
+            let original = files.insert(path.clone(), contents);
+            written.push(Written { path, original });
         }
     };
-    write(files, COURSE.into(), changed.into_bytes());
-    for (path, contents) in book::with_changes(files, &before, &after, &changes.front)? {
+    write(files, COURSE.into(), list.text.into_bytes());
+    for (path, contents) in book::with_changes(files, &list.before, &list.after, &changes.front)? {
         write(files, path, contents.into_bytes());
     }
     for (name, contents) in &changes.scenes {
@@ -45,6 +48,36 @@ pub fn apply(files: &mut Files, changes: &Changes) -> Result<Vec<PathBuf>, Grade
         write(files, path, contents.clone());
     }
     Ok(written)
+}
+
+/// The course of First Light's `files` with `changes`, without applying them.
+pub fn course(files: &Files, changes: &Changes) -> Result<Course, GraderError> {
+    Ok(List::with_changes(files, changes)?.after)
+}
+
+/// The list of parts, tasks and points with the changes of a term.
+struct List {
+    text: String,
+    /// The course of First Light.
+    before: Course,
+    /// The course of `text`.
+    after: Course,
+}
+
+impl List {
+    fn with_changes(files: &Files, changes: &Changes) -> Result<List, GraderError> {
+        let original = text(files, Path::new(COURSE))?;
+        let before = Course::parse(&original)?;
+        let text = list::with_changes(&original, &before, changes)?;
+        let after = Course::parse(&text).map_err(|e| {
+            GraderError::new(format!("course.toml cannot be applied to First Light: {e}"))
+        })?;
+        Ok(List {
+            text,
+            before,
+            after,
+        })
+    }
 }
 
 /// The text of a file.

@@ -1,34 +1,36 @@
 //! Makes the copy of First Light in the folder of a term, with the teacher's files applied.
 
 use super::COPY;
-use super::apply::apply;
+use super::apply::{Written, apply};
 use super::settings::Changes;
 use base::{GraderError, VERSION, Workspace, term};
 use std::collections::BTreeSet;
-use std::path::{Path, PathBuf};
+use std::fmt::Write;
+use std::path::Path;
 use submission::file_tree::{self, Files};
 
 /// The folder in a copy with the files of First Light that the term changed, as they were.
 const ORIGINALS: &str = ".original";
 
 /// The file there that lists what the term added.
-const ADDED: &str = ".original/added";
+const ADDED: &str = "added";
 
 /// First Light's own files of `workspace`: of a copy in a term, without the term's changes.
 pub fn originals(workspace: &Workspace) -> Result<Files, GraderError> {
     let root = workspace.root();
-    let added = std::fs::read_to_string(root.join(ADDED)).unwrap_or_default();
+    let originals = root.join(ORIGINALS);
+    let added = std::fs::read_to_string(originals.join(ADDED)).unwrap_or_default();
     let added: BTreeSet<&Path> = added.lines().map(Path::new).collect();
     let mut files = Files::new();
     for path in file_tree::workspace_paths(root)? {
         if added.contains(path.as_path()) {
             continue;
         }
-        let original = root.join(ORIGINALS).join(&path);
-        let contents = match original.is_file() {
-            true => file_tree::read(&root.join(ORIGINALS), &path)?,
-            false => file_tree::read(root, &path)?,
+        let folder = match originals.join(&path).is_file() {
+            true => &originals,
+            false => root,
         };
+        let contents = file_tree::read(folder, &path)?;
         files.insert(path, contents);
     }
     Ok(files)
@@ -39,50 +41,33 @@ pub fn originals(workspace: &Workspace) -> Result<Files, GraderError> {
 pub struct Applied {
     /// All files of the copy.
     pub files: Files,
-    /// The changed files as they were.
+    /// The files of [`ORIGINALS`]: the changed files as they were, and [`ADDED`].
     originals: Files,
-    /// The files that the term added.
-    added: Vec<PathBuf>,
 }
 
 impl Applied {
     /// Applies `changes` to `files`.
     pub fn new(mut files: Files, changes: &Changes) -> Result<Applied, GraderError> {
-        let before = files.clone();
-        let mut applied = Applied {
-            files: Files::new(),
-            originals: Files::new(),
-            added: Vec::new(),
-        };
-        for path in apply(&mut files, changes)? {
-            match before.get(&path) {
+        let mut originals = Files::new();
+        let mut added = String::new();
+        for Written { path, original } in apply(&mut files, changes)? {
+            match original {
                 Some(original) => {
-                    applied.originals.insert(path, original.clone());
+                    originals.insert(path, original);
                 }
-                None => applied.added.push(path),
+                None => {
+                    let _ = writeln!(added, "{}", path.display());
+                }
             }
         }
-        applied.files = files;
-        Ok(applied)
+        originals.insert(ADDED.into(), added.into_bytes());
+        Ok(Applied { files, originals })
     }
 
     /// Writes the copy to the folder `copy`. Only files that differ are written.
     pub fn write(&self, copy: &Path) -> Result<(), GraderError> {
         file_tree::sync_folder(copy, &self.files)?;
-        let originals = copy.join(ORIGINALS);
-        if originals.exists() {
-            std::fs::remove_dir_all(&originals)
-                .map_err(|e| GraderError::file("remove", &originals, e))?;
-        }
-        for (path, contents) in &self.originals {
-            file_tree::write(&originals.join(path), contents)?;
-        }
-        let added: String = self
-            .added
-            .iter()
-            .map(|path| format!("{}\n", path.display()))
-            .collect();
-        file_tree::write(&copy.join(ADDED), added.as_bytes())
+        file_tree::sync_folder(&copy.join(ORIGINALS), &self.originals)
     }
 }
 

@@ -2,9 +2,9 @@
 //! change: what the newer version counts differently is kept as it was, in `kept.toml`, unless the
 //! teacher wants the new points.
 
-use super::COPY;
 use super::build::{Applied, originals, remember};
 use super::settings::{Changes, FILE, KEPT, Kept};
+use super::{COPY, apply};
 use crate::diff::{self, Change};
 use base::{GraderError, VERSION, Workspace, write_whole};
 use grader::course::{Course, Task};
@@ -54,7 +54,7 @@ impl Update {
         let files = originals(new)?;
         let mut kept_points = Vec::new();
         if !take_points {
-            let is = course_with(&files, &changes)?;
+            let is = apply::course(&files, &changes)?;
             kept_points = keep(&mut changes.kept, &before, &is);
         }
         let applied = Applied::new(files, &changes)?;
@@ -128,12 +128,6 @@ impl Update {
     }
 }
 
-fn course_with(files: &Files, changes: &Changes) -> Result<Course, GraderError> {
-    let applied = Applied::new(files.clone(), changes)?;
-    let list = &applied.files[Path::new("stages/course.toml")];
-    Course::parse(&String::from_utf8_lossy(list))
-}
-
 /// Adds to `kept` what makes the course `is` give the points of `was`. Returns what that is.
 fn keep(kept: &mut Kept, was: &Course, is: &Course) -> Vec<String> {
     let mut sentences = Vec::new();
@@ -143,12 +137,6 @@ fn keep(kept: &mut Kept, was: &Course, is: &Course) -> Vec<String> {
             sentences.push(format!("{}, a new task, is left out", task.key));
             continue;
         };
-        let shows_idea: BTreeSet<&str> = task
-            .idea
-            .iter()
-            .flat_map(|idea| std::iter::once(&idea.case).chain(&idea.or_in))
-            .map(String::as_str)
-            .collect();
         for case in &task.cases {
             let name = format!("{}/{}", task.key, case.name);
             match before.cases.iter().find(|other| other.name == case.name) {
@@ -161,7 +149,7 @@ fn keep(kept: &mut Kept, was: &Course, is: &Course) -> Vec<String> {
                 }
                 Some(_) => {}
                 // It cannot be left out: the change is told as one of points.
-                None if shows_idea.contains(case.name.as_str()) => {}
+                None if task.cases_of_idea().any(|shown| *shown == case.name) => {}
                 None => {
                     sentences.push(format!(
                         "{name}, a new case with {} points, is left out",

@@ -5,8 +5,8 @@ use super::text;
 use crate::check::book::{checkpoint, points_of_part, row_end};
 use base::GraderError;
 use grader::course::chapter::chapter;
+use grader::course::consistency::total_points;
 use grader::course::{Course, Task};
-use judge::Tier;
 use std::path::{Path, PathBuf};
 use submission::file_tree::Files;
 
@@ -93,12 +93,12 @@ fn with_front(chapter: &str, course: &Course, front: &str) -> String {
     let Some(term) = &course.term else {
         return chapter;
     };
-    let points = |tier: Tier| -> f64 { course.tasks().map(|task| task.points(tier)).sum() };
+    let [core, _] = total_points(course);
     let words = [
         format!("**{}**", term.title()),
         front.trim().to_string(),
         term.table().trim_end().to_string(),
-        format!("There are {} core points in all.", points(Tier::Core)),
+        format!("There are {core} core points in all."),
     ];
     let words: Vec<String> = words
         .into_iter()

@@ -1,5 +1,5 @@
-//! The list of parts, tasks, cases and points, `stages/course.toml`: with the changes of a term, and
-//! everything else as it was, comments too.
+//! The list of parts, tasks, cases and points, `stages/course.toml`: with the changes of a term,
+//! and everything else as it was, comments too.
 
 use crate::term::settings::Changes;
 use base::GraderError;
@@ -69,10 +69,7 @@ fn left_out(before: &Course, changes: &Changes) -> Result<BTreeSet<String>, Grad
             ensure(has_case(task, case), || {
                 format!("`leave_out` names `{name}`, but {key} has no such case")
             })?;
-            let shows_idea = task
-                .idea
-                .iter()
-                .any(|idea| idea.case == case || idea.or_in.as_deref() == Some(case));
+            let shows_idea = task.cases_of_idea().any(|shown| shown == case);
             ensure(!shows_idea, || {
                 format!(
                     "`leave_out` names `{name}`, but this case shows the idea of {key}: without it, code without the idea \

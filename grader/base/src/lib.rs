@@ -9,6 +9,7 @@
 //! - [`browser`]: opens pages; [`keys`]: reads single keys
 //! - [`Workspace`]: the checkout or handout of the course
 //! - [`term`]: the folder of a teacher's course
+//! - [`utc`]: dates and times of day
 
 pub mod browser;
 pub mod child_processes;
@@ -19,6 +20,7 @@ pub mod keys;
 pub mod print;
 pub mod program;
 pub mod term;
+pub mod utc;
 mod workspace;
 
 pub use error::{GraderError, without_path};

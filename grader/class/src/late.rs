@@ -8,6 +8,7 @@ use crate::plan::State;
 use crate::reading::intake::CommitTimes;
 use crate::roster::join::Join;
 use crate::roster::{Roster, Student};
+use base::utc::Utc;
 use grader::course::term::{LateRule, seconds_of_due};
 use std::collections::BTreeMap;
 use submission::Untrusted;
@@ -193,26 +194,15 @@ fn both(commit: &CommitTimes) -> String {
 
 /// A time for people: `2027-02-15 22:59 UTC`.
 fn shown(seconds: i64) -> String {
-    // Howard Hinnant, "chrono-Compatible Low-Level Date Algorithms", civil_from_days.
-    let days = seconds.div_euclid(DAY) + 719_468;
-    let (era, day_of_era) = (days.div_euclid(146_097), days.rem_euclid(146_097));
-    let year_of_era =
-        (day_of_era - day_of_era / 1460 + day_of_era / 36_524 - day_of_era / 146_096) / 365;
-    let day_of_year = day_of_era - (365 * year_of_era + year_of_era / 4 - year_of_era / 100);
-    let shifted = (5 * day_of_year + 2) / 153;
-    let day = day_of_year - (153 * shifted + 2) / 5 + 1;
-    let month = if shifted < 10 {
-        shifted + 3
-    } else {
-        shifted - 9
-    };
-    let year = year_of_era + era * 400 + i64::from(month <= 2);
-    let minutes = seconds.rem_euclid(DAY) / 60;
-    format!(
-        "{year:04}-{month:02}-{day:02} {:02}:{:02} UTC",
-        minutes / 60,
-        minutes % 60
-    )
+    let Utc {
+        year,
+        month,
+        day,
+        hour,
+        minute,
+        ..
+    } = Utc::at(seconds);
+    format!("{year:04}-{month:02}-{day:02} {hour:02}:{minute:02} UTC")
 }
 
 #[cfg(test)]

@@ -8,6 +8,7 @@ use crate::points::{hundredths, rounded, total};
 use crate::text::printable;
 use crate::{Graded, Outcome, Settings};
 use base::GraderError;
+use base::utc::Utc;
 use grader::report::json;
 use serde::Serialize;
 
@@ -154,22 +155,14 @@ fn tests(graded: &Graded) -> Vec<Test> {
 
 /// A time in seconds since 1970 as `2026-06-01T14:32:01Z`.
 fn utc(seconds: u64) -> String {
-    let (days, of_day) = (seconds / 86_400, seconds % 86_400);
-    // Years begin in March, so that the day that some years have more is their last one; 400 years
-    // have 146,097 days. From Hinnant, "chrono-Compatible Low-Level Date Algorithms", civil_from_days.
-    let days = days + 719_468;
-    let (era, of_era) = (days / 146_097, days % 146_097);
-    let year_of_era = (of_era - of_era / 1_460 + of_era / 36_524 - of_era / 146_096) / 365;
-    let of_year = of_era - (365 * year_of_era + year_of_era / 4 - year_of_era / 100);
-    let from_march = (5 * of_year + 2) / 153;
-    let day = of_year - (153 * from_march + 2) / 5 + 1;
-    let month = if from_march < 10 {
-        from_march + 3
-    } else {
-        from_march - 9
-    };
-    let year = year_of_era + 400 * era + u64::from(month <= 2);
-    let (hour, minute, second) = (of_day / 3_600, of_day / 60 % 60, of_day % 60);
+    let Utc {
+        year,
+        month,
+        day,
+        hour,
+        minute,
+        second,
+    } = Utc::at(seconds as i64);
     format!("{year:04}-{month:02}-{day:02}T{hour:02}:{minute:02}:{second:02}Z")
 }
 

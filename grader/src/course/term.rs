@@ -1,6 +1,6 @@
 //! The term in which a teacher gives the course: its name, its dates, its rule for late work.
 
-use base::GraderError;
+use base::{GraderError, utc};
 use serde::{Deserialize, Serialize};
 use std::fmt::Write;
 use toml::value::{Datetime, Offset};
@@ -115,13 +115,8 @@ pub fn seconds_of_due(due: &Datetime) -> Option<i64> {
         }
         None => 24 * 60 * 60 - 1,
     };
-    // Howard Hinnant, "chrono-Compatible Low-Level Date Algorithms", days_from_civil.
-    let (month, day) = (i64::from(date.month), i64::from(date.day));
-    let year = i64::from(date.year) - i64::from(month <= 2);
-    let (era, year_of_era) = (year.div_euclid(400), year.rem_euclid(400));
-    let day_of_year = (153 * ((month + 9) % 12) + 2) / 5 + day - 1;
-    let day_of_era = year_of_era * 365 + year_of_era / 4 - year_of_era / 100 + day_of_year;
-    Some((era * 146_097 + day_of_era - 719_468) * 86_400 + in_day)
+    let day = utc::start_of_day(date.year.into(), date.month.into(), date.day.into());
+    Some(day + in_day)
 }
 
 /// A date for people: with a space between day and time, and without seconds that are 0.

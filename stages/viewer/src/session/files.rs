@@ -2,6 +2,7 @@
 
 use super::{Mode, Session};
 use crate::ray_test;
+use base::utc::Utc;
 use kit::Film;
 use kit::film::Cell;
 use pathtracer::{Output, PartFile};
@@ -166,25 +167,15 @@ fn time_stamp(time: SystemTime) -> String {
     let seconds = time
         .duration_since(UNIX_EPOCH)
         .map_or(0, |since| since.as_secs());
-    let (days, of_day) = (seconds / 86_400, seconds % 86_400);
-    // Days since 0000-03-01, in eras of 400 years (Hinnant, "chrono-compatible low-level date
-    // algorithms").
-    let of_era = (days + 719_468) % 146_097;
-    let year = (of_era - of_era / 1460 + of_era / 36_524 - of_era / 146_096) / 365;
-    let of_year = of_era - (365 * year + year / 4 - year / 100);
-    let shifted = (5 * of_year + 2) / 153;
-    let day = of_year - (153 * shifted + 2) / 5 + 1;
-    let month = if shifted < 10 {
-        shifted + 3
-    } else {
-        shifted - 9
-    };
-    format!(
-        "{month}-{day}_{}-{}-{}",
-        of_day / 3600,
-        of_day / 60 % 60,
-        of_day % 60
-    )
+    let Utc {
+        month,
+        day,
+        hour,
+        minute,
+        second,
+        ..
+    } = Utc::at(seconds as i64);
+    format!("{month}-{day}_{hour}-{minute}-{second}")
 }
 
 #[cfg(test)]

@@ -16,8 +16,8 @@ const MAX_OTHER_FILE: u64 = 4 << 20;
 /// The most entries of an archive. A forgotten build folder has some ten thousand.
 const MAX_ENTRIES: usize = 200_000;
 
-/// The most files and folders that are written. A handout with all its libraries has 30,000. They are
-/// removed again, which takes longer than writing them.
+/// The most files and folders that are written. A handout with all its libraries has 30,000. They
+/// are removed again, which takes longer than writing them.
 const MAX_WRITTEN: usize = 50_000;
 
 /// The most of them that are folders: paths of 200 folders each would be millions.
@@ -160,16 +160,18 @@ impl Unpacker {
             .collect();
         while let Some(folder) = missing.pop() {
             self.folders.insert(folder.to_path_buf());
-            let (written, folders) = (self.files + self.folders.len(), self.folders.len());
-            if folders > MAX_FOLDERS || written > MAX_WRITTEN {
-                break;
-            }
+            self.check_counts()?;
             match std::fs::create_dir(self.folder.path().join(folder)) {
                 // The disk may take `A` for `a`. If it is a file, writing below it says so.
                 Err(e) if e.kind() == io::ErrorKind::AlreadyExists => {}
                 created => created.map_err(failed)?,
             }
         }
+        self.check_counts()
+    }
+
+    /// Returns an error if there are too many files or folders.
+    fn check_counts(&self) -> Result<(), Unreadable> {
         let folders = self.folders.len();
         let (most, what) = match (folders > MAX_FOLDERS, self.files + folders > MAX_WRITTEN) {
             (true, _) => (MAX_FOLDERS, "folders"),

@@ -1,6 +1,6 @@
-//! Every sentence of a contract, the text of a function that students write, and every convention of
-//! the course stands in `grader/mutants/contracts.tsv`, with a mistake that negates it and a case that
-//! sees it, or with the reason why no case judges it.
+//! Every sentence of a contract, the text of a function that students write, and every convention
+//! of the course stands in `grader/mutants/contracts.tsv`, with a mistake that negates it and a
+//! case that sees it, or with the reason why no case judges it.
 
 use authoring::mutants::table::Table;
 use base::Workspace;
@@ -18,7 +18,8 @@ fn workspace() -> Workspace {
     Workspace::above(Path::new(env!("CARGO_MANIFEST_DIR"))).expect("the grader is in a workspace")
 }
 
-/// The sentences of the conventions and of the text of each function with a hole, with the function.
+/// The sentences of the conventions and of the text of each function with a hole, each with its
+/// function.
 fn sentences(workspace: &Workspace, course: &Course) -> Vec<[String; 2]> {
     let conventions = course.conventions.iter();
     let mut all: Vec<[String; 2]> = conventions

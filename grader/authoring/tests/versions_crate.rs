@@ -52,8 +52,8 @@ fn says(worker: &Path, number: usize) -> String {
     String::from_utf8(output.stdout).expect("it is UTF-8")
 }
 
-/// The jobs of a task and of all tasks have versions of the same stage, and the sources of the first
-/// are older than the worker of the second.
+/// The jobs of a task and of all tasks have versions of the same stage, and the sources of the
+/// first are older than the worker of the second.
 #[test]
 fn a_job_has_its_own_versions_after_another_job_was_built() {
     let folder = tempfile::tempdir().expect("a folder");

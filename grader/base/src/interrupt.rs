@@ -95,7 +95,7 @@ pub fn was_interrupted() -> bool {
     INTERRUPTED.load(Ordering::SeqCst)
 }
 
-/// What else to do on Ctrl-C.
+/// What programs do on Ctrl-C besides `clean_up`.
 static AT_INTERRUPT: Mutex<Vec<fn()>> = Mutex::new(Vec::new());
 
 /// Calls `action` on Ctrl-C, before the program ends.

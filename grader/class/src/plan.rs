@@ -146,7 +146,8 @@ pub enum State {
         /// When its commit was made, if it is one of a clone.
         #[serde(default)]
         commit: Option<CommitTimes>,
-        /// It is no clone, and is graded as it lies there although a commit or a time was asked for.
+        /// Whether it is graded as it lies there, because it is no clone, although a commit or a
+        /// time was asked for.
         #[serde(default)]
         as_it_lies: bool,
     },
@@ -154,8 +155,8 @@ pub enum State {
     TooLarge(Untrusted),
     /// It cannot be read: the reason.
     Unreadable(Untrusted),
-    /// It is no clone, and a commit or a time was asked for: what was found. A person says whether it
-    /// counts.
+    /// It is no clone, and a commit or a time was asked for: what was found. A person says whether
+    /// it counts.
     NoClone(Untrusted),
     /// It could not be read, because the machine failed: the reason. The next run tries again.
     NotRead(Untrusted),

@@ -72,13 +72,13 @@ impl CostRequest {
     }
 }
 
-/// Measures what `request` selects: the kernels, and the code in `workspace`, if there is one. Calls
-/// `report` with the results so far after each shape and the trees: whoever stops the program keeps
-/// them.
+/// Measures what `request` selects: the kernels, and the code in `workspace`, if there is one.
+/// Calls `report` with the results so far after each part, so that they are kept if the program is
+/// stopped.
 ///
 /// # Errors
 ///
-/// Also the error of `report`, after which nothing is measured.
+/// Also returns the error of `report`, after which nothing more is measured.
 pub fn measure(
     workspace: Option<&Workspace>,
     request: &CostRequest,

@@ -131,8 +131,8 @@ fn submission(
     })))
 }
 
-/// Adds the seed to what students read, if it was drawn for this run alone. The next submission gets
-/// the seed of `--seed`, too: who knows it knows every question.
+/// Adds the seed to what students read, if it was drawn for this run alone. The seed of `--seed` is
+/// also that of the next submission: who knows it knows every question.
 fn with_seed(mut outcome: Outcome, drawn: Option<u64>) -> Outcome {
     if let (Outcome::Graded(graded), Some(seed)) = (&mut outcome, drawn) {
         graded.notes = format!("seed of the random inputs: {seed}\n{}", graded.notes);

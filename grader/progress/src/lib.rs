@@ -1,9 +1,10 @@
 //! How far a long command is, on stderr: a bar on a terminal, plain lines elsewhere.
 //!
-//! The program calls [`start`] and keeps the [`Command`]. Wherever the work is done, [`stage`] begins a
-//! part of it, [`expect`] says how many steps it has and [`advance`] counts them; without a command they
-//! do nothing, as in tests. Before results are printed, [`pause`] removes the bar. It is gone at the end
-//! and after Ctrl-C.
+//! The program calls [`start`] and keeps the [`Command`]. Wherever the work is done, [`stage`]
+//! begins a part of it, [`expect`] adds to the number of its steps and [`advance`] counts those
+//! that are done; without a command they do nothing, as in tests. Before results are printed,
+//! [`pause`] removes the bar. It is gone at the end and after Ctrl-C.
+//!
 //! [`bar`] is the bar alone, for a program that counts by itself.
 
 mod lines;
@@ -66,7 +67,7 @@ pub fn start(title: &str, stages: usize) -> Command {
     Command(())
 }
 
-/// Begins the next stage of the command. How many steps it has is said by [`expect`].
+/// Begins the next stage of the command, which has no steps until [`expect`] adds some.
 pub fn stage(name: &str) {
     with_running(|running| {
         let Some(running) = running else { return };
@@ -86,7 +87,7 @@ pub fn stage(name: &str) {
     });
 }
 
-/// The stage has this many more steps.
+/// Adds `steps` to the number of steps that the stage has.
 pub fn expect(steps: u64) {
     with_running(|running| {
         let Some(running) = running else { return };
@@ -111,7 +112,7 @@ pub fn pause() {
     });
 }
 
-/// Counts steps of the stage.
+/// Counts `steps` steps of the stage as done.
 pub fn advance(steps: u64) {
     with_running(|running| {
         let Some(running) = running else { return };

@@ -81,8 +81,8 @@ impl<'a> FileSelection<'a> {
         if LEFT_OUT.iter().any(|folder| path.starts_with(folder)) {
             return false;
         }
-        // Students need the text of the book. The scripts of its pages are in the packed site. The crate that draws its figures and tests its text
-        // computes what students have to write.
+        // Students need the text of the book. The scripts of its pages are in the packed site. The
+        // crate that draws its figures and tests its text computes what students have to write.
         if path.starts_with(BOOK) {
             let is_script = path
                 .extension()

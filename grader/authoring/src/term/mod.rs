@@ -15,8 +15,8 @@ use base::GraderError;
 pub use base::term::COPY;
 use std::path::{Path, PathBuf};
 
-/// The nearest folder of a term at or above `start`: one with a `course.toml` that names the version
-/// of First Light.
+/// The nearest folder of a term at or above `start`: one with a `course.toml` that names the
+/// version of First Light.
 pub fn above(start: &Path) -> Result<Option<PathBuf>, GraderError> {
     let start = start
         .canonicalize()

@@ -3,8 +3,8 @@
 //! Winnowing (Schleimer, Wilkerson and Aiken, "Winnowing: local algorithms for document
 //! fingerprinting", 2003) chooses among the hashes of all runs of `SHORTEST` tokens the least of
 //! each window, so every common run of [`CERTAIN`] tokens has a common fingerprint, and no shorter
-//! run than `SHORTEST` has one. Of the common runs only those of [`CERTAIN`] tokens are passages, so
-//! what is found does not depend on where the windows lie.
+//! run than `SHORTEST` has one. Of the common runs only those of [`CERTAIN`] tokens are passages,
+//! so what is found does not depend on where the windows lie.
 
 use super::tokens::{self, Token};
 use std::collections::{BTreeMap, HashSet};
@@ -41,7 +41,7 @@ pub struct Text {
     is_own: Vec<bool>,
     /// The places of the fingerprints, by their hashes.
     fingerprints: BTreeMap<u64, Vec<usize>>,
-    /// The same, by their places.
+    /// The places and hashes of the fingerprints, sorted by place.
     by_place: Vec<(usize, u64)>,
 }
 
@@ -132,13 +132,13 @@ impl Text {
         passages
     }
 
-    /// All common runs that are long enough for a passage, each once: a pair of fingerprints in a run
-    /// that was found is not followed again. Otherwise the work for equal texts would grow with the
-    /// square of their length.
+    /// All common runs that are long enough for a passage, each once: a pair of fingerprints in a
+    /// run that was found is not followed again. Otherwise the work for equal texts would grow with
+    /// the square of their length.
     fn runs(&self, other: &Text) -> Vec<Passage> {
         let mut found: Vec<Passage> = Vec::new();
-        // The ends of the runs, by how far the texts are shifted and by the start of the run. Runs of
-        // one shift do not overlap: each goes on as far as it can.
+        // The ends of the runs, by how far the texts are shifted and by the start of the run. Runs
+        // of one shift do not overlap: each goes on as far as it can.
         let mut ends: BTreeMap<(usize, usize), usize> = BTreeMap::new();
         for (hash, places) in &self.fingerprints {
             let others = other.fingerprints.get(hash).into_iter().flatten();

@@ -33,8 +33,8 @@ pub enum Unreadable {
     TooLarge(String),
     /// It is damaged, in another form, or not a submission. The sentence says what was found.
     Damaged(String),
-    /// It is no clone, and a commit or a time was asked for. The sentence says what was found. Whether
-    /// it counts is for a person to say.
+    /// It is no clone, and a commit or a time was asked for. The sentence says what was found.
+    /// Whether it counts is for a person to say.
     NoClone(String),
     /// The machine failed: its disk is full, for example. It may succeed if it is tried again.
     Machine(String),

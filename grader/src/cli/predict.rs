@@ -3,7 +3,7 @@
 use crate::course::Course;
 use crate::predict::session::Session;
 use crate::predict::store::{Predictions, Round};
-use crate::predict::{examples, questions};
+use crate::predict::{questions, worked_examples};
 use crate::progress::next_task;
 use crate::report::terminal::Page;
 use base::program::Exit;
@@ -58,7 +58,7 @@ pub(super) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
         .get_one("seed")
         .copied()
         .unwrap_or_else(|| RandomState::new().hash_one(key) >> 40);
-    let example = examples::of(key, seed);
+    let example = worked_examples::of(key, seed);
     let mut input = stdin().lock();
     let is_terminal = stdin().is_terminal();
     let is_empty = |input: &mut dyn BufRead| input.fill_buf().is_ok_and(<[u8]>::is_empty);

@@ -1,9 +1,9 @@
 //! Asks the questions of a task and says what is right.
 
-use super::examples::{Asked, Example};
 use super::number;
 use super::questions::Question;
 use super::store::Answer;
+use super::worked_examples::{AskedNumber, WorkedExample};
 use crate::report::wrap::wrap;
 use base::GraderError;
 use kit::PixelSampler;
@@ -31,7 +31,7 @@ impl Session<'_> {
     pub fn run(
         &mut self,
         questions: &[Question],
-        example: Option<&Example>,
+        example: Option<&WorkedExample>,
         seed: u64,
     ) -> Result<Vec<Answer>, GraderError> {
         let mut answers = Vec::new();
@@ -103,7 +103,7 @@ impl Session<'_> {
         }
     }
 
-    fn number(&mut self, asked: &Asked) -> Result<Option<Answer>, GraderError> {
+    fn number(&mut self, asked: &AskedNumber) -> Result<Option<Answer>, GraderError> {
         loop {
             let Some(typed) = self.line(&format!("  {} = ", asked.name))? else {
                 return Ok(None);
@@ -177,8 +177,8 @@ fn shuffled(count: usize, seed: u64, question: u32) -> Vec<usize> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::examples;
     use super::super::questions::Choice;
+    use super::super::worked_examples;
     use super::*;
 
     fn question() -> Question {
@@ -196,7 +196,7 @@ mod tests {
         }
     }
 
-    fn run(input: &str, example: Option<&Example>) -> (String, Vec<Answer>) {
+    fn run(input: &str, example: Option<&WorkedExample>) -> (String, Vec<Answer>) {
         let mut text = String::new();
         let mut session = Session {
             input: &mut input.as_bytes(),
@@ -241,7 +241,7 @@ mod tests {
     #[test]
     fn wrong_numbers_are_matched_with_mistakes() {
         for key in ["part1.task3", "part2.task2"] {
-            let example = examples::of(key, 5).expect("an example");
+            let example = worked_examples::of(key, 5).expect("an example");
             let right: String = example
                 .asked
                 .iter()

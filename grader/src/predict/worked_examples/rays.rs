@@ -1,6 +1,6 @@
 //! Part 1, Tasks 3 and 4: a ray and a triangle, a ray and a sphere. The oracle computes the truth.
 
-use super::example::{Asked, Draw, Example, vector};
+use super::example::{AskedNumber, Draw, WorkedExample, vector};
 use kit::{Ray, Sphere, Triangle, Vec3};
 
 fn draw_vector(draw: &mut Draw, low: i32, high: i32) -> Vec3 {
@@ -8,7 +8,7 @@ fn draw_vector(draw: &mut Draw, low: i32, high: i32) -> Vec3 {
 }
 
 /// A ray that hits a triangle in the plane z = z0 at weights of eighths.
-pub(super) fn triangle(draw: &mut Draw) -> Example {
+pub(super) fn triangle(draw: &mut Draw) -> WorkedExample {
     loop {
         let p0 = draw_vector(draw, -2, 2);
         let edges = [
@@ -50,7 +50,7 @@ pub(super) fn triangle(draw: &mut Draw) -> Example {
                 (-b1.max(b2), "a weight with the wrong sign"),
             ]
         };
-        return Example {
+        return WorkedExample {
             given: vec![
                 format!(
                     "Triangle: p0 = {}, p1 = {}, p2 = {}.",
@@ -65,7 +65,7 @@ pub(super) fn triangle(draw: &mut Draw) -> Example {
                 ),
             ],
             asked: vec![
-                Asked::new(
+                AskedNumber::new(
                     "t",
                     t,
                     &[
@@ -80,15 +80,15 @@ pub(super) fn triangle(draw: &mut Draw) -> Example {
                         (1.0 / t, "one divided by t: the determinant divides"),
                     ],
                 ),
-                Asked::new("b1", b1, &weight(b2)),
-                Asked::new("b2", b2, &weight(b1)),
+                AskedNumber::new("b1", b1, &weight(b2)),
+                AskedNumber::new("b2", b2, &weight(b1)),
             ],
         };
     }
 }
 
 /// A ray along an axis that meets a sphere at rational roots.
-pub(super) fn sphere(draw: &mut Draw) -> Example {
+pub(super) fn sphere(draw: &mut Draw) -> WorkedExample {
     // Distance of the line from the centre, half chord and radius.
     let (beside, half, radius) = draw.one(&[
         (3.0, 4.0, 5.0),
@@ -111,7 +111,7 @@ pub(super) fn sphere(draw: &mut Draw) -> Example {
     let [near, far] = roots.unwrap_or([f64::NAN; 2]);
     let middle = 0.5 * (near + far);
     let normal = ((o + near * d) - center) / radius;
-    Example {
+    WorkedExample {
         given: vec![
             format!(
                 "Sphere: centre m = {}, radius r = {radius}.",
@@ -124,7 +124,7 @@ pub(super) fn sphere(draw: &mut Draw) -> Example {
             ),
         ],
         asked: vec![
-            Asked::new(
+            AskedNumber::new(
                 "t of the hit",
                 near,
                 &[
@@ -138,7 +138,7 @@ pub(super) fn sphere(draw: &mut Draw) -> Example {
                     (-far, "t with the wrong sign of b"),
                 ],
             ),
-            Asked::new(
+            AskedNumber::new(
                 "t of the hit if the range starts between the roots",
                 far,
                 &[
@@ -147,7 +147,7 @@ pub(super) fn sphere(draw: &mut Draw) -> Example {
                     (far - near, "the length of the chord in t"),
                 ],
             ),
-            Asked::new(
+            AskedNumber::new(
                 [
                     "x of the normal at the first hit",
                     "y of the normal at the first hit",

@@ -1,20 +1,20 @@
-//! What an example is made of.
+//! What a worked example is made of.
 
 use crate::predict::number::is_near;
 use kit::PixelSampler;
 
 /// A worked example with other numbers.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Example {
+pub struct WorkedExample {
     /// What is given, in a few lines.
     pub given: Vec<String>,
     /// What is asked.
-    pub asked: Vec<Asked>,
+    pub asked: Vec<AskedNumber>,
 }
 
 /// A number that is asked for.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Asked {
+pub struct AskedNumber {
     /// What the number is, such as `t`.
     pub name: &'static str,
     /// The right number.
@@ -23,8 +23,12 @@ pub struct Asked {
     pub mistakes: Vec<(f64, &'static str)>,
 }
 
-impl Asked {
-    pub(super) fn new(name: &'static str, truth: f64, mistakes: &[(f64, &'static str)]) -> Asked {
+impl AskedNumber {
+    pub(super) fn new(
+        name: &'static str,
+        truth: f64,
+        mistakes: &[(f64, &'static str)],
+    ) -> AskedNumber {
         let mut known: Vec<(f64, &'static str)> = Vec::new();
         for &(value, what) in mistakes {
             let is_known = known.iter().any(|(other, _)| is_near(value, *other));
@@ -32,7 +36,7 @@ impl Asked {
                 known.push((value, what));
             }
         }
-        Asked {
+        AskedNumber {
             name,
             truth,
             mistakes: known,

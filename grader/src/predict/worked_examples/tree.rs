@@ -1,9 +1,9 @@
 //! Part 2, Tasks 1 and 3: a split of boxes, and the way of a ray through a tree.
 
-use super::example::{Asked, Draw, Example};
+use super::example::{AskedNumber, Draw, WorkedExample};
 
 /// Boxes on the x axis, one of them long: where they are split, and what the split costs.
-pub(super) fn split(draw: &mut Draw) -> Example {
+pub(super) fn split(draw: &mut Draw) -> WorkedExample {
     // Twice the centroid and the length, so that all middles are whole.
     let mut boxes: Vec<(i32, i32)> = Vec::new();
     let mut x = 0;
@@ -33,7 +33,7 @@ pub(super) fn split(draw: &mut Draw) -> Example {
     let mean = boxes.iter().map(|(c, _)| half(*c)).sum::<f64>() / 6.0;
     let by_boxes = boxes.iter().filter(|(c, _)| 2 * *c < low + high).count();
     let centroids: Vec<String> = boxes.iter().map(|(c, _)| half(*c).to_string()).collect();
-    Example {
+    WorkedExample {
         given: vec![
             format!(
                 "Six boxes stand on the x axis, all 1 high and 1 deep, with their centroids at {}.",
@@ -45,7 +45,7 @@ pub(super) fn split(draw: &mut Draw) -> Example {
             ),
         ],
         asked: vec![
-            Asked::new(
+            AskedNumber::new(
                 "the split m",
                 half(middle),
                 &[
@@ -60,7 +60,7 @@ pub(super) fn split(draw: &mut Draw) -> Example {
                     ),
                 ],
             ),
-            Asked::new(
+            AskedNumber::new(
                 "the number of boxes on the left, n_L",
                 count,
                 &[
@@ -76,7 +76,7 @@ pub(super) fn split(draw: &mut Draw) -> Example {
                     ),
                 ],
             ),
-            Asked::new(
+            AskedNumber::new(
                 "the expected number of primitive tests, K / T",
                 cost,
                 &[
@@ -95,8 +95,9 @@ pub(super) fn split(draw: &mut Draw) -> Example {
     }
 }
 
-/// The tree of the chapter with other entries and hits. Its leaves are D, E below B and F, G below C.
-pub(super) fn traversal(draw: &mut Draw) -> Example {
+/// The tree of the chapter with other entries and hits. Its leaves are D and E below B, F and G
+/// below C.
+pub(super) fn traversal(draw: &mut Draw) -> WorkedExample {
     const NAMES: [&str; 4] = ["D", "E", "F", "G"];
     loop {
         let mut entries = [0.0; 4];
@@ -159,7 +160,7 @@ pub(super) fn traversal(draw: &mut Draw) -> Example {
                 )
             })
             .collect();
-        return Example {
+        return WorkedExample {
             given: vec![
                 format!(
                     "The root A has the children B (entry {}) and C (entry {}). Below B are the leaves D and E, below C are F and G.",
@@ -169,7 +170,7 @@ pub(super) fn traversal(draw: &mut Draw) -> Example {
                 "The nearer child is visited first.".into(),
             ],
             asked: vec![
-                Asked::new(
+                AskedNumber::new(
                     "t of the hit that is found",
                     nearest,
                     &[
@@ -185,7 +186,7 @@ pub(super) fn traversal(draw: &mut Draw) -> Example {
                         (hits[3], "the hit of the last leaf"),
                     ],
                 ),
-                Asked::new(
+                AskedNumber::new(
                     "the number of leaves that are visited",
                     seen,
                     &[

@@ -1,6 +1,6 @@
 //! Part 1, Tasks 1 and 2: a sample's position on the film, and the ray through it.
 
-use super::example::{Asked, Draw, Example, vector};
+use super::example::{AskedNumber, Draw, WorkedExample, vector};
 
 /// A fraction of whole numbers.
 fn of(above: i32, below: i32) -> f64 {
@@ -8,7 +8,7 @@ fn of(above: i32, below: i32) -> f64 {
 }
 
 /// The position of a sample on the film. Everything is counted in eighths of a pixel.
-pub(super) fn sample(draw: &mut Draw) -> Example {
+pub(super) fn sample(draw: &mut Draw) -> WorkedExample {
     let width = draw.one(&[4, 5, 8, 10]);
     let height = draw.one(&[2, 3, 6]);
     let x = draw.from(1, width - 1);
@@ -18,7 +18,7 @@ pub(super) fn sample(draw: &mut Draw) -> Example {
     let u = 8 * x + s[0];
     let v = 8 * y + s[1];
     let mean = of(radiance[0] + 10 * radiance[1], 20);
-    Example {
+    WorkedExample {
         given: vec![
             format!(
                 "A film has {width} columns and {height} rows. A sample is in the pixel x = {x}, y = {y}, at s = ({}, {}).",
@@ -32,7 +32,7 @@ pub(super) fn sample(draw: &mut Draw) -> Example {
             ),
         ],
         asked: vec![
-            Asked::new(
+            AskedNumber::new(
                 "u",
                 of(u, 8 * width),
                 &[
@@ -50,7 +50,7 @@ pub(super) fn sample(draw: &mut Draw) -> Example {
                     (of(u, 8), "the position in pixels, which is not divided yet"),
                 ],
             ),
-            Asked::new(
+            AskedNumber::new(
                 "v",
                 of(v, 8 * height),
                 &[
@@ -61,7 +61,7 @@ pub(super) fn sample(draw: &mut Draw) -> Example {
                     (of(v, 8), "the position in pixels, which is not divided yet"),
                 ],
             ),
-            Asked::new(
+            AskedNumber::new(
                 "the estimate E",
                 mean,
                 &[
@@ -79,8 +79,9 @@ pub(super) fn sample(draw: &mut Draw) -> Example {
     }
 }
 
-/// The point on the sensor and its direction, for a camera with fields of view of 90 degrees that looks along an axis.
-pub(super) fn camera(draw: &mut Draw) -> Example {
+/// The point on the sensor and its direction, for a camera with fields of view of 90 degrees that
+/// looks along an axis.
+pub(super) fn camera(draw: &mut Draw) -> WorkedExample {
     // The columns of the rotation: right, up and backward.
     let (columns, looks) = draw.one(&[
         ([[0, 0, 1], [0, 1, 0], [-1, 0, 0]], "+x"),
@@ -105,7 +106,7 @@ pub(super) fn camera(draw: &mut Draw) -> Example {
             ),
         ]
     };
-    Example {
+    WorkedExample {
         given: vec![
             format!(
                 "Both fields of view are 90 degrees. The camera's right direction is r = {}, up s = {}, backward c = {}: it looks along {looks}.",
@@ -118,7 +119,7 @@ pub(super) fn camera(draw: &mut Draw) -> Example {
             ),
         ],
         asked: vec![
-            Asked::new(
+            AskedNumber::new(
                 "x of q, on the sensor",
                 of(q[0], 4),
                 &[
@@ -133,8 +134,8 @@ pub(super) fn camera(draw: &mut Draw) -> Example {
                     ),
                 ],
             ),
-            Asked::new("x of M q, in the world", world[0], &turned(0)),
-            Asked::new(
+            AskedNumber::new("x of M q, in the world", world[0], &turned(0)),
+            AskedNumber::new(
                 "y of M q",
                 world[1],
                 &[
@@ -143,7 +144,7 @@ pub(super) fn camera(draw: &mut Draw) -> Example {
                 ]
                 .concat(),
             ),
-            Asked::new("z of M q", world[2], &turned(2)),
+            AskedNumber::new("z of M q", world[2], &turned(2)),
         ],
     }
 }

@@ -1,7 +1,7 @@
 //! Variants of the worked examples, with numbers that are drawn.
 //!
-//! The numbers are small, so that paper is enough, and such that the answers of the typical mistakes differ from the
-//! truth. Only Parts 1 and 2 have variants.
+//! The numbers are small, so that paper is enough, and such that the answers of the typical mistakes
+//! differ from the truth. Only Parts 1 and 2 have variants.
 
 mod boxes;
 mod example;
@@ -9,13 +9,13 @@ mod film;
 mod rays;
 mod tree;
 
-pub use example::{Asked, Example};
+pub use example::{AskedNumber, WorkedExample};
 
 use example::Draw;
 
 /// The example of the task `key` with numbers of `seed`; `None` for tasks without one.
-pub fn of(key: &str, seed: u64) -> Option<Example> {
-    let draw: fn(&mut Draw) -> Example = match key {
+pub fn of(key: &str, seed: u64) -> Option<WorkedExample> {
+    let draw: fn(&mut Draw) -> WorkedExample = match key {
         "part1.task1" => film::sample,
         "part1.task2" => film::camera,
         "part1.task3" => rays::triangle,
@@ -25,7 +25,7 @@ pub fn of(key: &str, seed: u64) -> Option<Example> {
         "part2.task3" => tree::traversal,
         _ => return None,
     };
-    // Numbers with which the first mistake of each question gives the right answer would teach it.
+    // Drawn again while no mistake of a question gives a wrong answer: it would confirm them.
     let mut numbers = Draw::of(seed);
     let mut example = draw(&mut numbers);
     for _ in 0..100 {
@@ -78,8 +78,8 @@ mod tests {
         }
     }
 
-    /// The vectors and the numbers after `=` or `at` in what is given.
-    fn vectors(example: &Example) -> Vec<[f64; 3]> {
+    /// The vectors in what is given.
+    fn vectors(example: &WorkedExample) -> Vec<[f64; 3]> {
         let text = example.given.join(" ");
         let vector = |part: &str| {
             let inside = part.split(')').next()?;
@@ -89,7 +89,7 @@ mod tests {
         text.split('(').skip(1).filter_map(vector).collect()
     }
 
-    fn truths(example: &Example) -> Vec<f64> {
+    fn truths(example: &WorkedExample) -> Vec<f64> {
         example.asked.iter().map(|asked| asked.truth).collect()
     }
 
@@ -101,7 +101,8 @@ mod tests {
         (0..3).map(|i| (a[i] - b[i]).powi(2)).sum::<f64>().sqrt()
     }
 
-    /// By what is shown: the point on the ray is the point of the triangle, of the sphere, of the box.
+    /// Computes the truth from the numbers that are shown: the point on the ray is on the triangle,
+    /// on the sphere, in the box.
     #[test]
     fn the_truth_is_that_of_the_shown_numbers() {
         for seed in 0..200 {

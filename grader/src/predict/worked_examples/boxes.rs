@@ -1,10 +1,11 @@
 //! Part 2, Task 2: a ray and a box. The oracle computes the truth.
 
-use super::example::{Asked, Draw, Example, vector};
+use super::example::{AskedNumber, Draw, WorkedExample, vector};
 use kit::{Aabb, Ray, Vec3};
 
-/// A ray that passes through a box, with components that are powers of two, so that no division rounds.
-pub(super) fn slabs(draw: &mut Draw) -> Example {
+/// A ray through a box. The components of its direction are powers of two, so that no division
+/// rounds.
+pub(super) fn slabs(draw: &mut Draw) -> WorkedExample {
     loop {
         let corner = || [0, 1, 2];
         let low = corner().map(|_| f64::from(draw.from(-3, 0)));
@@ -31,7 +32,7 @@ pub(super) fn slabs(draw: &mut Draw) -> Example {
         let near: Vec<f64> = (0..3).map(|i| planes[0][i].min(planes[1][i])).collect();
         let far: Vec<f64> = (0..3).map(|i| planes[0][i].max(planes[1][i])).collect();
         let length = ray.d.length();
-        return Example {
+        return WorkedExample {
             given: vec![
                 format!("Box: from l = {} to h = {}.", vector(low), vector(high)),
                 format!(
@@ -41,7 +42,7 @@ pub(super) fn slabs(draw: &mut Draw) -> Example {
                 ),
             ],
             asked: vec![
-                Asked::new(
+                AskedNumber::new(
                     "t_e, where the ray enters",
                     entry,
                     &[
@@ -68,7 +69,7 @@ pub(super) fn slabs(draw: &mut Draw) -> Example {
                         ),
                     ],
                 ),
-                Asked::new(
+                AskedNumber::new(
                     "t_f, where it leaves",
                     exit,
                     &[

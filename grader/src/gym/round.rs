@@ -1,10 +1,10 @@
 //! A round of exercises: which come, in which order, and what comes again.
 
 use super::exercise::Exercise;
+use crate::predict::draw::Draw;
 use crate::predict::questions::{Choice, Question};
 use crate::predict::session::Session;
 use base::{GraderError, Workspace, write_whole};
-use kit::PixelSampler;
 use std::collections::{BTreeSet, VecDeque};
 use std::fs;
 use std::path::PathBuf;
@@ -28,11 +28,7 @@ pub struct Outcome {
 
 /// Chooses the exercises of a round: first those that were missed before.
 pub fn chosen(mut all: Vec<Exercise>, missed: &BTreeSet<String>, seed: u64) -> Vec<Exercise> {
-    let mut sampler = PixelSampler::new(0, 0, seed);
-    for i in (1..all.len()).rev() {
-        let j = (sampler.get_sample().x * (i + 1) as f64) as usize;
-        all.swap(i, j.min(i));
-    }
+    Draw::of([0, 0], seed).shuffle(&mut all);
     all.sort_by_key(|exercise| !missed.contains(&exercise.id()));
     all.truncate(ROUND);
     all
@@ -83,10 +79,9 @@ pub fn run(
 fn question(exercise: &Exercise, seed: u64) -> Question {
     let (right, others) = exercise.names.split_at(1);
     let mut others = others.to_vec();
-    let mut sampler = PixelSampler::new(exercise.panel, 1, seed);
+    let mut draw = Draw::of([exercise.panel, 1], seed);
     while others.len() >= NAMES {
-        let i = (sampler.get_sample().x * others.len() as f64) as usize;
-        others.swap_remove(i.min(others.len() - 1));
+        others.swap_remove(draw.below(others.len()));
     }
     let choice = |[name, seen]: &[String; 2], is_right: bool| Choice {
         text: name.clone(),

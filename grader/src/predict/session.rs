@@ -1,12 +1,12 @@
 //! Asks the questions of a task and says what is right.
 
+use super::draw::Draw;
 use super::number;
 use super::questions::Question;
 use super::store::Answer;
 use super::worked_examples::{AskedNumber, WorkedExample};
 use crate::report::wrap::wrap;
 use base::GraderError;
-use kit::PixelSampler;
 use std::io::BufRead;
 
 /// The letters before choices.
@@ -164,14 +164,10 @@ impl Session<'_> {
     }
 }
 
-/// The numbers from 0 to `count - 1` in an order of this seed.
+/// The numbers from 0 to `count - 1` in the order of this seed and question.
 fn shuffled(count: usize, seed: u64, question: u32) -> Vec<usize> {
-    let mut sampler = PixelSampler::new(question, 0, seed);
     let mut order: Vec<usize> = (0..count).collect();
-    for i in (1..count).rev() {
-        let j = (sampler.get_sample().x * (i + 1) as f64) as usize;
-        order.swap(i, j.min(i));
-    }
+    Draw::of([question, 0], seed).shuffle(&mut order);
     order
 }
 

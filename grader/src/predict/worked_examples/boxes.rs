@@ -1,6 +1,7 @@
 //! Part 2, Task 2: a ray and a box. The oracle computes the truth.
 
-use super::example::{AskedNumber, Draw, WorkedExample, vector};
+use super::example::{AskedNumber, WorkedExample, vector};
+use crate::predict::draw::Draw;
 use kit::{Aabb, Ray, Vec3};
 
 /// A ray through a box. The components of its direction are powers of two, so that no division

@@ -1,7 +1,6 @@
 //! What a worked example is made of.
 
 use crate::predict::number::is_near;
-use kit::PixelSampler;
 
 /// A worked example with other numbers.
 #[derive(Clone, Debug, PartialEq)]
@@ -50,26 +49,6 @@ impl AskedNumber {
             .iter()
             .find(|(value, _)| is_near(typed, *value));
         same.map(|(_, what)| *what)
-    }
-}
-
-/// Draws small whole numbers.
-pub(super) struct Draw(PixelSampler);
-
-impl Draw {
-    pub(super) fn of(seed: u64) -> Draw {
-        Draw(PixelSampler::new(0, 0, seed))
-    }
-
-    /// A whole number from `low` to `high`.
-    pub(super) fn from(&mut self, low: i32, high: i32) -> i32 {
-        let count = f64::from(high - low + 1);
-        low + (self.0.get_sample().x * count) as i32
-    }
-
-    /// One of a list.
-    pub(super) fn one<T: Copy>(&mut self, list: &[T]) -> T {
-        list[self.from(0, list.len() as i32 - 1) as usize]
     }
 }
 

@@ -1,6 +1,7 @@
 //! Part 1, Tasks 1 and 2: a sample's position on the film, and the ray through it.
 
-use super::example::{AskedNumber, Draw, WorkedExample, vector};
+use super::example::{AskedNumber, WorkedExample, vector};
+use crate::predict::draw::Draw;
 
 /// A fraction of whole numbers.
 fn of(above: i32, below: i32) -> f64 {

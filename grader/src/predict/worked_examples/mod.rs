@@ -11,7 +11,7 @@ mod tree;
 
 pub use example::{AskedNumber, WorkedExample};
 
-use example::Draw;
+use super::draw::Draw;
 
 /// The example of the task `key` with numbers of `seed`; `None` for tasks without one.
 pub fn of(key: &str, seed: u64) -> Option<WorkedExample> {
@@ -26,7 +26,7 @@ pub fn of(key: &str, seed: u64) -> Option<WorkedExample> {
         _ => return None,
     };
     // Drawn again while no mistake of a question gives a wrong answer: it would confirm them.
-    let mut numbers = Draw::of(seed);
+    let mut numbers = Draw::of([0, 0], seed);
     let mut example = draw(&mut numbers);
     for _ in 0..100 {
         if example.asked.iter().all(|asked| !asked.mistakes.is_empty()) {

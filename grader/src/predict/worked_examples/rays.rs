@@ -1,6 +1,7 @@
 //! Part 1, Tasks 3 and 4: a ray and a triangle, a ray and a sphere. The oracle computes the truth.
 
-use super::example::{AskedNumber, Draw, WorkedExample, vector};
+use super::example::{AskedNumber, WorkedExample, vector};
+use crate::predict::draw::Draw;
 use kit::{Ray, Sphere, Triangle, Vec3};
 
 fn draw_vector(draw: &mut Draw, low: i32, high: i32) -> Vec3 {

@@ -1,6 +1,7 @@
 //! Part 2, Tasks 1 and 3: a split of boxes, and the way of a ray through a tree.
 
-use super::example::{AskedNumber, Draw, WorkedExample};
+use super::example::{AskedNumber, WorkedExample};
+use crate::predict::draw::Draw;
 
 /// Boxes on the x axis, one of them long: where they are split, and what the split costs.
 pub(super) fn split(draw: &mut Draw) -> WorkedExample {

@@ -1,16 +1,16 @@
 //! The command `grader gym`: mistakes to recognize.
 
+use super::asking::{self, AnswerInput};
 use crate::course::Course;
 use crate::grade;
 use crate::gym::{exercise, round};
 use crate::predict::session::Session;
 use crate::report::terminal::Page;
-use base::program::{Exit, whole_number};
+use base::program::Exit;
 use base::{GraderError, Workspace, out, outln, write_whole};
 use clap::{Arg, ArgMatches, Command};
 use pictures::{png, terminal};
-use std::hash::{BuildHasher, RandomState};
-use std::io::{BufRead, IsTerminal, stdin, stdout};
+use std::io::{IsTerminal, stdout};
 use std::path::Path;
 
 /// The name of the command.
@@ -25,14 +25,7 @@ pub(super) fn command() -> Command {
                 .default_value("all")
                 .help("A part such as `part1`, or a task"),
         )
-        .arg(
-            Arg::new("seed")
-                .long("seed")
-                .value_name("N")
-                .allow_negative_numbers(true)
-                .value_parser(|text: &str| whole_number::<u64>(text, 0, u64::MAX))
-                .help("Repeat the choice of a seed [default: another one each time]"),
-        )
+        .arg(asking::seed_argument().help("Repeat the choice of a seed [default: another one each time]"))
 }
 
 pub(super) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
@@ -44,20 +37,15 @@ pub(super) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     for task in course.select(what)? {
         all.extend(exercise::of(&workspace, task, &specs)?);
     }
-    let seed = matches
-        .get_one("seed")
-        .copied()
-        .unwrap_or_else(|| RandomState::new().hash_one(what) >> 40);
+    let seed = asking::seed_of(matches);
     let before = round::missed(&workspace);
     let exercises = round::chosen(all, &before, seed);
-    let mut input = stdin().lock();
-    let is_terminal = stdin().is_terminal();
-    if !is_terminal && input.fill_buf().is_ok_and(<[u8]>::is_empty) {
-        return Err(GraderError::new(format!(
+    let mut input = AnswerInput::of_stdin().ok_or_else(|| {
+        GraderError::new(format!(
             "no answer: the standard input is no terminal and is empty. Run `cargo grader gym {what}` in a terminal, \
              or pipe one letter a line"
-        )));
-    }
+        ))
+    })?;
     workspace.create_outputs()?;
     let file = workspace.outputs().join("gym.png");
     let page = Page::of_stdout();
@@ -82,9 +70,9 @@ pub(super) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
         Ok(())
     };
     let mut session = Session {
-        input: &mut input,
+        input: &mut input.lines,
         print: &mut |text| out!("{text}"),
-        echoes: !is_terminal,
+        echoes: !input.is_terminal,
         width: page.width,
     };
     let outcome = round::run(&mut session, exercises, &mut show, seed)?;

@@ -1,17 +1,15 @@
 //! The command `grader predict part1.task3`: asks what the student expects.
 
+use super::asking::{self, AnswerInput};
 use crate::course::Course;
 use crate::predict::session::Session;
-use crate::predict::store::{Predictions, Round};
+use crate::predict::store::{self, Predictions, Round};
 use crate::predict::{questions, worked_examples};
 use crate::progress::next_task;
 use crate::report::terminal::Page;
 use base::program::Exit;
-use base::program::whole_number;
 use base::{GraderError, Workspace, out, outln};
 use clap::{Arg, ArgMatches, Command};
-use std::hash::{BuildHasher, RandomState};
-use std::io::{BufRead, IsTerminal, stdin};
 use std::path::Path;
 
 /// The name of the command.
@@ -25,14 +23,7 @@ pub(super) fn command() -> Command {
                 .value_name("TASK")
                 .help("A task such as `part1.task3` [default: the next open task]"),
         )
-        .arg(
-            Arg::new("seed")
-                .long("seed")
-                .value_name("N")
-                .allow_negative_numbers(true)
-                .value_parser(|text: &str| whole_number::<u64>(text, 0, u64::MAX))
-                .help("Repeat the numbers of a seed [default: others each time]"),
-        )
+        .arg(asking::seed_argument().help("Repeat the numbers of a seed [default: others each time]"))
 }
 
 pub(super) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
@@ -53,29 +44,18 @@ pub(super) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     let key = &task.key;
     let asked = questions::of(&workspace, key)?;
     let predictions = Predictions::read(&workspace)?;
-    // Of the operating system: a hasher's key differs from run to run.
-    let seed = matches
-        .get_one("seed")
-        .copied()
-        .unwrap_or_else(|| RandomState::new().hash_one(key) >> 40);
+    let seed = asking::seed_of(matches);
     let example = worked_examples::of(key, seed);
-    let mut input = stdin().lock();
-    let is_terminal = stdin().is_terminal();
-    let is_empty = |input: &mut dyn BufRead| input.fill_buf().is_ok_and(<[u8]>::is_empty);
-    if !is_terminal && is_empty(&mut input) {
-        return Err(no_answer(
-            key,
-            "the standard input is no terminal and is empty",
-        ));
-    }
+    let nothing = || no_answer(key, "the standard input is no terminal and is empty");
+    let mut input = AnswerInput::of_stdin().ok_or_else(nothing)?;
     outln!(
         "{key}, {}: what do you expect? An empty line skips a question. Nothing here gives points.",
         task.title
     );
     let answers = Session {
-        input: &mut input,
+        input: &mut input.lines,
         print: &mut |text| out!("{text}"),
-        echoes: !is_terminal,
+        echoes: !input.is_terminal,
         width: Page::of_stdout().width,
     }
     .run(&asked, example.as_ref(), seed)?;
@@ -98,9 +78,7 @@ pub(super) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     predictions.add(&workspace, key, Round { seed, answers })?;
     outln!(
         "Stored for yourself in {} (round {}; `--seed {seed}` repeats the numbers).",
-        workspace
-            .relative(&crate::predict::store::file(&workspace))
-            .display(),
+        workspace.relative(&store::file(&workspace)).display(),
         before + 1
     );
     Ok(Exit::Passed)

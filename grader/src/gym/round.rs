@@ -1,4 +1,4 @@
-//! A round of exercises: which come, in which order, and what comes again.
+//! A round of exercises: chooses and asks them, and repeats those that were missed.
 
 use super::exercise::Exercise;
 use crate::predict::draw::Draw;
@@ -9,10 +9,10 @@ use std::collections::{BTreeSet, VecDeque};
 use std::fs;
 use std::path::PathBuf;
 
-/// The exercises of a round.
+/// The number of exercises of a round.
 const ROUND: usize = 8;
 
-/// The names to choose from.
+/// The number of names to choose from.
 const NAMES: usize = 4;
 
 /// The result of a round.
@@ -22,7 +22,7 @@ pub struct Outcome {
     pub at_once: usize,
     /// The exercises that were asked.
     pub asked: usize,
-    /// Those that are to come again.
+    /// The names of the exercises that the next round begins with.
     pub missed: BTreeSet<String>,
 }
 
@@ -34,7 +34,8 @@ pub fn chosen(mut all: Vec<Exercise>, missed: &BTreeSet<String>, seed: u64) -> V
     all
 }
 
-/// Asks until each exercise was recognized once, or the answers end. `show` shows the picture of an exercise.
+/// Asks until each exercise was recognized once, or the input ends. `show` shows the picture of an
+/// exercise.
 pub fn run(
     session: &mut Session,
     exercises: Vec<Exercise>,
@@ -67,7 +68,7 @@ pub fn run(
             continue;
         }
         outcome.missed.insert(exercise.id());
-        // A skipped one comes in the next round.
+        // A skipped exercise comes in the next round.
         if !answer.typed.is_empty() {
             waiting.push_back(exercise);
         }
@@ -75,7 +76,7 @@ pub fn run(
     Ok(outcome)
 }
 
-/// Four names, the right one first. Each wrong one says what one would see.
+/// A question with [`NAMES`] names, the right one first. Each wrong one says what one would see.
 fn question(exercise: &Exercise, seed: u64) -> Question {
     let (right, others) = exercise.names.split_at(1);
     let mut others = others.to_vec();
@@ -100,14 +101,14 @@ fn file(workspace: &Workspace) -> PathBuf {
     workspace.outputs().join("gym.json")
 }
 
-/// What was missed in earlier rounds.
+/// Reads the names of the exercises that were missed in earlier rounds.
 pub fn missed(workspace: &Workspace) -> BTreeSet<String> {
     let text = fs::read_to_string(file(workspace)).unwrap_or_default();
-    // A damaged list is as good as none: it is only about the order.
+    // A damaged list is as good as none: it only decides the order.
     serde_json::from_str(&text).unwrap_or_default()
 }
 
-/// Stores what was missed, without what was recognized since.
+/// Stores the names of the missed exercises.
 pub fn store(workspace: &Workspace, missed: &BTreeSet<String>) -> Result<(), GraderError> {
     workspace.create_outputs()?;
     let text = serde_json::to_string_pretty(missed).map_err(|e| GraderError::new(e.to_string()))?;

@@ -1,6 +1,7 @@
 //! A number as people write it.
 
-/// How far a typed number may be from the truth, relative to the larger of it and 1: three digits are asked for.
+/// The largest relative error of a typed number, absolute if the truth is 0: three digits are asked
+/// for.
 const TOLERANCE: f64 = 2e-3;
 
 /// Reads `0.25`, `-3`, `1/4`, `1e-3` or `2,5`. `None` for what is no finite number.
@@ -19,7 +20,7 @@ pub fn parse(text: &str) -> Option<f64> {
 
 /// Whether `typed` is the number `truth`, rounded to three digits or more.
 pub fn is_near(typed: f64, truth: f64) -> bool {
-    let scale = truth.abs().max(if truth == 0.0 { 1.0 } else { 0.0 });
+    let scale = if truth == 0.0 { 1.0 } else { truth.abs() };
     (typed - truth).abs() <= TOLERANCE * scale
 }
 

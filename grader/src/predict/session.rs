@@ -1,4 +1,4 @@
-//! Asks the questions of a task and says what is right.
+//! Asks questions, reads the answers and prints what is right.
 
 use super::draw::Draw;
 use super::number;
@@ -16,7 +16,7 @@ const LETTERS: [char; 6] = ['a', 'b', 'c', 'd', 'e', 'f'];
 pub struct Session<'a> {
     /// A line for each answer.
     pub input: &'a mut dyn BufRead,
-    /// What is asked and said.
+    /// Prints a text.
     pub print: &'a mut dyn FnMut(&str),
     /// Whether to print the answers, too: those of a file or another program are not on the screen.
     pub echoes: bool,
@@ -25,9 +25,8 @@ pub struct Session<'a> {
 }
 
 impl Session<'_> {
-    /// Asks all questions. An answer that is neither a choice nor a number is asked for again; an empty one skips.
-    ///
-    /// The answers end with the input: what comes after was not asked.
+    /// Asks all questions. A line that is neither a choice nor a number is asked for again; an empty
+    /// line skips the question. At the end of the input, the answers so far are returned.
     pub fn run(
         &mut self,
         questions: &[Question],
@@ -68,68 +67,39 @@ impl Session<'_> {
         for (letter, &at) in LETTERS.iter().zip(&order) {
             self.say(&format!("   {letter}) {}", question.choices[at].text));
         }
-        let last = LETTERS[order.len() - 1];
-        loop {
-            let Some(typed) = self.line("   > ")? else {
-                return Ok(None);
-            };
-            let mut chars = typed.chars();
-            let letter = chars.next().map(|letter| letter.to_ascii_lowercase());
-            let place = letter.and_then(|letter| {
-                LETTERS[..order.len()]
-                    .iter()
-                    .position(|known| *known == letter)
-            });
-            let (text, is_right) = match (place, chars.as_str()) {
-                (None, _) if typed.is_empty() => ("Skipped.".into(), false),
-                (Some(place), "" | ")") => match &question.choices[order[place]].why_not {
-                    None => ("Right.".into(), true),
-                    Some(why) => (
-                        format!("No. {why} Right is: {}", question.choices[0].text),
-                        false,
-                    ),
-                },
-                _ => {
-                    self.say(&format!("   expected a letter from a to {last}, or an empty line to skip; found `{typed}`"));
-                    continue;
-                }
-            };
-            self.say(&format!("   {text}"));
-            return Ok(Some(Answer {
-                question: question.text.clone(),
-                typed,
-                is_right,
-            }));
-        }
+        self.ask("   > ", &question.text, |typed| {
+            judge_choice(question, &order, typed)
+        })
     }
 
     fn number(&mut self, asked: &AskedNumber) -> Result<Option<Answer>, GraderError> {
-        loop {
-            let Some(typed) = self.line(&format!("  {} = ", asked.name))? else {
-                return Ok(None);
-            };
-            let truth = number::shown(asked.truth);
-            let (text, is_right) = match number::parse(&typed) {
-                _ if typed.is_empty() => (format!("Skipped. It is {truth}."), false),
-                None => {
-                    self.say(&format!(
-                        "   expected a number such as 0.25 or 1/4, or an empty line to skip; found `{typed}`"
-                    ));
-                    continue;
+        let prompt = format!("  {} = ", asked.name);
+        self.ask(&prompt, asked.name, |typed| judge_number(asked, typed))
+    }
+
+    /// Asks until `judge` accepts a line as an answer; `None` if the input has ended.
+    fn ask(
+        &mut self,
+        prompt: &str,
+        question: &str,
+        judge: impl Fn(&str) -> Result<Reply, String>,
+    ) -> Result<Option<Answer>, GraderError> {
+        while let Some(typed) = self.line(prompt)? {
+            match judge(&typed) {
+                Ok(Reply { text, is_right }) => {
+                    self.say(&format!("   {text}"));
+                    return Ok(Some(Answer {
+                        question: question.into(),
+                        typed,
+                        is_right,
+                    }));
                 }
-                Some(value) if number::is_near(value, asked.truth) => ("Right.".into(), true),
-                Some(value) => match asked.mistake(value) {
-                    Some(what) => (format!("No: that is {what}. It is {truth}."), false),
-                    None => (format!("No, it is {truth}."), false),
-                },
-            };
-            self.say(&format!("   {text}"));
-            return Ok(Some(Answer {
-                question: asked.name.into(),
-                typed,
-                is_right,
-            }));
+                Err(expected) => self.say(&format!(
+                    "   expected {expected}, or an empty line to skip; found `{typed}`"
+                )),
+            }
         }
+        Ok(None)
     }
 
     /// The next line of the input; `None` at its end.
@@ -162,6 +132,50 @@ impl Session<'_> {
         }
         (self.print)(&all);
     }
+}
+
+/// What is printed after an answer.
+struct Reply {
+    text: String,
+    is_right: bool,
+}
+
+/// Judges a letter for one of the choices in the shown `order`. The error is what is expected.
+fn judge_choice(question: &Question, order: &[usize], typed: &str) -> Result<Reply, String> {
+    let letters = &LETTERS[..order.len()];
+    let mut chars = typed.chars();
+    let letter = chars.next().map(|letter| letter.to_ascii_lowercase());
+    let place = letters.iter().position(|known| Some(*known) == letter);
+    let (text, is_right) = match (place, chars.as_str()) {
+        _ if typed.is_empty() => ("Skipped.".into(), false),
+        (Some(place), "" | ")") => match &question.choices[order[place]].why_not {
+            None => ("Right.".into(), true),
+            Some(why) => {
+                let right = &question.choices[0].text;
+                (format!("No. {why} Right is: {right}"), false)
+            }
+        },
+        _ => {
+            let last = letters[letters.len() - 1];
+            return Err(format!("a letter from a to {last}"));
+        }
+    };
+    Ok(Reply { text, is_right })
+}
+
+/// Judges a number. The error is what is expected.
+fn judge_number(asked: &AskedNumber, typed: &str) -> Result<Reply, String> {
+    let truth = number::shown(asked.truth);
+    let (text, is_right) = match number::parse(typed) {
+        _ if typed.is_empty() => (format!("Skipped. It is {truth}."), false),
+        None => return Err("a number such as 0.25 or 1/4".into()),
+        Some(value) if number::is_near(value, asked.truth) => ("Right.".into(), true),
+        Some(value) => match asked.mistake(value) {
+            Some(what) => (format!("No: that is {what}. It is {truth}."), false),
+            None => (format!("No, it is {truth}."), false),
+        },
+    };
+    Ok(Reply { text, is_right })
 }
 
 /// The numbers from 0 to `count - 1` in the order of this seed and question.

@@ -1,4 +1,5 @@
-//! The stored answers, in `target/first-light/predictions.json`. Nobody else reads them, and they give no points.
+//! Stores the answers in `target/first-light/predictions.json`. They are for the student alone and
+//! give no points.
 
 use base::{GraderError, Workspace, write_whole};
 use serde::{Deserialize, Serialize};
@@ -36,7 +37,7 @@ pub fn file(workspace: &Workspace) -> PathBuf {
 }
 
 impl Predictions {
-    /// Those of a workspace. None yet is no error, a damaged file is.
+    /// Reads the predictions of a workspace: none if there is no file yet, an error if it is damaged.
     pub fn read(workspace: &Workspace) -> Result<Predictions, GraderError> {
         let path = file(workspace);
         match fs::read_to_string(&path) {

@@ -3,6 +3,7 @@
 use authoring::mutants::mistake_pictures::{self, Sheet};
 use base::Workspace;
 use grader::course::Course;
+use grader::gym::mistake_sheet;
 use pictures::png;
 use std::fs;
 use std::path::Path;
@@ -37,14 +38,15 @@ fn each_task_has_a_small_file_that_begins_with_the_golden_picture() {
         let picture = png::decode(&file).expect("a picture");
         let golden = mistake_pictures::golden(&workspace, &sheet.task).expect("a golden picture");
         let golden = sheet.tile(&golden);
+        let shown = |number| mistake_sheet::picture(&picture, number).expect("it is in the sheet");
         assert!(
-            Sheet::shown(&picture, 0) == golden,
+            shown(0) == golden,
             "{} does not begin with the golden picture: {COMMAND}",
             path.display()
         );
         for number in 1..=sheet.mutants.len() {
             assert!(
-                Sheet::shown(&picture, number as u32) != golden,
+                shown(number as u32) != golden,
                 "{}: the picture of {} is the golden one",
                 path.display(),
                 sheet.mutants[number - 1]

@@ -121,8 +121,7 @@ fn end_of_arguments(signature: &str) -> Option<usize> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::course::Course;
-    use base::Workspace;
+    use crate::course::of_this_checkout;
 
     fn explained(text: &str, messages: &str) -> Vec<String> {
         let file = SourceFile {
@@ -134,8 +133,7 @@ mod tests {
 
     #[test]
     fn the_expected_signatures_are_those_of_the_reference() {
-        let workspace = Workspace::above(Path::new(env!("CARGO_MANIFEST_DIR"))).unwrap();
-        let course = Course::read(&workspace).unwrap();
+        let (workspace, course) = of_this_checkout();
         for task in course.tasks() {
             let files = sources::read(workspace.root(), &task.stage).unwrap();
             for hole in &task.holes {

@@ -135,19 +135,13 @@ fn without_picture(status: &Status, task: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::course::of_this_checkout;
     use pictures::Image;
     use pictures::difference::compare;
 
-    fn workspace() -> (Workspace, Course) {
-        let workspace = Workspace::above(Path::new(env!("CARGO_MANIFEST_DIR")))
-            .expect("the grader is in a workspace");
-        let course = Course::read(&workspace).expect("the course is sound");
-        (workspace, course)
-    }
-
     #[test]
     fn a_part_is_not_a_task() {
-        let (_, course) = workspace();
+        let (_, course) = of_this_checkout();
         let error = one_task(&course, "part2").expect_err("a part");
         assert_eq!(
             error.to_string(),
@@ -157,7 +151,7 @@ mod tests {
 
     #[test]
     fn the_legend_names_what_differs_in_each_panel() {
-        let (_, course) = workspace();
+        let (_, course) = of_this_checkout();
         let task = one_task(&course, "part1.task3").expect("a task");
         let picture = judge::pictures::of("part1.task3").expect("it has a picture");
         let golden = Image::filled(picture.size(), [90; 3]);

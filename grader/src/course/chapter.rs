@@ -43,9 +43,24 @@ pub fn section(key: &str, section: Section) -> Option<String> {
     Some(format!("{}#{}", chapter(key)?, section.anchor()))
 }
 
+/// The text of a chapter below a heading of the second level; empty if it has no such heading.
+pub fn under<'a>(chapter: &'a str, heading: &str) -> &'a str {
+    let start = format!("\n## {heading}\n");
+    let below = chapter.split_once(&start).map_or("", |(_, below)| below);
+    below.split("\n## ").next().unwrap_or_default()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_section_ends_at_the_next_heading() {
+        let text = "# T\n\n## One\n\n1\n\n### More\n\n2\n\n## Two\n\n3\n";
+        assert_eq!(under(text, "One"), "\n1\n\n### More\n\n2\n");
+        assert_eq!(under(text, "Two"), "\n3\n");
+        assert_eq!(under(text, "Three"), "");
+    }
 
     #[test]
     fn the_chapter_is_in_the_key() {

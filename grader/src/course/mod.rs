@@ -347,6 +347,15 @@ fn ensure(condition: bool, message: impl FnOnce() -> String) -> Result<(), Grade
     }
 }
 
+/// The workspace of this crate and its course, for tests.
+#[cfg(test)]
+pub(crate) fn of_this_checkout() -> (Workspace, Course) {
+    let workspace = Workspace::above(std::path::Path::new(env!("CARGO_MANIFEST_DIR")))
+        .expect("the grader is in a workspace");
+    let course = Course::read(&workspace).expect("the course is valid");
+    (workspace, course)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -1,5 +1,6 @@
 //! The exercises of a task, from the section "Mistakes" of its chapter.
 
+use super::mistake_sheet::{self, TILE};
 use crate::course::packed;
 use crate::course::{Task, chapter};
 use crate::diagnosis::{self, Known};
@@ -12,14 +13,11 @@ use pictures::image::Image;
 use pictures::png;
 use std::path::PathBuf;
 
-/// The size of a panel on a sheet of mistakes, and the gap between panels, in pixels.
-const PANEL: [u32; 2] = [160, 120];
-const GAP: u32 = 4;
-
-/// Columns of an input or an answer. Numbers are rounded to fit: the mistakes need no digits.
+/// Columns of an input or an answer. Numbers are rounded to fit: a mistake is recognized without
+/// their last digits.
 const ROOM: usize = 200;
 
-/// The calls that an exercise shows.
+/// The most calls that an exercise shows.
 const CALLS: usize = 3;
 
 /// A mistake to recognize.
@@ -27,22 +25,23 @@ const CALLS: usize = 3;
 pub struct Exercise {
     /// The task's key.
     pub task: String,
-    /// The names of all mistakes of the chapter, with what one sees of them. The first one is right.
+    /// The names of all mistakes of the chapter, each with what one sees in a picture. The first name
+    /// is that of the mistake to recognize.
     pub names: Vec<[String; 2]>,
-    /// The sheet with its picture, and the number of its panel. Panel 0 is the right picture.
+    /// The file with its picture.
     pub sheet: PathBuf,
-    /// The number of its panel.
+    /// The place of its picture in the file, from the left. The right picture is at 0.
     pub panel: u32,
-    /// Calls that it gets wrong: input, expected answer, what is wrong.
+    /// Calls that the mistake makes wrong: input, expected answer, what is wrong.
     pub calls: Vec<String>,
-    /// Where to look.
+    /// Where in the code to look for the mistake.
     pub hint: String,
     /// The chapter, below the root.
     pub chapter: String,
 }
 
 impl Exercise {
-    /// What it is called in the list of what was missed.
+    /// The name of the exercise in the list of missed ones.
     pub fn id(&self) -> String {
         format!("{}: {}", self.task, self.names[0][0])
     }
@@ -52,20 +51,20 @@ impl Exercise {
         let failed =
             |why: String| GraderError::new(format!("cannot read {}: {why}", self.sheet.display()));
         let sheet = png::read(&self.sheet).map_err(failed)?;
-        let [width, height] = PANEL;
-        let step = width + GAP;
-        let [has, high] = sheet.size();
-        if has < self.panel * step + width || high != height {
-            return Err(failed(format!(
-                "expected panel {} of {width} by {height} pixels",
-                self.panel
-            )));
-        }
-        Ok(Image::from_fn([width + step, height], |x, y| match x {
-            _ if x < width => sheet.get(x, y),
-            _ if x < step => [255; 3],
-            _ => sheet.get(self.panel * step + x - step, y),
-        }))
+        let [width, height] = TILE;
+        let tile = |number: u32| {
+            mistake_sheet::picture(&sheet, number).ok_or_else(|| {
+                failed(format!(
+                    "expected panel {} of {width} by {height} pixels",
+                    self.panel
+                ))
+            })
+        };
+        let second = mistake_sheet::left(1);
+        let mut both = Image::filled([second + width, height], [255; 3]);
+        both.paste(&tile(0)?, 0, 0);
+        both.paste(&tile(self.panel)?, second, 0);
+        Ok(both)
     }
 }
 
@@ -80,12 +79,8 @@ pub fn of(
     };
     let path = workspace.root().join(&chapter);
     let text = std::fs::read_to_string(&path).map_err(|e| GraderError::file("read", &path, e))?;
-    let known = diagnosis::known(workspace, &task.key)?;
+    let all_known = diagnosis::known(workspace, &task.key)?;
     let table = names(&text);
-    let sheet = workspace.root().join(format!(
-        "stages/book/src/mistakes/{}.png",
-        task.key.replace('.', "-")
-    ));
     let mut found = Vec::new();
     for (i, name) in pictured(&text).into_iter().enumerate() {
         let Some(row) = table.iter().position(|row| row[0] == name) else {
@@ -93,14 +88,14 @@ pub fn of(
         };
         let mut names = table.clone();
         names.swap(0, row);
-        let known = known
+        let known = all_known
             .iter()
             .find(|known| known.descriptions == [name.as_str()]);
         let calls = known.map_or(Ok(Vec::new()), |known| calls(workspace, task, specs, known))?;
         found.push(Exercise {
             task: task.key.clone(),
             names,
-            sheet: sheet.clone(),
+            sheet: mistake_sheet::file(workspace, &task.key),
             panel: i as u32 + 1,
             calls,
             hint: known
@@ -112,7 +107,7 @@ pub fn of(
     Ok(found)
 }
 
-/// Up to [`CALLS`] calls that the mistake gets wrong, of different cases if it can be.
+/// Up to [`CALLS`] calls that the mistake makes wrong, each of another case.
 fn calls(
     workspace: &Workspace,
     task: &Task,
@@ -150,8 +145,6 @@ fn calls(
 
 /// The rows of the table of mistakes: the name, and what one sees.
 fn names(chapter: &str) -> Vec<[String; 2]> {
-    let section = chapter.split("\n## Mistakes\n").nth(1).unwrap_or_default();
-    let section = section.split("\n## ").next().unwrap_or_default();
     let row = |line: &str| {
         let mut cells = line.strip_prefix("| ")?.split(" | ");
         let seen = cells.next()?;
@@ -161,6 +154,7 @@ fn names(chapter: &str) -> Vec<[String; 2]> {
             seen.trim_end_matches(" (extra)").to_string(),
         ])
     };
+    let section = chapter::under(chapter, "Mistakes");
     section.lines().filter_map(row).collect()
 }
 
@@ -179,15 +173,11 @@ fn pictured(chapter: &str) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::course::Course;
-    use crate::grade;
-    use std::path::Path;
+    use crate::{course, grade};
 
     #[test]
     fn each_task_has_exercises_with_a_picture_names_and_calls() {
-        let workspace =
-            Workspace::above(Path::new(env!("CARGO_MANIFEST_DIR"))).expect("the course");
-        let course = Course::read(&workspace).expect("the course is valid");
+        let (workspace, course) = course::of_this_checkout();
         let specs = grade::specs(0).expect("the cases");
         let (mut all, mut with_calls) = (0, 0);
         for task in course.tasks() {
@@ -197,10 +187,10 @@ mod tests {
                 assert!(exercise.names.len() >= 4, "{}", exercise.id());
                 assert!(!exercise.hint.is_empty(), "{} is not known", exercise.id());
                 let picture = exercise.picture().unwrap_or_else(|error| panic!("{error}"));
-                let [width, height] = PANEL;
+                let [width, height] = TILE;
                 let differs = (0..width * height).any(|i| {
                     let (x, y) = (i % width, i / width);
-                    picture.get(x, y) != picture.get(x + width + GAP, y)
+                    picture.get(x, y) != picture.get(mistake_sheet::left(1) + x, y)
                 });
                 assert!(differs, "{}: both pictures are the same", exercise.id());
                 all += 1;
@@ -213,12 +203,10 @@ mod tests {
         );
     }
 
-    /// A golden says what is right for the calls that a mistake gets wrong, so an exercise shows true inputs.
+    /// The golden contradicts the mistake in each call that is shown.
     #[test]
     fn the_calls_of_a_culled_face_are_hits() {
-        let workspace =
-            Workspace::above(Path::new(env!("CARGO_MANIFEST_DIR"))).expect("the course");
-        let course = Course::read(&workspace).expect("the course is valid");
+        let (workspace, course) = course::of_this_checkout();
         let specs = grade::specs(0).expect("the cases");
         let task = course
             .tasks()

@@ -1,8 +1,10 @@
-//! The questions of a chapter: their text stands in the chapter, their choices in `predictions.toml`.
+//! The questions of a chapter. Their text is in the chapter, their choices are in
+//! `predictions.toml`.
 
 use crate::course::chapter;
 use base::{GraderError, Workspace};
 use std::fs;
+use std::path::Path;
 
 /// The file with the choices.
 pub const FILE: &str = "stages/book/src/predictions.toml";
@@ -27,11 +29,11 @@ pub struct Choice {
 
 /// The two questions about the task `key`.
 pub fn of(workspace: &Workspace, key: &str) -> Result<Vec<Question>, GraderError> {
-    let path = chapter::chapter(key).map(|path| workspace.root().join(path));
-    let path = path.ok_or_else(|| GraderError::new(format!("the task `{key}` has no chapter")))?;
-    let read = |path: &std::path::Path| {
-        fs::read_to_string(path).map_err(|e| GraderError::file("read", path, e))
-    };
+    let chapter = chapter::chapter(key)
+        .ok_or_else(|| GraderError::new(format!("the task `{key}` has no chapter")))?;
+    let path = workspace.root().join(chapter);
+    let read =
+        |path: &Path| fs::read_to_string(path).map_err(|e| GraderError::file("read", path, e));
     let texts = texts(&read(&path)?);
     let file = workspace.root().join(FILE);
     let choices =
@@ -50,9 +52,10 @@ pub fn of(workspace: &Workspace, key: &str) -> Result<Vec<Question>, GraderError
         .collect())
 }
 
-/// The questions of the section "Predict" in a chapter: the items of its list, without marks of Markdown.
+/// The questions of the section "Predict" in a chapter: the items of its list, without the marks of
+/// Markdown.
 pub fn texts(chapter: &str) -> Vec<String> {
-    let section = chapter.split("\n## Predict\n").nth(1).unwrap_or_default();
+    let section = chapter::under(chapter, "Predict");
     let section = section.split("<details>").next().unwrap_or_default();
     let mut found: Vec<String> = Vec::new();
     for line in section.lines() {
@@ -114,14 +117,11 @@ fn choices(text: &str, key: &str) -> Result<Vec<Vec<Choice>>, String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::course::Course;
-    use std::path::Path;
+    use crate::course;
 
     #[test]
     fn each_task_has_two_questions_with_choices() {
-        let workspace =
-            Workspace::above(Path::new(env!("CARGO_MANIFEST_DIR"))).expect("the course");
-        let course = Course::read(&workspace).expect("the course is valid");
+        let (workspace, course) = course::of_this_checkout();
         for task in course.tasks() {
             let questions = of(&workspace, &task.key).unwrap_or_else(|error| panic!("{error}"));
             assert_eq!(questions.len(), 2, "{}", task.key);

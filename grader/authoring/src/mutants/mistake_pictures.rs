@@ -11,6 +11,7 @@ use super::versions_crate::{self, VERSION_VARIABLE};
 use base::{GraderError, Workspace, write_whole};
 use grader::course::{Course, Task};
 use grader::grade::picture;
+use grader::gym::mistake_sheet::{self, GAP, TILE};
 use grader::workers::runner::Worker;
 use judge::pictures::{NAME, TaskPicture};
 use pictures::image::Rgb;
@@ -18,12 +19,6 @@ use pictures::{Image, png};
 use serde::Deserialize;
 use std::path::PathBuf;
 use tempfile::TempPath;
-
-/// Width and height of each picture in a sheet: half of those of a panel.
-const TILE: [u32; 2] = [160, 120];
-
-/// Pixels between two pictures.
-const GAP: u32 = 4;
 
 /// The colour of the gaps, visible on white and on dark paper.
 const PAPER: Rgb = [128, 128, 128];
@@ -93,9 +88,7 @@ impl Sheet {
 
     /// The file of the sheet.
     pub fn file(&self, workspace: &Workspace) -> PathBuf {
-        let name = self.task.replace('.', "-");
-        let folder = workspace.root().join("stages/book/src/mistakes");
-        folder.join(format!("{name}.png"))
+        mistake_sheet::file(workspace, &self.task)
     }
 
     /// What the sheet shows of a picture of the task.
@@ -111,17 +104,12 @@ impl Sheet {
     /// The picture that `tiles` make beside each other.
     fn compose(tiles: &[Image]) -> Image {
         let count = tiles.len() as u32;
-        let width = count * (TILE[0] + GAP) - GAP;
+        let width = mistake_sheet::left(count) - GAP;
         let mut sheet = Image::filled([width, TILE[1]], PAPER);
         for (i, tile) in (0..).zip(tiles) {
-            sheet.paste(tile, i * (TILE[0] + GAP), 0);
+            sheet.paste(tile, mistake_sheet::left(i), 0);
         }
         sheet
-    }
-
-    /// The picture at the place `number` in a sheet; the reference's is at 0.
-    pub fn shown(sheet: &Image, number: u32) -> Image {
-        Image::from_fn(TILE, |x, y| sheet.get(number * (TILE[0] + GAP) + x, y))
     }
 }
 

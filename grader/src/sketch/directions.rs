@@ -1,6 +1,6 @@
 //! Draws light and scattering from the side: a surface, its normal, and directions as arrows.
 
-use super::model::{Ink, Layout, Sketch, Stroke};
+use super::model::{Ink, Layout, Sketch, Stroke, sides};
 use judge::shown::{ShownBounce, ShownPath, ShownPoint};
 use kit::Vec3;
 use wire::direct::LambertProbe;
@@ -12,6 +12,9 @@ const HALF: f64 = 1.4;
 
 /// The most rays and lights that are drawn.
 const MOST: usize = 8;
+
+/// What is seen of a surface.
+const FROM_ITS_SIDE: &str = "the surface from its side, the normal up";
 
 /// A surface with its normal up.
 fn surface() -> Vec<Stroke> {
@@ -33,12 +36,9 @@ fn across(directions: &[Xyz]) -> [f64; 2] {
 
 /// An arrow from the surface along a local direction, with its name.
 fn arrow(strokes: &mut Vec<Stroke>, [x, y]: [f64; 2], ink: Ink, w: Xyz, name: &str) {
-    let tip = [x * w[0] + y * w[1], w[2]];
-    strokes.push(Stroke::Arrow(ink, [[0.0; 2], tip]));
-    strokes.push(match tip[0] < 0.0 {
-        true => Stroke::WordBefore(tip, name.into()),
-        false => Stroke::Word(tip, name.into()),
-    });
+    let ends = [[0.0; 2], [x * w[0] + y * w[1], w[2]]];
+    strokes.push(Stroke::Arrow(ink, ends));
+    strokes.push(Stroke::word_at_tip(ends, name));
 }
 
 /// Two directions at a diffuse surface.
@@ -47,11 +47,7 @@ pub(super) fn pair(probe: &LambertProbe) -> Sketch {
     let mut strokes = surface();
     arrow(&mut strokes, along, Ink::Ray, probe.wo, "wo");
     arrow(&mut strokes, along, Ink::Light, probe.wi, "wi");
-    Sketch::new(
-        strokes,
-        "the surface from its side, the normal up",
-        Layout::Shape,
-    )
+    Sketch::new(strokes, FROM_ITS_SIDE, Layout::Shape)
 }
 
 /// The direction that a mirror or glass sends on.
@@ -65,19 +61,10 @@ pub(super) fn bounce(shown: &ShownBounce) -> Sketch {
         arrow(&mut strokes, along, Ink::Expected, wi, "expected");
     }
     if let Some(wi) = shown.yours.filter(|wi| Some(*wi) != shown.expected) {
-        arrow(
-            &mut strokes,
-            along,
-            Ink::Yours,
-            wi.map(|x| x.clamp(-2.0, 2.0)),
-            "yours",
-        );
+        let wi = wi.map(|x| x.clamp(-2.0, 2.0));
+        arrow(&mut strokes, along, Ink::Yours, wi, "yours");
     }
-    Sketch::new(
-        strokes,
-        "the surface from its side, the normal up",
-        Layout::Shape,
-    )
+    Sketch::new(strokes, FROM_ITS_SIDE, Layout::Shape)
 }
 
 /// A point among lights, from the side on which the first light is.
@@ -113,8 +100,8 @@ pub(super) fn lit_point(shown: &ShownPoint) -> Option<Sketch> {
     if !reach.is_finite() {
         return None;
     }
-    let sides = lamps.iter().map(|lamp| lamp.0).chain([point.wo.into()]);
-    let side = sides.map(|v| v - v.dot(n) * n).find(|v| v.length() > 1e-6);
+    let seen = lamps.iter().map(|lamp| lamp.0).chain([point.wo.into()]);
+    let side = seen.map(|v| v - v.dot(n) * n).find(|v| v.length() > 1e-6);
     let right = side
         .unwrap_or_else(|| n.any_orthonormal_vector())
         .try_normalize()?;
@@ -131,8 +118,7 @@ pub(super) fn lit_point(shown: &ShownPoint) -> Option<Sketch> {
     }
     for (corners, shines) in &panels {
         let ink = if *shines { Ink::Light } else { Ink::Shape };
-        let ends = (0..4).map(|i| [corners[i], corners[(i + 1) % 4]].map(place));
-        strokes.extend(ends.map(|ends| Stroke::Line(ink, ends)));
+        strokes.extend(sides(corners.map(place)).map(|ends| Stroke::Line(ink, ends)));
     }
     let viewer = place(0.4 * reach * Vec3::from(point.wo));
     strokes.push(Stroke::Arrow(Ink::Ray, [[0.0; 2], viewer]));
@@ -142,11 +128,12 @@ pub(super) fn lit_point(shown: &ShownPoint) -> Option<Sketch> {
         let tip = place(0.6 * reach * d);
         strokes.push(Stroke::Arrow(Ink::Yours, [[0.0; 2], tip]));
     }
-    let caption = match rays.len() {
-        0 => "the surface from its side, the normal up; your code traced no ray",
-        _ => "the surface from its side, the normal up; x arrows: your rays",
+    let traced = match rays.len() {
+        0 => "your code traced no ray",
+        _ => "x arrows: your rays",
     };
-    Some(Sketch::new(strokes, caption, Layout::Shape))
+    let caption = format!("{FROM_ITS_SIDE}; {traced}");
+    Some(Sketch::new(strokes, &caption, Layout::Shape))
 }
 
 /// A path that goes up and down between its surfaces; `None` if its first ray meets nothing.

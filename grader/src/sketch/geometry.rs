@@ -1,9 +1,9 @@
 //! Draws a ray at the shapes that it is tested against.
 
-use super::model::{Ink, Layout, Sketch, Stroke, TAxis};
+use super::model::{Ink, Layout, Sketch, Stroke, TAxis, sides};
 use super::view::{self, Frame, View};
 use judge::shown::ShownRay;
-use kit::{Aabb, Scene, Sphere, Triangle, Vec3};
+use kit::{Aabb, Ray, Scene, Sphere, Triangle, Vec3};
 
 /// Normals that differ by less look the same.
 const VISIBLE_ANGLE: f64 = 0.05;
@@ -80,13 +80,9 @@ fn normals(strokes: &mut Vec<Stroke>, shown: &ShownRay, view: &View, length: f64
         (Ink::Expected, expected, "expected normal"),
         (Ink::Yours, yours, "your normal"),
     ] {
-        let foot = view.place(p);
-        let tip = view.place(p + length * n.normalize_or_zero());
-        strokes.push(Stroke::Arrow(ink, [foot, tip]));
-        strokes.push(match tip[0] < foot[0] {
-            true => Stroke::WordBefore(tip, name.into()),
-            false => Stroke::Word(tip, name.into()),
-        });
+        let ends = [p, p + length * n.normalize_or_zero()].map(|end| view.place(end));
+        strokes.push(Stroke::Arrow(ink, ends));
+        strokes.push(Stroke::word_at_tip(ends, name));
     }
 }
 
@@ -111,9 +107,7 @@ fn of_triangle(shown: &ShownRay, triangle: &Triangle) -> Option<(Vec<Stroke>, St
     let mut others = vec![crossing];
     others.extend(shown.yours.iter().map(|t| view.place(shown.ray.at(*t))));
     let frame = Frame::around(&corners, &others)?;
-    let mut strokes: Vec<Stroke> = (0..3)
-        .map(|i| Stroke::Line(Ink::Shape, [corners[i], corners[(i + 1) % 3]]))
-        .collect();
+    let mut strokes = edges_of(corners);
     for (i, corner) in corners.into_iter().enumerate() {
         strokes.push(Stroke::Word(corner, format!("p{i}")));
     }
@@ -153,20 +147,16 @@ fn triangle_from_its_side(
     let tall = corners.map(|[x, _]| [x, 0.3 * size]);
     let low = corners.map(|[x, _]| [x, -0.3 * size]);
     let frame = Frame::around(&[corners, tall, low].concat(), &[view.place(shown.ray.o)])?;
-    let mut strokes = vec![Stroke::Line(Ink::Shape, [corners[0], corners[1]])];
-    strokes.push(Stroke::Line(Ink::Shape, [corners[1], corners[2]]));
-    strokes.push(Stroke::Line(Ink::Shape, [corners[2], corners[0]]));
+    let mut strokes = edges_of(corners);
     marks(&mut strokes, shown, &view, &frame);
     normals(&mut strokes, shown, &view, 0.3 * size);
-    let first = shown.expected.iter().chain(&shown.yours).copied();
-    view::ray(
-        &mut strokes,
-        &view,
-        &frame,
-        &shown.ray,
-        first.fold(0.0, f64::min),
-    );
+    view::ray(&mut strokes, &view, &frame, shown);
     Some((strokes, "the triangle from its side, front up".into()))
+}
+
+fn edges_of(corners: [[f64; 2]; 3]) -> Vec<Stroke> {
+    let edges = sides(corners).map(|ends| Stroke::Line(Ink::Shape, ends));
+    edges.to_vec()
 }
 
 /// A sphere in the plane of the ray and the centre.
@@ -200,10 +190,8 @@ fn of_shapes(shown: &ShownRay) -> Option<(Vec<Stroke>, String)> {
     };
     let others = [(main + 1) % 3, (main + 2) % 3];
     let misses_in = |axis: usize| {
-        shown
-            .boxes
-            .iter()
-            .any(|b| is_beside(b, shown.ray.o, shown.ray.d, [main, axis]))
+        let mut boxes = shown.boxes.iter();
+        boxes.any(|b| is_beside(b, &shown.ray, [main, axis]))
     };
     let other = match shown.expected.is_empty() && !misses_in(others[0]) && misses_in(others[1]) {
         true => others[1],
@@ -223,21 +211,12 @@ fn of_shapes(shown: &ShownRay) -> Option<(Vec<Stroke>, String)> {
     Some((strokes, caption))
 }
 
-/// Whether the line along the ray passes the box in the plane of two axes.
-fn is_beside(b: &Aabb, o: Vec3, d: Vec3, axes: [usize; 2]) -> bool {
-    let mut inside = [f64::NEG_INFINITY, f64::INFINITY];
-    for axis in axes {
-        if d[axis] == 0.0 {
-            if o[axis] < b.min[axis] || o[axis] > b.max[axis] {
-                return true;
-            }
-            continue;
-        }
-        let ends = [b.min, b.max].map(|corner| (corner[axis] - o[axis]) / d[axis]);
-        inside[0] = inside[0].max(ends[0].min(ends[1]));
-        inside[1] = inside[1].min(ends[0].max(ends[1]));
-    }
-    inside[0] > inside[1]
+/// Whether the line along the ray passes beside the box in the plane of two axes.
+fn is_beside(b: &Aabb, ray: &Ray, axes: [usize; 2]) -> bool {
+    let in_plane = |v: Vec3| axes.map(|axis| v[axis]);
+    let corners = [b.min, b.max].map(in_plane);
+    let inside = view::inside(corners, in_plane(ray.o), in_plane(ray.d));
+    inside.is_none_or(|[from, to]| from > to)
 }
 
 /// All shapes with the ray, in a view.
@@ -245,7 +224,7 @@ fn of_scene(shown: &ShownRay, view: &View) -> Option<Vec<Stroke>> {
     let mut shapes = Vec::new();
     for triangle in &shown.scene.triangles {
         let corners = [triangle.p0, triangle.p1, triangle.p2].map(|p| view.place(p));
-        shapes.extend((0..3).map(|i| [corners[i], corners[(i + 1) % 3]]));
+        shapes.extend(sides(corners));
     }
     for sphere in &shown.scene.spheres {
         let [x, y] = view.place(sphere.center);
@@ -260,11 +239,10 @@ fn of_scene(shown: &ShownRay, view: &View) -> Option<Vec<Stroke>> {
     }
     for b in &shown.boxes {
         let [[x0, y0], [x1, y1]] = [b.min, b.max].map(|p| view.place(p));
-        let corners = [[x0, y0], [x1, y0], [x1, y1], [x0, y1]];
-        shapes.extend((0..4).map(|i| [corners[i], corners[(i + 1) % 4]]));
+        shapes.extend(sides([[x0, y0], [x1, y0], [x1, y1], [x0, y1]]));
     }
     let hits = shown.expected.iter().chain(&shown.yours);
-    let others = hits.clone().map(|t| shown.ray.at(*t));
+    let others = hits.map(|t| shown.ray.at(*t));
     let others: Vec<[f64; 2]> = others.chain([shown.ray.o]).map(|p| view.place(p)).collect();
     let frame = Frame::around(&shapes.concat(), &others)?;
     let lines = shapes.into_iter();
@@ -272,7 +250,6 @@ fn of_scene(shown: &ShownRay, view: &View) -> Option<Vec<Stroke>> {
     marks(&mut strokes, shown, view, &frame);
     let size = shown.scene.spheres.iter().map(|sphere| sphere.radius);
     normals(&mut strokes, shown, view, size.fold(1.0, f64::min));
-    let first = hits.copied().fold(0.0, f64::min);
-    view::ray(&mut strokes, view, &frame, &shown.ray, first);
+    view::ray(&mut strokes, view, &frame, shown);
     Some(strokes)
 }

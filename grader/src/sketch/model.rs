@@ -48,6 +48,11 @@ pub(super) enum Stroke {
     Name([f64; 2], String),
 }
 
+/// The sides of a polygon.
+pub(super) fn sides<const N: usize>(corners: [[f64; 2]; N]) -> [[[f64; 2]; 2]; N] {
+    std::array::from_fn(|i| [corners[i], corners[(i + 1) % N]])
+}
+
 /// The range of a ray, and where on it the hits are.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct TAxis {
@@ -107,6 +112,14 @@ impl Sketch {
 }
 
 impl Stroke {
+    /// A word beside the tip of an arrow.
+    pub(super) fn word_at_tip([from, tip]: [[f64; 2]; 2], word: &str) -> Stroke {
+        match tip[0] < from[0] {
+            true => Stroke::WordBefore(tip, word.into()),
+            false => Stroke::Word(tip, word.into()),
+        }
+    }
+
     fn points(&self) -> Vec<[f64; 2]> {
         match self {
             Stroke::Line(_, ends) | Stroke::Arrow(_, ends) => ends.to_vec(),

@@ -87,11 +87,7 @@ impl Plot {
         for step in 0..=steps {
             let share = step as f64 / steps as f64;
             let point = [0, 1].map(|axis| from[axis] + share * (to[axis] - from[axis]));
-            if let Some((column, row)) = self.cell(point)
-                && self.cells[row][column] == ' '
-            {
-                self.cells[row][column] = mark;
-            }
+            self.set_if_free(point, mark);
         }
     }
 

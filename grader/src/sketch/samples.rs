@@ -1,6 +1,6 @@
 //! Draws the samples of a pixel, and where the ray of a camera goes.
 
-use super::model::{Ink, Layout, Sketch, Stroke};
+use super::model::{Ink, Layout, Sketch, Stroke, sides};
 use judge::shown::ShownPixel;
 use kit::camera::half_tan;
 use kit::{Camera, PixelSampler, Ray, Vec2};
@@ -9,8 +9,8 @@ use kit::{Camera, PixelSampler, Ray, Vec2};
 const SAMPLES: u32 = 16;
 const FILM: u32 = 4;
 
-/// The film with the samples of a pixel; `None` if the code's are where they should be, or cannot be
-/// drawn.
+/// The film with the samples of a pixel; `None` if the code's samples are where they should be, or
+/// cannot be drawn.
 pub(super) fn pixel(shown: &ShownPixel) -> Option<Sketch> {
     let ShownPixel {
         film,
@@ -54,11 +54,11 @@ pub(super) fn pixel(shown: &ShownPixel) -> Option<Sketch> {
     Some(Sketch::new(strokes, &caption, Layout::Shape))
 }
 
-/// The sensor, with the point that a ray should pass and the one that it passes.
+/// The sensor, with the point through which the ray should go and the point through which it goes.
 pub(super) fn camera(camera: &Camera, sensor: Vec2, ray: &Ray) -> Sketch {
     let corners = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
-    let edges = (0..4).map(|i| Stroke::Line(Ink::Shape, [corners[i], corners[(i + 1) % 4]]));
-    let mut strokes: Vec<Stroke> = edges.collect();
+    let edges = sides(corners).map(|ends| Stroke::Line(Ink::Shape, ends));
+    let mut strokes = edges.to_vec();
     strokes.push(Stroke::Mark(Ink::Expected, sensor.to_array()));
     let local = camera.c2w.transpose() * (ray.o + ray.d - camera.pos);
     let half = [camera.h_fov, camera.v_fov].map(half_tan);

@@ -16,8 +16,8 @@ const MARGIN: f64 = 34.0;
 const AXIS: f64 = 54.0;
 
 impl Sketch {
-    /// The drawing as an SVG element. Its classes are `shape`, `inside`, `outside`, `light`,
-    /// `expected`, `yours`, `origin`, `passing`.
+    /// The drawing as an SVG element. The classes of its parts are `edge`, `inside`, `outside`,
+    /// `lamp`, `expected`, `yours`, `origin`, `passing`.
     pub fn svg(&self) -> String {
         let [min, max] = self.bounds();
         let size = [0, 1].map(|i| max[i] - min[i]);
@@ -171,11 +171,8 @@ impl TAxis {
         for t in &self.yours {
             mark(svg, Ink::Yours, [place(*t), y], Layout::Shape);
         }
-        let mut values = self.values();
-        values.sort_by(f64::total_cmp);
-        values.dedup();
         let mut free_from = f64::NEG_INFINITY;
-        for value in values {
+        for value in self.values() {
             let x = place(value);
             if x > free_from {
                 text(svg, [x, y + 22.0], "middle", &format!("{value}"));

@@ -24,8 +24,11 @@ impl Sketch {
         let axis = self.axis.as_ref().map(TAxis::lines);
         let signs = lines.iter().chain(axis.iter().flatten());
         let both = signs.into_iter().any(|line| line.contains('*'));
-        let meanings = [vec![self.caption.clone()], self.meanings(both)].concat();
-        let meanings = meanings.join("; ");
+        let signs = self.meanings(both);
+        let meanings = match signs.is_empty() {
+            true => self.caption.clone(),
+            false => format!("{}; {signs}", self.caption),
+        };
         // Beside the shapes if there is room, so that the drawing stays low.
         let widest = lines.iter().map(|line| columns(line)).max().unwrap_or(0);
         let beside = widest + GAP + columns(&meanings) <= width;
@@ -120,8 +123,8 @@ impl Sketch {
         plot.lines()
     }
 
-    /// What the signs mean that the drawing has.
-    fn meanings(&self, both: bool) -> Vec<String> {
+    /// What the signs of the drawing mean; empty if it has none of these.
+    fn meanings(&self, both: bool) -> String {
         let is_shape = self.layout == Layout::Shape;
         let meanings = [
             (self.shows(Ink::Expected), "o expected"),
@@ -134,10 +137,7 @@ impl Sketch {
         ];
         let all = meanings.into_iter().filter(|(is_there, _)| *is_there);
         let all: Vec<&str> = all.map(|(_, meaning)| meaning).collect();
-        match all.is_empty() {
-            true => Vec::new(),
-            false => vec![all.join(", ")],
-        }
+        all.join(", ")
     }
 }
 
@@ -187,18 +187,20 @@ fn head(from: [f64; 2], to: [f64; 2]) -> char {
 }
 
 impl TAxis {
-    /// All finite values of the axis, the origin among them.
+    /// The finite values of the axis in increasing order, the origin among them.
     pub(super) fn values(&self) -> Vec<f64> {
         let hits = self.expected.iter().chain(&self.yours).copied();
         let all = hits.chain(self.range).chain([0.0]);
-        all.filter(|t| t.is_finite()).collect()
+        let mut values: Vec<f64> = all.filter(|t| t.is_finite()).collect();
+        values.sort_by(f64::total_cmp);
+        values.dedup();
+        values
     }
 
     /// The part of the axis that is drawn: all values, with room at both ends.
     pub(super) fn extent(&self) -> [f64; 2] {
         let values = self.values();
-        let low = values.iter().copied().fold(f64::INFINITY, f64::min);
-        let high = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let [low, high] = [values[0], values[values.len() - 1]];
         let margin = match high > low {
             true => 0.15 * (high - low),
             false => 1.0,
@@ -233,11 +235,8 @@ impl TAxis {
             let cell = &mut line[column(*t)];
             *cell = if *cell == 'o' { '*' } else { 'x' };
         }
-        let mut values = self.values();
-        values.sort_by(f64::total_cmp);
-        values.dedup();
         let mut below = String::new();
-        for value in values {
+        for value in self.values() {
             let text = crate::report::wrap::shorten_numbers(&format!("{value}"), 4);
             let start = column(value).saturating_sub(text.len() / 2);
             if below.is_empty() || start > below.len() {

@@ -1,7 +1,8 @@
 //! A view of space: the plane of a drawing, and the part of it that is drawn.
 
 use super::model::{Ink, Stroke};
-use kit::{Ray, Vec3};
+use judge::shown::ShownRay;
+use kit::Vec3;
 
 /// A parallel projection onto a plane.
 pub(super) struct View {
@@ -65,34 +66,43 @@ impl Frame {
 
     /// The interval of `t` in which the line `o + t d` is inside; `None` if it never is, or if it
     /// is one point.
-    pub(super) fn clip(&self, o: [f64; 2], d: [f64; 2]) -> Option<[f64; 2]> {
-        let mut inside = [f64::NEG_INFINITY, f64::INFINITY];
-        for i in 0..2 {
-            if d[i] == 0.0 {
-                if !(self.min[i]..=self.max[i]).contains(&o[i]) {
-                    return None;
-                }
-                continue;
-            }
-            let ends = [(self.min[i] - o[i]) / d[i], (self.max[i] - o[i]) / d[i]];
-            inside[0] = inside[0].max(ends[0].min(ends[1]));
-            inside[1] = inside[1].min(ends[0].max(ends[1]));
-        }
-        (inside[0] < inside[1] && inside[0].is_finite() && inside[1].is_finite()).then_some(inside)
+    fn clip(&self, o: [f64; 2], d: [f64; 2]) -> Option<[f64; 2]> {
+        let inside = inside([self.min, self.max], o, d);
+        inside.filter(|[from, to]| from < to && from.is_finite() && to.is_finite())
     }
 }
 
-/// Draws a ray as far as the frame shows it: from its origin on, or from `first` if that is behind
-/// it.
-pub(super) fn ray(strokes: &mut Vec<Stroke>, view: &View, frame: &Frame, ray: &Ray, first: f64) {
+/// The interval of `t` in which the line `o + t d` is in the rectangle from `min` to `max`. Its start
+/// is after its end if the line is never inside; `None` if it is parallel to a side, and outside.
+pub(super) fn inside([min, max]: [[f64; 2]; 2], o: [f64; 2], d: [f64; 2]) -> Option<[f64; 2]> {
+    let mut inside = [f64::NEG_INFINITY, f64::INFINITY];
+    for i in 0..2 {
+        if d[i] == 0.0 {
+            if !(min[i]..=max[i]).contains(&o[i]) {
+                return None;
+            }
+            continue;
+        }
+        let ends = [min, max].map(|corner| (corner[i] - o[i]) / d[i]);
+        inside[0] = inside[0].max(ends[0].min(ends[1]));
+        inside[1] = inside[1].min(ends[0].max(ends[1]));
+    }
+    Some(inside)
+}
+
+/// Draws the ray as far as the frame shows it: from its origin on, or from a hit that is behind it.
+pub(super) fn ray(strokes: &mut Vec<Stroke>, view: &View, frame: &Frame, shown: &ShownRay) {
+    let ray = &shown.ray;
+    let hits = shown.expected.iter().chain(&shown.yours).copied();
+    let first = hits.fold(0.0, f64::min);
     let o = view.place(ray.o);
-    let [from, to] = [ray.o, ray.o + ray.d].map(|p| view.place(p));
-    let d = [to[0] - from[0], to[1] - from[1]];
+    let to = view.place(ray.o + ray.d);
+    let d = [to[0] - o[0], to[1] - o[1]];
     let at = |t: f64| [o[0] + t * d[0], o[1] + t * d[1]];
     if let Some([start, end]) = frame.clip(o, d)
-        && end > first.min(0.0)
+        && end > first
     {
-        let start = start.max(first.min(0.0));
+        let start = start.max(first);
         let range = [start.max(ray.min_t), end.min(ray.max_t)];
         if range[0] < range[1] {
             let head = range.map(at);

@@ -93,6 +93,10 @@ pub struct CaseEntry {
     pub tier: Tier,
     /// The points that it is worth.
     pub points: f64,
+    /// Another case, without which it gives no points: what it tests could be had by being wrong
+    /// there.
+    #[serde(default)]
+    pub only_with: Option<String>,
 }
 
 impl Course {
@@ -315,6 +319,17 @@ impl Task {
                 format!(
                     "case `{}` of `{}` has {} points: expected more than 0",
                     case.name, self.key, case.points
+                )
+            })?;
+        }
+        for case in &self.cases {
+            let Some(other) = &case.only_with else {
+                continue;
+            };
+            ensure(names.contains(other), || {
+                let (key, name) = (&self.key, &case.name);
+                format!(
+                    "`only_with` of `{name}` in `{key}` names the case `{other}`, which the task does not have"
                 )
             })?;
         }

@@ -1,8 +1,9 @@
 //! Explains a case: what it tests, in words and drawn.
 //!
-//! The drawings are made of the calls as [`ShownCall`] has them, with the exact results: `shapes` draws
-//! triangles, spheres and boxes with the rays at them, `film` samples in a pixel and points of a
-//! sensor, [`hemisphere`] lights above a point. Other kinds of work get a table of their first calls.
+//! The drawings are made of the calls as [`ShownCall`] has them, with the exact results: `shapes`
+//! draws triangles, spheres and boxes with the rays at them, `film` samples in a pixel and points
+//! of a sensor, [`hemisphere`] lights above a point. Other kinds of work get a table of their first
+//! calls.
 
 mod drawing;
 mod film;
@@ -83,6 +84,11 @@ pub fn case(entry: &CaseEntry, spec: &Spec, golden: Option<&Snapshot>, page: Pag
     paragraph(&format!("  {}", checked(spec.about)));
     if let Some((_, pitfall)) = spec.about.split_once(PITFALL) {
         paragraph(&format!("  Pitfall: {pitfall}"));
+    }
+    if let Some(other) = &entry.only_with {
+        paragraph(&format!(
+            "  It counts only if the case {other} passes, too."
+        ));
     }
     let calls: Vec<ShownCall> = (0..spec.calls())
         .map_while(|call| spec.shown(entry.tier, call, None))

@@ -233,7 +233,11 @@ cases = [
 "#;
 
     fn task() -> Task {
-        let course = Course::parse(COURSE).expect("it is valid");
+        task_of(COURSE)
+    }
+
+    fn task_of(course: &str) -> Task {
+        let course = Course::parse(course).expect("it is valid");
         course.tasks().next().expect("it has a task").clone()
     }
 
@@ -259,12 +263,15 @@ cases = [
 
     /// Core and robust points for these findings in each of the three cases.
     fn graded(each: [Vec<Finding>; 3], holes: &[HoleCall]) -> TaskResult {
-        let task = task();
+        graded_as(&task(), each, holes)
+    }
+
+    fn graded_as(task: &Task, each: [Vec<Finding>; 3], holes: &[HoleCall]) -> TaskResult {
         let cases = task.cases.iter().zip(each);
         let cases = cases
             .map(|(entry, findings)| CaseResult::new(entry, "", Status::Passed, findings, holes));
         let cases = cases.collect();
-        TaskResult::new(&task, cases)
+        TaskResult::new(task, cases)
     }
 
     fn points(each: [Vec<Finding>; 3]) -> (f64, f64) {
@@ -292,6 +299,24 @@ cases = [
         assert_eq!(points([misses_most, right(), right()]), (11.5, 0.0));
         let neither = findings([9, 0], [9, 0]);
         assert_eq!(points([neither, right(), right()]), (3.0, 0.0));
+    }
+
+    #[test]
+    fn a_case_counts_only_with_the_other_that_it_names() {
+        let only_with = COURSE.replace("points = 2 }", r#"points = 2, only_with = "edges" }"#);
+        let task = task_of(&only_with);
+        let graded = |edges| {
+            let [shows, hard] = [0, 1].map(|_| findings(RIGHT, RIGHT));
+            graded_as(&task, [shows, edges, hard], &[])
+        };
+        assert_eq!(graded(findings(RIGHT, RIGHT)).robust_score, 2.0);
+        let one_wrong = graded(findings(RIGHT, [0, 1]));
+        assert_eq!((one_wrong.score, one_wrong.robust_score), (17.0, 0.0));
+        assert_eq!(
+            one_wrong.cases[2].reductions,
+            ["counts only if the case edges passes, too"]
+        );
+        assert!(Course::parse(&only_with.replace(r#"h = "edges""#, r#"h = "corners""#)).is_err());
     }
 
     #[test]

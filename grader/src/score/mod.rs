@@ -3,7 +3,7 @@
 //! A case gives points only if its main answers are right, such as hit or miss. Of tasks with
 //! several functions each is judged by itself ([`functions`]): the points of a case are shared
 //! equally by those that it judges. A function without the idea of its task gets a quarter of them
-//! (`idea` in `course.toml`), and robust points count from two thirds of the core points on.
+//! (`idea` in `course.toml`), some cases count only with another (`only_with`), and robust points count from two thirds of the core points on.
 
 pub mod functions;
 pub(crate) mod order;
@@ -15,6 +15,7 @@ use functions::{FunctionResult, FunctionShare};
 use judge::Tier;
 use judge::tally::{Finding, Worst};
 use serde::Serialize;
+use std::collections::BTreeSet;
 use wire::record::HoleCall;
 
 /// The share of its points that a function without the idea of its task gets.
@@ -226,6 +227,7 @@ impl TaskResult {
     /// Adds up the points of a task's cases.
     pub fn new(task: &Task, mut cases: Vec<CaseResult>) -> TaskResult {
         functions::require_idea(task, &mut cases);
+        require_others(task, &mut cases);
         require_core(task, &mut cases);
         let sum = |tier: Tier| {
             cases
@@ -255,6 +257,24 @@ impl TaskResult {
             stage: task.stage.clone(),
             functions: functions::results(task, &cases),
             cases,
+        }
+    }
+}
+
+/// Takes the points away from cases that count only with another case, if answers of that one are
+/// wrong.
+fn require_others(task: &Task, cases: &mut [CaseResult]) {
+    let failed = |case: &&CaseResult| {
+        matches!(case.status, Status::Crashed(_)) || !case.findings.iter().all(Finding::passed)
+    };
+    let failed = cases.iter().filter(failed);
+    let failed: BTreeSet<String> = failed.map(|case| case.name.clone()).collect();
+    for case in cases {
+        let entry = task.cases.iter().find(|entry| entry.name == case.name);
+        let other = entry.and_then(|entry| entry.only_with.as_ref());
+        if let Some(other) = other.filter(|other| failed.contains(*other)) {
+            case.earned = 0.0;
+            case.reduce(0.0, format!("counts only if the case {other} passes, too"));
         }
     }
 }

@@ -6,7 +6,7 @@ use super::families;
 use super::versions_crate::{self, VERSION_VARIABLE};
 use base::{GraderError, Workspace, errln};
 use grader::course::{Course, Task};
-use grader::diagnosis::Known;
+use grader::diagnosis::{Known, diagnose};
 use grader::grade::{chosen, score_tasks};
 use grader::score::TaskResult;
 use grader::signature::Signature;
@@ -265,15 +265,25 @@ fn with_reference(reference: &Sources, variant: &str) -> Sources {
 }
 
 /// The known mistakes of a task for the diagnosis, from the mutants that are not held out. Of
-/// mutants that make the same mistake and give nearly the same answers, only the first counts.
+/// mutants that make the same mistake and give nearly the same answers, only the first counts,
+/// unless the diagnosis does not name the others without their own answers.
 pub fn known(corpus: &Corpus, graded: &[Graded]) -> Vec<Known> {
     let mut known: Vec<Known> = Vec::new();
-    for mutant in all_known(corpus, graded) {
+    let mut alike = Vec::new();
+    for (mutant, result) in all_known(corpus, graded) {
         let is_alike = |other: &Known| {
             other.mistakes == mutant.mistakes
                 && other.signature.agreement(&mutant.signature).likeness() >= ALIKE
         };
-        if !known.iter().any(is_alike) {
+        match known.iter().any(is_alike) {
+            true => alike.push((mutant, result)),
+            false => known.push(mutant),
+        }
+    }
+    for (mutant, graded) in alike {
+        let diagnosis = diagnose(&known, &Signature::of(&graded.result.cases));
+        let named = diagnosis.map_or(Vec::new(), |diagnosis| diagnosis.mistakes);
+        if !mutant.mistakes.iter().all(|made| named.contains(made)) {
             known.push(mutant);
         }
     }
@@ -308,8 +318,8 @@ fn signatures_of_correct_code(all: &[Graded]) -> BTreeMap<&str, Signature> {
         .collect()
 }
 
-/// The known mistake of each mutant that is not held out.
-fn all_known(corpus: &Corpus, all: &[Graded]) -> Vec<Known> {
+/// The known mistake of each mutant that is not held out, with the mutant.
+fn all_known<'a>(corpus: &Corpus, all: &'a [Graded]) -> Vec<(Known, &'a Graded)> {
     let correct = signatures_of_correct_code(all);
     let mutants = all.iter().filter_map(|graded| match &graded.kind {
         Kind::Mutant(mutant) if !mutant.held_out => Some((mutant, graded)),
@@ -322,7 +332,7 @@ fn all_known(corpus: &Corpus, all: &[Graded]) -> Vec<Known> {
                 .iter()
                 .filter_map(|id| corpus.mistake(id))
                 .collect();
-            Known {
+            let known = Known {
                 mistakes: mutant.mistakes.clone(),
                 descriptions: mistakes
                     .iter()
@@ -334,8 +344,9 @@ fn all_known(corpus: &Corpus, all: &[Graded]) -> Vec<Known> {
                     .collect(),
                 signature: signature_of_mistake(mutant, graded, &correct),
                 is_symptom: mistakes.iter().any(|mistake| mistake.symptom),
-            }
+            };
+            (known, graded)
         })
-        .filter(|known| !known.signature.is_empty())
+        .filter(|(known, _)| !known.signature.is_empty())
         .collect()
 }

@@ -43,8 +43,8 @@ pub struct Look {
 pub struct FailedCase {
     /// Its score and findings.
     pub result: CaseResult,
-    /// The worst call, drawn as SVG with its key, if it is about a ray and a shape, or about the light at
-    /// a point.
+    /// The worst call, drawn as SVG with its key, if it is about a ray and a shape, or about the
+    /// light at a point.
     pub figure: Option<String>,
     /// The comparison with the golden picture, if the case makes a picture.
     pub picture: Option<Case>,
@@ -126,8 +126,8 @@ fn worst_ray(case: &CaseResult, spec: &Spec, answer: &Answer) -> Option<String> 
     match spec.shown(Tier::Core, call as usize, Some(answer))? {
         ShownCall::Ray(ray) => figure::draw(&ray),
         ShownCall::LitPoint(point) => Some(lit_point::draw(&point)),
-        // The page shows the samples and directions of the others in the picture of the task, and the
-        // simplest call of each.
+        // The page shows the samples and directions of the others in the picture of the task, and
+        // the simplest call of each.
         _ => None,
     }
 }

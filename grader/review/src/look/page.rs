@@ -173,8 +173,8 @@ fn task_picture(rendered: &Rendered) -> String {
     )
 }
 
-/// The failed cases. Those in which the same is wrong are told once: the others are folded below the
-/// first.
+/// The failed cases. Of several cases with the same wrong fields, only the first is shown in full; the
+/// others are folded below it.
 fn cases(failed: &[&FailedCase]) -> String {
     let mut groups: Vec<(String, Vec<&FailedCase>)> = Vec::new();
     for case in failed {
@@ -199,7 +199,7 @@ fn cases(failed: &[&FailedCase]) -> String {
     text
 }
 
-/// By what cases are told together: the status, and the wrong aspects with their functions.
+/// The key by which cases are grouped: the status, and the wrong aspects with their functions.
 fn what_is_wrong(case: &CaseResult) -> String {
     let wrong = case.findings.iter().filter(|finding| finding.wrong > 0);
     let wrong = wrong.map(|finding| format!("{} {:?}", finding.aspect.label(), finding.functions));
@@ -210,7 +210,7 @@ fn what_is_wrong(case: &CaseResult) -> String {
     )
 }
 
-/// Cases in which the same is wrong: the first, and the others folded.
+/// A group of cases with the same wrong fields: the first in full, the others folded.
 fn group(cases: &[&FailedCase]) -> String {
     let Some((first, others)) = cases.split_first() else {
         return String::new();

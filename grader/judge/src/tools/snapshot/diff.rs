@@ -10,10 +10,12 @@ use std::fmt;
 pub struct Changes {
     /// The difference of the numbers of calls.
     pub calls: usize,
-    /// Hits that became misses.
-    pub now_miss: usize,
-    /// Misses that became hits.
-    pub now_hit: usize,
+    /// Answers that became `None`.
+    pub now_none: usize,
+    /// `None` that became an answer.
+    pub now_some: usize,
+    /// What an answer that is not `None` means in this case.
+    meaning: Meaning,
     /// Hits of another primitive.
     pub primitive: usize,
     /// Hits of the same primitive with another `t`.
@@ -34,6 +36,38 @@ pub struct Changes {
     pub sample: Option<(usize, usize)>,
 }
 
+/// What an answer that is not `None` means.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+enum Meaning {
+    /// The ray hits.
+    #[default]
+    Hit,
+    /// The path continues.
+    Continues,
+    /// There is a direction or a sample.
+    Some,
+}
+
+impl Meaning {
+    /// The meaning of the answers in such a row.
+    fn of(answered: &Line) -> Meaning {
+        match answered.answer.first().map(|(field, _)| field.as_str()) {
+            Some("goes_on") => Meaning::Continues,
+            Some("wi") => Meaning::Some,
+            _ => Meaning::Hit,
+        }
+    }
+
+    /// What calls do now that did not before, and the reverse.
+    fn words(self) -> [&'static str; 2] {
+        match self {
+            Meaning::Hit => ["now hit", "now miss"],
+            Meaning::Continues => ["now continue the path", "now end the path"],
+            Meaning::Some => ["now return Some", "now return None"],
+        }
+    }
+}
+
 /// Compares two snapshots of the same case.
 pub fn changes(old: &Snapshot, new: &Snapshot) -> Changes {
     let mut changes = Changes {
@@ -52,8 +86,14 @@ pub fn changes(old: &Snapshot, new: &Snapshot) -> Changes {
         }
         changes.differing.push(new.call);
         match (old.is_miss(), new.is_miss()) {
-            (false, true) => changes.now_miss += 1,
-            (true, false) => changes.now_hit += 1,
+            (false, true) => {
+                changes.now_none += 1;
+                changes.meaning = Meaning::of(old);
+            }
+            (true, false) => {
+                changes.now_some += 1;
+                changes.meaning = Meaning::of(new);
+            }
             _ if old.number("prim") != new.number("prim") => changes.primitive += 1,
             _ => match (old.number("t"), new.number("t")) {
                 (Some(a), Some(b)) if a != b => {
@@ -107,8 +147,9 @@ impl fmt::Display for Changes {
             }
         };
         add(self.calls, "added or removed");
-        add(self.now_hit, "now hit");
-        add(self.now_miss, "now miss");
+        let [now_some, now_none] = self.meaning.words();
+        add(self.now_some, now_some);
+        add(self.now_none, now_none);
         add(self.primitive, "changed primitive");
         add(self.t, "changed t");
         add(
@@ -158,6 +199,23 @@ mod tests {
             "1 call now hit, 1 call now miss, 1 call changed primitive, 1 call changed t, max Δt 1 ulp"
         );
         assert_eq!(changes.differing, [0, 1, 2, 3]);
+    }
+
+    #[test]
+    fn answers_without_hits_are_described_in_the_words_of_their_task() {
+        let described =
+            |old: &str, new: &str| changes(&parse(old).unwrap(), &parse(new).unwrap()).to_string();
+        assert_eq!(
+            described(
+                "0: -> miss\n1: -> goes_on=(1,1,1)\n",
+                "0: -> goes_on=(1,1,1)\n1: -> miss\n"
+            ),
+            "1 call now continue the path, 1 call now end the path"
+        );
+        assert_eq!(
+            described("0: -> wi=(0,0,1) pdf=1\n", "0: -> miss\n"),
+            "1 call now return None"
+        );
     }
 
     #[test]

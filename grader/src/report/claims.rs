@@ -198,6 +198,7 @@ fn manner(sentence: &str) -> Option<(AboutFinding, IsTrueOf)> {
         "every wrong answer is 0" => |class| class == Class::Zero,
         "right but for the sign" => |class| class == Class::Negated,
         "every wrong answer has the wrong sign" => |class| class == Class::WrongSign,
+        "negative where 0 is right" => |class| class == Class::Negative,
         "on the other side of the surface" => |class| class == Class::OtherSide,
         "the right direction with a wrong length" => |class| class == Class::WrongLength,
         "the right numbers in the wrong order" => |class| class == Class::Swapped,

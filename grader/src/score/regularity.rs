@@ -114,8 +114,8 @@ fn main_aspect(cases: &[&CaseResult]) -> Option<Aspect> {
     of_most.next().map(|(aspect, _)| aspect)
 }
 
-/// Which fields are always right, where some are. Nobody knows what is right in answers that a crash
-/// took away from one of `all` cases.
+/// Which fields are always right, where some are. Nobody knows what is right in answers that a
+/// crash took away from one of `all` cases.
 fn fields(cases: &[&CaseResult], all: &[CaseResult]) -> Option<String> {
     if all.iter().any(|case| case.crash.is_some()) {
         return None;
@@ -170,6 +170,7 @@ fn manner(cases: &[&CaseResult], aspect: Aspect) -> Option<String> {
         Class::Zero => format!("{label}: every wrong answer is 0"),
         Class::Negated => format!("{label}: right but for the sign"),
         Class::WrongSign => format!("{label}: every wrong answer has the wrong sign"),
+        Class::Negative => format!("{label}: negative where 0 is right"),
         Class::OtherSide => format!("{label}: on the other side of the surface"),
         Class::WrongLength => format!("{label}: the right direction with a wrong length"),
         Class::Swapped => format!("{label}: the right numbers in the wrong order"),
@@ -248,8 +249,8 @@ const HAS_A_SIZE: [Aspect; 6] = [
 /// Errors of at most 2 to this power come from rounding or from typed constants.
 const SINGLE_PRECISION: i8 = -17;
 
-/// Under which circumstances answers are wrong, if all wrong ones share one that most others, in which
-/// the aspect is right, do not have.
+/// Under which circumstances answers are wrong, if all wrong ones share one that most others, in
+/// which the aspect is right, do not have.
 fn where_wrong(
     task: &str,
     cases: &[&CaseResult],

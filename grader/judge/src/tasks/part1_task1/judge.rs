@@ -182,7 +182,11 @@ fn radiance(tally: &mut Tally, call: usize, [x, y]: [u32; 2], answer: &PixelAnsw
     let worst = off.into_iter().fold(0.0, f64::max);
     let class = right.iter().position(|right| !right).map(|channel| {
         // A sum in place of the mean has the same class, whatever the samples are.
-        Class::of_number(answer.radiance[channel], mean[channel])
+        let is_lit_and_right = |i: usize| right[i] && brightest(i) > 0.0;
+        match (0..3).any(is_lit_and_right) {
+            true => Class::Named("not all channels"),
+            false => Class::of_number(answer.radiance[channel], mean[channel]),
+        }
     });
     tally.judge_class(Aspect::Radiance, call, class, worst, || {
         format!(
@@ -236,13 +240,16 @@ fn spread(tally: &mut Tally, work: &PixelWork, answers: &[PixelAnswer], samples:
     let offsets: Vec<[f64; 2]> = offsets.copied().collect();
     let mean_of =
         |f: &dyn Fn(&[f64; 2]) -> f64| offsets.iter().map(f).sum::<f64>() / offsets.len() as f64;
-    let mut test = |name: &str, mean: f64, right: f64, variance: f64| {
+    let mut test = |fault, name: &str, mean: f64, right: f64, variance: f64| {
         let sigma = (variance / offsets.len() as f64).sqrt();
         // A low-discrepancy set of n points may be off by about 1/n, the same in every pixel.
         let slack = 1.0 / f64::from(work.ns_aa);
         let off = (mean - right).abs();
         let allowed = slack + SIGMAS * sigma;
-        tally.judge(Aspect::Spread, 0, off <= allowed, off / allowed, || {
+        // NaN fails.
+        let is_right = off <= allowed;
+        let class = (!is_right).then_some(Class::Named(fault));
+        tally.judge_class(Aspect::Spread, 0, class, off / allowed, || {
             format!(
                 "your result: {name} is {mean:.4} over {} samples; expected: {right:.4} (allowed error {allowed:.4})",
                 offsets.len()
@@ -253,14 +260,20 @@ fn spread(tally: &mut Tally, work: &PixelWork, answers: &[PixelAnswer], samples:
     // 1/2)(v - 1/2) has 1/144.
     for (axis, name) in [(0, "x"), (1, "y")] {
         let center = format!("the mean position in the pixel along {name}");
-        test(&center, mean_of(&|o| o[axis]), 0.5, 1.0 / 12.0);
+        test(
+            "mean place",
+            &center,
+            mean_of(&|o| o[axis]),
+            0.5,
+            1.0 / 12.0,
+        );
         let variance = format!("the variance of the position in the pixel along {name}");
         let square = mean_of(&|o| (o[axis] - 0.5).powi(2));
-        test(&variance, square, 1.0 / 12.0, 1.0 / 180.0);
+        test("width", &variance, square, 1.0 / 12.0, 1.0 / 180.0);
     }
     let product = mean_of(&|o| (o[0] - 0.5) * (o[1] - 0.5));
     let name = "the covariance of the positions along x and y";
-    test(name, product, 0.0, 1.0 / 144.0);
+    test("diagonal", name, product, 0.0, 1.0 / 144.0);
 }
 
 #[cfg(test)]

@@ -85,7 +85,8 @@ fn one(tally: &mut Tally, tier: Tier, call: usize, input: &SpecularCall, answer:
         ((Right::Share(right), bound), SpecularAnswer::Share(share)) => {
             tally.expect(Aspect::Fresnel);
             let off = (share - right).abs();
-            let class = (off.is_nan() || off > bound).then(|| Class::of_number(*share, right));
+            let class =
+                (off.is_nan() || off > bound).then(|| Class::of_signed_number(*share, right));
             tally.judge_class(Aspect::Fresnel, call, class, off, || {
                 format!("your result: {share:?}; expected: {right:?}. {input:?}")
             });
@@ -147,7 +148,8 @@ fn record(
     tally.expect(Aspect::Bsdf);
     let Some(answered) = answered else { return };
     let off = (answered.pdf - right.pdf).abs();
-    let class = (off.is_nan() || off > bound).then(|| Class::of_number(answered.pdf, right.pdf));
+    let class =
+        (off.is_nan() || off > bound).then(|| Class::of_signed_number(answered.pdf, right.pdf));
     let class = class.or((!answered.delta).then_some(Class::Wrong));
     tally.judge_class(Aspect::Pdf, call, class, off, || {
         format!(

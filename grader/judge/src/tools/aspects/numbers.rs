@@ -68,7 +68,7 @@ pub(crate) fn number(
 ) {
     let off = (answered - right).abs();
     let is_right = off <= bound * right.abs() || answered == right;
-    let class = (!is_right).then(|| Class::of_number(answered, right));
+    let class = (!is_right).then(|| Class::of_signed_number(answered, right));
     check_width(tally, aspect, call, bound);
     tally.judge_class(aspect, call, class, off, || {
         format!("your result: {answered}; expected: {right}. {}", about())

@@ -20,6 +20,8 @@ pub enum Class {
     Negated,
     /// A number with the wrong sign and another magnitude.
     WrongSign,
+    /// A negative number where 0 is right.
+    Negative,
     /// A direction on the other side of the surface.
     OtherSide,
     /// The right direction with another length.
@@ -68,14 +70,15 @@ impl Class {
         }
     }
 
-    /// As [`Class::of_number`], but too small and too large, a wrong sign and a number in the place
-    /// of 0 have classes of their own: for densities, counts and sums, in which different mistakes
-    /// cause them.
+    /// As [`Class::of_number`], but too small and too large, a wrong sign, a positive and a
+    /// negative number in the place of 0 have classes of their own: for densities, counts and sums,
+    /// in which different mistakes cause them.
     pub fn of_signed_number(answered: f64, right: f64) -> Class {
         match Class::of_number(answered, right) {
             Class::Ratio(0) if answered.abs() < right.abs() => Class::SlightlyLess,
             Class::Ratio(0) => Class::SlightlyMore,
-            Class::Wrong if right == 0.0 => Class::FalseHit,
+            Class::Wrong if right == 0.0 && answered > 0.0 => Class::FalseHit,
+            Class::Wrong if right == 0.0 => Class::Negative,
             Class::Wrong if answered / right < 0.0 => Class::WrongSign,
             class => class,
         }
@@ -164,8 +167,24 @@ const MIN_FIXED_OFFSET: f64 = 1e-9;
 
 /// The largest error of an origin that counts as a fixed offset from the surface.
 const MAX_FIXED_OFFSET: f64 = 0.1;
+
 /// Number of classes of colour ratios in a factor of 2.
 const PER_OCTAVE: f64 = 4.0;
 
 /// The ratio of a black channel to a right one that is also black.
 pub const BLACK_CHANNEL: i8 = i8::MAX;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn negative_numbers_and_numbers_on_the_wrong_side_have_classes_of_their_own() {
+        let class = Class::of_signed_number;
+        assert_eq!(class(0.25, 0.0), Class::FalseHit);
+        assert_eq!(class(-0.25, 0.0), Class::Negative);
+        assert_eq!(class(-0.25, 0.25), Class::Negated);
+        assert_eq!(class(-0.5, 0.25), Class::WrongSign);
+        assert_eq!(class(0.0, 0.25), Class::Zero);
+    }
+}

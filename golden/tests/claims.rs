@@ -1,6 +1,8 @@
-//! No sentence of a report is false of the answers that it is about: typical mistakes are planted in
-//! the reference's answers, alone and in pairs, and what a student would read is compared with them.
-//! `grader mutants` does the same with the code of every mutant, `.ci/nightly mutants` with all.
+//! Tests that every sentence of a report is true.
+//!
+//! Typical mistakes are planted in the reference's answers, alone and in pairs. Each sentence that
+//! a student would read about the wrong answers is compared with these answers. `grader mutants
+//! TASK` does the same for the code of each mutant of a task, `.ci/nightly mutants` for all tasks.
 
 use super::mistakes::{SPECS, TRIANGLE_MISTAKES, TriangleMistake, reference};
 use base::Workspace;

@@ -141,8 +141,8 @@ pub struct Review {
     pub situations: Vec<(&'static str, Vec<usize>)>,
 }
 
-/// Judges the examples of `task`, numbered in their order. An example that is wrong touches nothing.
-/// `None` for a task whose examples cannot be judged.
+/// Judges the examples of `task`, numbered in their order. An example that is wrong touches
+/// nothing. `None` for a task whose examples cannot be judged.
 pub fn review(task: &str, examples: &[Example]) -> Option<Review> {
     let of_task = examples.iter().filter(|of| of.shape.task() == task);
     let of_task: Vec<&Example> = of_task.collect();

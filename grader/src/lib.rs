@@ -12,10 +12,10 @@
 //! - [`report`]: the output; [`progress`]: what is known from earlier runs
 //!
 //! [`cli`] is the command line. [`watch`] grades whenever a file is saved; [`check`] prints what is
-//! wrong for editors. [`book`] is the rendered book, which reports link to. [`explain`] draws what a
-//! case tests, [`sketch`] a single call; [`examples`] judges those that students write themselves.
-//! [`predict`] asks what a student expects, [`gym`] which mistake a picture shows. What does not
-//! depend on the course's tasks is in the crate `base`.
+//! wrong for editors. [`book`] is the rendered book, which reports link to. [`explain`] draws what
+//! a case tests, [`sketch`] a single call; [`examples`] judges those that students write
+//! themselves. [`predict`] asks what a student expects, [`gym`] which mistake a picture shows. What
+//! does not depend on the course's tasks is in the crate `base`.
 //!
 //! The tools for instructors are separate crates beside this one: `authoring` (handouts, the course
 //! check, mutants), `submission` (grading what students hand in), `review` (reviewing and accepting

@@ -3,8 +3,8 @@
 //! Three floors; each imports only from those below. Above, `face`: what other crates call.
 //! [`fits`] validates the form of an answer, [`judge`] its values, in the aspects that a case is
 //! about; [`whole`] judges an answer in all its aspects, before it becomes a golden. [`cases`] has
-//! the cases, [`snapshot`] writes goldens, [`repro`] Rust tests, [`picture`] the colours of answers;
-//! [`pictures`] are those that students see of their code.
+//! the cases, [`snapshot`] writes goldens, [`repro`] Rust tests, [`picture`] the colours of
+//! answers; [`pictures`] are those that students see of their code.
 //!
 //! In the middle, `tasks`: a folder each, with its cases and the `Check` of its kind of work. One
 //! list there has them all.

@@ -10,8 +10,8 @@ use std::process::Command;
 use std::time::Duration;
 
 /// Runs cargo to its end. Returns the path of the program that it built, or the compiler's errors.
-/// `show` also prints the compiler's messages to stderr. If cargo is limited to `most_time`, a compiler
-/// that crashes or exceeds a limit is an error of the code.
+/// `show` also prints the compiler's messages to stderr. If cargo is limited to `most_time`, a
+/// compiler that crashes or exceeds a limit is an error of the code.
 pub(crate) fn run_cargo(
     mut command: Command,
     package: &str,
@@ -85,8 +85,8 @@ pub(crate) fn run_cargo(
     }
 }
 
-/// How long cargo may run for a submission. Building one stage and the worker takes some seconds; on
-/// a busy machine, longer.
+/// How long cargo may run for a submission. Building one stage and the worker takes some seconds;
+/// on a busy machine, longer.
 pub(crate) const MOST_TIME: Duration = Duration::from_secs(600);
 
 /// How long cargo may take to end after its last message.

@@ -1,5 +1,5 @@
-//! The compiler's warnings while a report is on its way: counted, so that they do not push it off the
-//! screen.
+//! The compiler's warnings while a report is on its way: counted, so that they do not push it off
+//! the screen.
 
 use std::collections::BTreeMap;
 

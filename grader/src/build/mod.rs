@@ -115,8 +115,8 @@ impl BuildRoot<'_> {
         Some(left.map_or(MOST_TIME, |left| left.min(MOST_TIME)))
     }
 
-    /// Makes sure that the errors of a limited build are the fault of a stage. If it was ended before
-    /// the compiler named a crate, the first feature counts.
+    /// Makes sure that the errors of a limited build are the fault of a stage. If it was ended
+    /// before the compiler named a crate, the first feature counts.
     fn blame_the_code(
         &self,
         errors: &mut CompileErrors,

@@ -1,8 +1,8 @@
 //! Messages in the form in which rustc and cargo print them for editors.
 //!
 //! Cargo prints a line of JSON for each message of the compiler: an [`Envelope`] around rustc's
-//! [`Diagnostic`]. The format is described in the book of rustc ("JSON output") and in that of cargo
-//! ("External tools").
+//! [`Diagnostic`]. The format is described in the book of rustc ("JSON output") and in that of
+//! cargo ("External tools").
 
 use annotate_snippets::{AnnotationKind, Group, Level as Title, Renderer, Snippet};
 use serde::Serialize;

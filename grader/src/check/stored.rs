@@ -1,5 +1,5 @@
-//! The findings of the last run: a task whose code did not change is not graded again, and an editor
-//! still gets all of them.
+//! The findings of the last run: a task whose code did not change is not graded again, and an
+//! editor still gets all of them.
 
 use super::finding::Finding;
 use base::{GraderError, Workspace, write_whole};

@@ -183,8 +183,8 @@ fn code_hash<'a>(
     format!("{:016x}", hasher.finish())
 }
 
-/// Prints a message about a crate. One that does not compile has no name in cargo's messages, and the
-/// compiler's errors are shown instead.
+/// Prints a message about a crate. One that does not compile has no name in cargo's messages, and
+/// the compiler's errors are shown instead.
 fn print(
     message: &Diagnostic,
     stage: &str,

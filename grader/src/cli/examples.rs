@@ -1,4 +1,5 @@
-//! The command `grader examples part1.task3`: judges examples that students write before their code.
+//! The command `grader examples part1.task3`: judges examples that students write before their
+//! code.
 
 use crate::course::Course;
 use crate::examples::{parse, review, sample};

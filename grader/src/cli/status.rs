@@ -79,8 +79,8 @@ fn format_status(all: &[Known], page: Page) -> String {
 /// Columns of whether a task is written.
 const WRITTEN: usize = 12;
 
-/// The key and the title of a task, and its state: in one line, or in two if the page is too narrow.
-/// The title is never cut. `widest` is the width of the widest title.
+/// The key and the title of a task, and its state: in one line, or in two if the page is too
+/// narrow. The title is never cut. `widest` is the width of the widest title.
 fn task_lines(known: &Known, is_given: bool, widest: usize, page: Page) -> Vec<String> {
     let Known { place, .. } = known;
     let before = format!("{}  {}", place.key, place.title);

@@ -1,5 +1,5 @@
-//! Which points stand on questions that a seed changes: answers that were learned by heart earn none
-//! of them in an instructor's run.
+//! Which points stand on questions that a seed changes: answers that were learned by heart earn
+//! none of them in an instructor's run.
 
 use super::{Course, Task};
 use judge::Tier;

@@ -1,10 +1,10 @@
 //! Packed goldens: the snapshots of a task in one compressed file.
 //!
 //! In the course's checkout they are text, one file each, to be reviewed. A handout has
-//! `golden/TASK.pack` instead: a zlib stream of entries, each a line `BYTES NAME`, then the bytes. A
-//! long line that an earlier entry has, too, is only named (`lines`): the pages of the book are
-//! alike, and zlib looks back 32 kB only.
-//! What nobody reviews as text, such as the signatures of mistakes, is [`binary`] everywhere.
+//! `golden/TASK.pack` instead: a zlib stream of entries, each a line `BYTES NAME`, then the bytes.
+//! A long line that an earlier entry has, too, is only named (`lines`): the pages of the book are
+//! alike, and zlib looks back 32 kB only. What nobody reviews as text, such as the signatures of
+//! mistakes, is [`binary`] everywhere.
 
 pub mod binary;
 mod lines;

@@ -68,8 +68,8 @@ pub enum Certainty {
 }
 
 impl Certainty {
-    /// The certainty of a diagnosis that explains this share of the wrong answers. Robust cases alone
-    /// make no name likely: correct textbook code fails them, too, in many ways.
+    /// The certainty of a diagnosis that explains this share of the wrong answers. Robust cases
+    /// alone make no name likely: correct textbook code fails them, too, in many ways.
     fn of(likeness: f64, student: &Signature) -> Certainty {
         match likeness >= SURE && student.has_core_faults() {
             true => Certainty::Likely,
@@ -285,8 +285,8 @@ impl Ranked<'_> {
         }
     }
 
-    /// The likeliest first. Of equals, the one that needs the fewest assumptions: that it is made in
-    /// one function and not in another needs one.
+    /// The likeliest first. Of equals, the one that needs the fewest assumptions: that it is made
+    /// in one function and not in another needs one.
     fn compare(&self, other: &Ranked) -> Ordering {
         let likeness = |of: &Ranked| of.agreement.likeness();
         likeness(other)

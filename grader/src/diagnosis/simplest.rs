@@ -42,8 +42,8 @@ pub struct SimplestCall {
 }
 
 /// The simplest call for the failed cases of `task`, of which those that show the most come first.
-/// Looks at the core cases, and at those of extra credit if no core case failed. `None` if neither a
-/// simple question nor one of a few digits shows what is wrong.
+/// Looks at the core cases, and at those of extra credit if no core case failed. `None` if neither
+/// a simple question nor one of a few digits shows what is wrong.
 ///
 /// Simple questions come first, then the same with small and with large lengths, then the worst
 /// calls of the cases with fewer digits. The number of calls is the same for everybody.
@@ -104,8 +104,8 @@ fn only_at(exponent: i32) -> String {
 /// The most rounds in which the digits of a call are reduced.
 const MOST_ROUNDS: usize = 5;
 
-/// A wrong call of a failed case with as few digits as still show what is wrong; `None` for work whose
-/// numbers cannot be varied.
+/// A wrong call of a failed case with as few digits as still show what is wrong; `None` for work
+/// whose numbers cannot be varied.
 fn shortest(
     workers: &StageWorkers,
     case: &CaseResult,

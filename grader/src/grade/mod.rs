@@ -42,8 +42,8 @@ pub struct Graded {
     pub compiler: String,
     /// The limit that the compiler exceeded, if it did.
     pub limit: Option<BuildLimit>,
-    /// Pictures of tasks that lost core points, if they were asked for: PNG files of expected, yours
-    /// and their difference, by the keys of the tasks.
+    /// Pictures of tasks that lost core points, if they were asked for: PNG files of expected,
+    /// yours and their difference, by the keys of the tasks.
     pub pictures: Vec<(String, Vec<u8>)>,
 }
 

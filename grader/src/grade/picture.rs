@@ -125,8 +125,8 @@ pub fn rendered_by(
 }
 
 /// Renders and writes the pictures of `tasks`. Returns the keys of those that show something, and
-/// their paths below the workspace's root folder: the others are not written yet, or end in a panic.
-/// Grading does not depend on pictures, so a task without a golden one is left out.
+/// their paths below the workspace's root folder: the others are not written yet, or end in a
+/// panic. Grading does not depend on pictures, so a task without a golden one is left out.
 pub fn write_all(
     workspace: &Workspace,
     course: &Course,

@@ -25,8 +25,8 @@ const CALLS: usize = 3;
 pub struct Exercise {
     /// The task's key.
     pub task: String,
-    /// The names of all mistakes of the chapter, each with what one sees in a picture. The first name
-    /// is that of the mistake to recognize.
+    /// The names of all mistakes of the chapter, each with what one sees in a picture. The first
+    /// name is that of the mistake to recognize.
     pub names: Vec<[String; 2]>,
     /// The file with its picture.
     pub sheet: PathBuf,

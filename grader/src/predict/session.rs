@@ -25,8 +25,8 @@ pub struct Session<'a> {
 }
 
 impl Session<'_> {
-    /// Asks all questions. A line that is neither a choice nor a number is asked for again; an empty
-    /// line skips the question. At the end of the input, the answers so far are returned.
+    /// Asks all questions. A line that is neither a choice nor a number is asked for again; an
+    /// empty line skips the question. At the end of the input, the answers so far are returned.
     pub fn run(
         &mut self,
         questions: &[Question],

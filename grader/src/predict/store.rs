@@ -37,7 +37,8 @@ pub fn file(workspace: &Workspace) -> PathBuf {
 }
 
 impl Predictions {
-    /// Reads the predictions of a workspace: none if there is no file yet, an error if it is damaged.
+    /// Reads the predictions of a workspace: none if there is no file yet, an error if it is
+    /// damaged.
     pub fn read(workspace: &Workspace) -> Result<Predictions, GraderError> {
         let path = file(workspace);
         match fs::read_to_string(&path) {

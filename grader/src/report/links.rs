@@ -28,8 +28,8 @@ pub fn for_stdout(text: String, workspace: &Workspace) -> String {
     }
 }
 
-/// Makes each command that opens a chapter a link to the chapter's page in `folder`, with the escape
-/// sequence OSC 8, which terminals that do not know it leave out.
+/// Makes each command that opens a chapter a link to the chapter's page in `folder`, with the
+/// escape sequence OSC 8, which terminals that do not know it leave out.
 fn with_links(text: &str, folder: &Path) -> String {
     let mut parts = text.split(COMMAND);
     let mut linked = parts.next().unwrap_or_default().to_string();

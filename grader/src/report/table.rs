@@ -186,8 +186,8 @@ pub fn status_text(status: &Status) -> String {
     }
 }
 
-/// What the report says about one task: its failed cases in as much detail as `reveal` allows, or why
-/// it has none. Empty if every case passes.
+/// What the report says about one task: its failed cases in as much detail as `reveal` allows, or
+/// why it has none. Empty if every case passes.
 pub fn task_text(report: &TaskReport, reveal: Reveal) -> String {
     let mut text = String::new();
     details(&mut text, report, reveal);

@@ -28,8 +28,8 @@ pub enum Side {
 }
 
 impl SignatureKey {
-    /// The keys of the wrong hits and misses, or samples and `None`s, of the same case and function.
-    /// Where these are wrong, no other aspect is judged. None if this is such a key.
+    /// The keys of the wrong hits and misses, or samples and `None`s, of the same case and
+    /// function. Where these are wrong, no other aspect is judged. None if this is such a key.
     pub(super) fn decisions(&self) -> impl Iterator<Item = SignatureKey> {
         let of = |aspect| SignatureKey {
             case: self.case.clone(),

@@ -72,8 +72,9 @@ impl Frame {
     }
 }
 
-/// The interval of `t` in which the line `o + t d` is in the rectangle from `min` to `max`. Its start
-/// is after its end if the line is never inside; `None` if it is parallel to a side, and outside.
+/// The interval of `t` in which the line `o + t d` is in the rectangle from `min` to `max`. Its
+/// start is after its end if the line is never inside; `None` if it is parallel to a side, and
+/// outside.
 pub(super) fn inside([min, max]: [[f64; 2]; 2], o: [f64; 2], d: [f64; 2]) -> Option<[f64; 2]> {
     let mut inside = [f64::NEG_INFINITY, f64::INFINITY];
     for i in 0..2 {

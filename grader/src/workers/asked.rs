@@ -1,10 +1,10 @@
 //! Tests whose results only the grader knows: the worker asks for each, and the grader counts.
 //!
-//! Points depend on how many boxes and primitives a traversal tests. The worker counts them, but code
-//! that breaks the compiler's checks could change its memory. So of some rays of a submission the
-//! worker gets no results ([`wire::work::ScriptedRay::is_hidden`]). It cannot answer these without
-//! asking, and its counts must be those of its questions. Which rays these are is drawn for each run, so
-//! the others cannot have fewer tests ([`Excess`]).
+//! Points depend on how many boxes and primitives a traversal tests. The worker counts them, but
+//! code that breaks the compiler's checks could change its memory. So of some rays of a submission
+//! the worker gets no results ([`wire::work::ScriptedRay::is_hidden`]). It cannot answer these
+//! without asking, and its counts must be those of its questions. Which rays these are is drawn for
+//! each run, so the others cannot have fewer tests ([`Excess`]).
 
 use super::excess::Excess;
 use std::collections::HashMap;

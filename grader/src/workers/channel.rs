@@ -108,7 +108,8 @@ impl Read for UntilDeadline {
         let left = self.deadline.left().ok_or(io::ErrorKind::TimedOut)?;
         self.socket.set_read_timeout(Some(left))?;
         match self.socket.read(buffer) {
-            // A worker that ends before it has read all cases sends nothing more: its status says why.
+            // A worker that ends before it has read all cases sends nothing more: its status says
+            // why.
             Err(e) if e.kind() == io::ErrorKind::ConnectionReset => Ok(0),
             read => read,
         }

@@ -1,8 +1,9 @@
 //! Whether the calls whose tests the grader counts make more tests than the others.
 //!
 //! Which calls those are is drawn for each run. So the ranks of their counts among all counts of a
-//! case are those of a random sample, whatever the code does, unless it does more in these calls, or
-//! changes what is counted in the others. Wilcoxon, "Individual comparisons by ranking methods", 1945.
+//! case are those of a random sample, whatever the code does, unless it does more in these calls,
+//! or changes what is counted in the others. Wilcoxon, "Individual comparisons by ranking methods",
+//! 1945.
 
 /// With honest code, a sum of ranks lies so many standard deviations above its mean once in a
 /// hundred million runs at most.

@@ -86,8 +86,8 @@ pub fn read(pipe: impl Read, cases: &[Case]) -> WorkerOutput {
     // A marker begins with an empty line, which ends a line that the code began.
     let mut empty_before = false;
     while let Some(line) = read_line(&mut input) {
-        // The code can print markers, too, but cases run in their order: so there is one for each case
-        // at most, however much is printed.
+        // The code can print markers, too, but cases run in their order: so there is one for each
+        // case at most, however much is printed.
         let marked = case_of_marker(&line);
         if let Some(case) = marked.filter(|case| number.is_none_or(|before| before < *case)) {
             output.end(&mut current, number, cases);
@@ -156,8 +156,8 @@ fn is_of_runtime(line: &str) -> bool {
         || line.starts_with("note: run with `RUST_BACKTRACE")
 }
 
-/// How much text [`format`] makes at most, in bytes, and what one case more has: a report has all of
-/// it.
+/// How much text [`format`] makes at most, in bytes, and what one case more has: a report has all
+/// of it.
 const MOST_OF_TEXT: usize = 512 << 10;
 
 /// Formats what the code printed, case by case.

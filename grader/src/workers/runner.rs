@@ -506,8 +506,8 @@ mod tests {
         Ok(run(&worker, &vec![case; count])?.endings)
     }
 
-    /// What a worker writes when it begins the first case: the length of the frame, the key that it has
-    /// read, the number of the frame, and the frame.
+    /// What a worker writes when it begins the first case: the length of the frame, the key that it
+    /// has read, the number of the frame, and the frame.
     const BEGINS: &str =
         r"head -c 16 > key; (printf '\2\0\0\0'; cat key; printf '\0\0\0\0\0\0\0\0\0\0') >&0";
 

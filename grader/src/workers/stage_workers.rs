@@ -19,9 +19,9 @@ pub struct StageWorkers {
 }
 
 impl StageWorkers {
-    /// Runs each case in its worker, which gets the case's question moved, and moves the answers back
-    /// to the question that is judged. Returns its ending, or the names of the stages without which
-    /// it cannot run. Appends the output of the code to `printed`.
+    /// Runs each case in its worker, which gets the case's question moved, and moves the answers
+    /// back to the question that is judged. Returns its ending, or the names of the stages without
+    /// which it cannot run. Appends the output of the code to `printed`.
     pub fn run(
         &self,
         specs: &[&Spec],

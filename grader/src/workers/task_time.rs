@@ -1,8 +1,8 @@
 //! How long the cases of one task may take together, and all that a submission runs.
 //!
-//! Each case has a limit of its own, but code that waits a little less than that in hundreds of cases
-//! would take hours. The time that counts is the elapsed one, waiting included; the limit is some
-//! fifty times what the slowest honest code takes.
+//! Each case has a limit of its own, but code that waits a little less than that in hundreds of
+//! cases would take hours. The time that counts is the elapsed one, waiting included; the limit is
+//! some fifty times what the slowest honest code takes.
 
 use std::collections::HashMap;
 use std::time::{Duration, Instant};

@@ -218,7 +218,8 @@ impl Example {
     }
 }
 
-/// Where a `t` out of the range is.
+/// The situation of a ray that would hit at `t`, which is not in its range: the hit is behind the
+/// origin, before `min_t` or beyond `max_t`.
 fn out_of_range(t: f64, ray: &Ray) -> &'static str {
     if t < 0.0 {
         BEHIND

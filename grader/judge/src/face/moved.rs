@@ -2,8 +2,9 @@
 
 use wire::Answer;
 
-/// Whether two answers have the same bits. Both zeros are one: `x - x` is +0, whichever way its axis
-/// is turned. The order of primitives in leaves is that of the question, so trees are not compared.
+/// Whether two answers have the same bits. Both zeros are one: `x - x` is +0, whichever way its
+/// axis is turned. The order of primitives in leaves is that of the question, so trees are not
+/// compared.
 pub fn has_same_bits(a: &Answer, b: &Answer) -> bool {
     matches!((a, b), (Answer::Build(_), Answer::Build(_))) || bits(a) == bits(b)
 }

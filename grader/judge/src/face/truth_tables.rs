@@ -5,8 +5,8 @@ use crate::tools::packed_truth::{self, Tables};
 use std::collections::HashSet;
 use std::sync::OnceLock;
 
-/// The right results of all formulas for the questions of seed 0: those of the cases, the simple ones
-/// of their kinds of work, those of the pictures.
+/// The right results of all formulas for the questions of seed 0: those of the cases, the simple
+/// ones of their kinds of work, those of the pictures.
 pub fn of_seed_0() -> &'static Tables {
     static TABLES: OnceLock<Tables> = OnceLock::new();
     TABLES.get_or_init(|| {

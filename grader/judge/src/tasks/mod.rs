@@ -2,7 +2,8 @@
 //!
 //! In a folder, `mod.rs` has the `Check` of the task's kind of work, `cases` its cases, `judge`
 //! judges an answer, `lines` writes it to a snapshot, `repro` writes a Rust test. Kinds of work
-//! that several tasks share are in `tools::kinds`. [`measurements`] and [`pictures`] are not judged.
+//! that several tasks share are in `tools::kinds`. [`measurements`] and [`pictures`] are not
+//! judged.
 
 pub(crate) mod measurements;
 pub(crate) mod part1_task1;

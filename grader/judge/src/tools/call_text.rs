@@ -1,8 +1,8 @@
 //! Parts of the text about one call: its input, and its circumstances.
 //!
-//! Circumstances are properties of a question of which mistakes often depend. Each ends the sentence
-//! "wrong only where ...". If all wrong answers have one in common that most right answers do not
-//! have, it tells where to look, even if the mistake is not known.
+//! Circumstances are properties of a question of which mistakes often depend. Each ends the
+//! sentence "wrong only where ...". If all wrong answers have one in common that most right answers
+//! do not have, it tells where to look, even if the mistake is not known.
 
 use crate::tools::aspects::hits::show_ray;
 use kit::Vec3;

@@ -5,9 +5,10 @@
 //! between the markers of a solution. In the course's checkout it is computed, and passes through
 //! [`record`]; in a handout of the task's part the stub calls [`find`], which looks the result up.
 //!
-//! The table has the results for all questions of seed 0: those of the cases, the simple ones, those
-//! of the pictures. Its keys are hashes of a formula's name and of the bits of its input, so what it
-//! holds can be looked up, but not listed as inputs with their results. `grader handout` writes it.
+//! The table has the results for all questions of seed 0: those of the cases, the simple ones,
+//! those of the pictures. Its keys are hashes of a formula's name and of the bits of its input, so
+//! what it holds can be looked up, but not listed as inputs with their results. `grader handout`
+//! writes it.
 
 use miniz_oxide::deflate::compress_to_vec_zlib;
 use miniz_oxide::inflate::decompress_to_vec_zlib_with_limit;
@@ -60,7 +61,8 @@ pub(crate) fn recorded(ask: impl FnOnce()) -> Tables {
     RECORDED.take().unwrap_or_default()
 }
 
-/// Returns the result of a `formula` of `task` for an input, and collects it if a table is being made.
+/// Returns the result of a `formula` of `task` for an input, and collects it if a table is being
+/// made.
 pub fn record<I: Serialize + ?Sized, O: Serialize>(
     task: &'static str,
     formula: &str,

@@ -227,8 +227,8 @@ impl Spec {
         }
     }
 
-    /// The input of call number `call`, as text: for reports on calls that have no answer to show it
-    /// with. `None` for work whose input is long, or where there is no such call.
+    /// The input of call number `call`, as text: for reports on calls that have no answer to show
+    /// it with. `None` for work whose input is long, or where there is no such call.
     pub fn input(&self, call: usize) -> Option<String> {
         self.check.input(&self.work, call)
     }
@@ -239,14 +239,14 @@ impl Spec {
         self.check.circumstances(&self.work, call)
     }
 
-    /// The right hit or interval of each of `calls`, as the fields of a record, without fields for a
-    /// miss. `None` for work that computes neither.
+    /// The right hit or interval of each of `calls`, as the fields of a record, without fields for
+    /// a miss. `None` for work that computes neither.
     pub fn exact(&self, calls: &[u32]) -> Option<Vec<Fields>> {
         self.check.exact(&self.work, self.enclosed, calls)
     }
 
-    /// One call with what scores at `tier` and, if there is an answer, what the code returned. `None`
-    /// for work that is shown in another way, or where there is no such call.
+    /// One call with what scores at `tier` and, if there is an answer, what the code returned.
+    /// `None` for work that is shown in another way, or where there is no such call.
     pub fn shown(&self, tier: Tier, call: usize, answer: Option<&Answer>) -> Option<ShownCall> {
         self.check
             .shown(&self.work, tier, self.enclosed, call, answer)

@@ -2,8 +2,8 @@
 
 use std::collections::HashMap;
 
-/// What a line begins with that names an earlier one by its number. A line of a file that begins with
-/// this byte is written with a second one.
+/// What a line begins with that names an earlier one by its number. A line of a file that begins
+/// with this byte is written with a second one.
 const MARK: u8 = 1;
 
 /// The shortest line that is worth a number.

@@ -1,7 +1,7 @@
 //! Variants of the worked examples, with numbers that are drawn.
 //!
-//! The numbers are small, so that paper is enough, and such that the answers of the typical mistakes
-//! differ from the truth. Only Parts 1 and 2 have variants.
+//! The numbers are small, so that paper is enough, and such that the answers of the typical
+//! mistakes differ from the truth. Only Parts 1 and 2 have variants.
 
 mod boxes;
 mod example;

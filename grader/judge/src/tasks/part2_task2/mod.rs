@@ -37,7 +37,8 @@ impl Check for kind::Boxes {
         one_each(Self::calls(work), answers)
     }
 
-    /// Where plain slabs compute 0 · ∞, it depends on the order of the axes what becomes of the NaN.
+    /// Where plain slabs compute 0 · ∞, it depends on the order of the axes what becomes of the
+    /// NaN.
     fn symmetries(work: &BoxWork) -> Symmetries {
         let rays = || work.probes.iter().map(|probe| &probe.ray);
         let numbers = work.boxes.iter().flatten().flatten().copied();

@@ -45,8 +45,8 @@ const RANGES: [[f64; 2]; 5] = [
 /// How much larger or smaller a box may be without a change of the answer.
 const MARGIN: f64 = 0.125;
 
-/// The simple questions about boxes: the simplest of each direction and range, then those in which a
-/// convention decides.
+/// The simple questions about boxes: the simplest of each direction and range, then those in which
+/// a convention decides.
 pub(crate) fn questions() -> Vec<BoxWork> {
     let mut decided = Vec::new();
     for d in DIRECTIONS {
@@ -81,7 +81,8 @@ fn complexity_of(probe: &Probe) -> u32 {
     rays::complexity_of(&probe.ray) + complexity(corners.into_iter().flatten())
 }
 
-/// Rays along z that start at, pass through or end at a face, and rays at a flat box: nothing rounds.
+/// Rays along z that start at, pass through or end at a face, and rays at a flat box: nothing
+/// rounds.
 fn conventions() -> Vec<Probe> {
     let ray = |shape: usize, o: Xyz, d: Xyz, [min_t, max_t]: [f64; 2]| Probe {
         shape: shape as u32,

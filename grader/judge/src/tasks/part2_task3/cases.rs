@@ -213,8 +213,8 @@ fn range_ends() -> Vec<Ray> {
     rays
 }
 
-/// Pairs of primitives 2 ulp apart; the box interval of the nearer one starts 6 ulp behind it. Units
-/// in the last place are those of `t`, or, if the ray starts next to the boxes, of their
+/// Pairs of primitives 2 ulp apart; the box interval of the nearer one starts 6 ulp behind it.
+/// Units in the last place are those of `t`, or, if the ray starts next to the boxes, of their
 /// coordinates: code that subtracts these rounds as much.
 fn rounded_boxes() -> ScriptedWorld {
     const NEARER: [u32; 2] = [0, 3];

@@ -38,7 +38,8 @@ pub(super) fn right(tier: Tier, input: &SpecularCall) -> (Right, f64) {
     (right, bound)
 }
 
-/// The right result of a call, and how far rounding may take an answer off; `None` if nothing rounds.
+/// The right result of a call, and how far rounding may take an answer off; `None` if nothing
+/// rounds.
 pub(super) fn result(input: &SpecularCall) -> (Right, Option<f64>) {
     // BEGIN SOLUTION(part4.task1)
     let right = computed(input);

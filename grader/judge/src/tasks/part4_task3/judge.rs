@@ -8,8 +8,8 @@ use kit::Tally as SampleTally;
 use wire::global::RouletteWork;
 use wire::work::Xyz;
 
-/// Relative error allowed in a throughput that was divided by `chance`: that of the division, and that
-/// of a chance computed as 1 minus the probability to end, which rounds numbers near 1 twice.
+/// Relative error allowed in a throughput that was divided by `chance`: that of the division, and
+/// that of a chance computed as 1 minus the probability to end, which rounds numbers near 1 twice.
 pub(super) fn bound(chance: f64) -> f64 {
     (1e-15 / chance).max(1e-12)
 }

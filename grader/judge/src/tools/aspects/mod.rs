@@ -1,5 +1,5 @@
-//! Judges one aspect of answers: hit records, numbers and directions, statistics of many samples, the
-//! samples of different pixels.
+//! Judges one aspect of answers: hit records, numbers and directions, statistics of many samples,
+//! the samples of different pixels.
 
 pub(crate) mod chance;
 pub(crate) mod hits;

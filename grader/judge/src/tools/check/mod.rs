@@ -1,8 +1,8 @@
 //! The grader's operations on one kind of work: validate, judge, write a golden and a Rust test.
 //!
-//! [`Check`] is the seam: all that depends on a kind of work is one of its functions. [`any`] erases
-//! the types of the kind, [`case`] is what a check knows of its case, [`fit`] has tests of the form
-//! of an answer.
+//! [`Check`] is the seam: all that depends on a kind of work is one of its functions. [`any`]
+//! erases the types of the kind, [`case`] is what a check knows of its case, [`fit`] has tests of
+//! the form of an answer.
 
 pub(crate) mod any;
 mod case;
@@ -71,8 +71,8 @@ pub(crate) trait Check: Kind {
         question.clone()
     }
 
-    /// The answer to a moved question as the answer to the question itself: `back` is the move back.
-    /// The answer need not be right.
+    /// The answer to a moved question as the answer to the question itself: `back` is the move
+    /// back. The answer need not be right.
     fn moved_back(answer: &Self::Answer, _back: &Move) -> Self::Answer {
         answer.clone()
     }
@@ -138,16 +138,16 @@ pub(crate) trait Check: Kind {
     /// replace (see [`crate::tools::simple::variations`]); none for work without such numbers.
     fn vary(_question: &mut Self::Question, _change: &mut dyn FnMut(Number, &mut f64)) {}
 
-    /// The input of call number `call`, as text: for reports on calls that have no answer to show it
-    /// with. `None` for work whose input is long, or where there is no such call.
+    /// The input of call number `call`, as text: for reports on calls that have no answer to show
+    /// it with. `None` for work whose input is long, or where there is no such call.
     fn input(question: &Self::Question, call: usize) -> Option<String>;
 
     /// The circumstances of a call, of which mistakes often depend: each ends the sentence "wrong
     /// only where ...".
     fn circumstances(question: &Self::Question, call: usize) -> Vec<&'static str>;
 
-    /// The right hit or interval of each of `calls`, as the fields of a record, without fields for a
-    /// miss. `None` for work that computes neither. `enclosed` is [`CaseContext::enclosed`].
+    /// The right hit or interval of each of `calls`, as the fields of a record, without fields for
+    /// a miss. `None` for work that computes neither. `enclosed` is [`CaseContext::enclosed`].
     fn exact(question: &Self::Question, enclosed: bool, calls: &[u32]) -> Option<Vec<Fields>>;
 
     /// One call with what is right and, if there is an answer, what the code returned. `None` for

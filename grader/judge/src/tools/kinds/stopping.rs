@@ -1,4 +1,5 @@
-//! Stopping rules: what the plain rule of `part5.task1` and the waiting rule of `part5.task2` share.
+//! Stopping rules: what the plain rule of `part5.task1` and the waiting rule of `part5.task2`
+//! share.
 
 use crate::tools::call_text::few;
 use crate::tools::moves::{LightMoves, Move, Symmetries};

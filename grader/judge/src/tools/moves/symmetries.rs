@@ -18,9 +18,9 @@ const ORDINARY: f64 = (1_u64 << 60) as f64;
 pub(crate) struct Symmetries {
     /// The axes of space.
     pub(crate) axes: AxisMoves,
-    /// The largest power of two by which all lengths may be multiplied; 0 for none. Where axes move,
-    /// too, it is small: code with a constant of its own, such as the largest distance that counts,
-    /// should have nearly the same points.
+    /// The largest power of two by which all lengths may be multiplied; 0 for none. Where axes
+    /// move, too, it is small: code with a constant of its own, such as the largest distance that
+    /// counts, should have nearly the same points.
     pub(crate) lengths: usize,
     /// The same for the directions of rays.
     pub(crate) speeds: usize,

@@ -1,5 +1,5 @@
-//! The rays of the pictures: how a camera makes them is what `part1.task2` is about, so a handout has
-//! them as numbers.
+//! The rays of the pictures: how a camera makes them is what `part1.task2` is about, so a handout
+//! has them as numbers.
 
 use crate::tools::packed_truth;
 use kit::{Ray, Vec3};

@@ -1,5 +1,5 @@
-//! The scattering of pictures that are not about it: that is what `part3.task1` and `part4.task1` are
-//! about, so a handout has it as numbers.
+//! The scattering of pictures that are not about it: that is what `part3.task1` and `part4.task1`
+//! are about, so a handout has it as numbers.
 
 use crate::tools::packed_truth;
 use wire::picture::GivenScattering;

@@ -7,8 +7,8 @@
 use super::numbers::Number;
 use crate::tools::spec::Spec;
 
-/// The simple questions of `spec` with all lengths multiplied by ten to the power of `exponent`; none
-/// for work that has no lengths.
+/// The simple questions of `spec` with all lengths multiplied by ten to the power of `exponent`;
+/// none for work that has no lengths.
 pub fn scaled(spec: &Spec, exponent: i32) -> Vec<Spec> {
     let is_scaled = |of: &Spec| {
         let mut is_scaled = false;

@@ -9,8 +9,9 @@
 //! first line, `# calls=N hash=H`, covers all calls: `H` is the [`RowsHash`] of the full rows of
 //! all calls.
 //!
-//! [`write()`] returns the text of a [`Content`], [`full`] a snapshot with the full rows of all calls.
-//! [`parse`] reads the text (with or without insta's header), [`changes`] compares two snapshots.
+//! [`write()`] returns the text of a [`Content`], [`full`] a snapshot with the full rows of all
+//! calls. [`parse`] reads the text (with or without insta's header), [`changes`] compares two
+//! snapshots.
 
 mod diff;
 mod hash;

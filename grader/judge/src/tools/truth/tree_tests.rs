@@ -8,8 +8,8 @@ use wire::work::{NodeKind, Tree};
 /// Visiting the farther child first, or every node, makes twice as many tests.
 pub(crate) const WORK_FACTOR: f64 = 1.5;
 
-/// As [`WORK_FACTOR`], if any hit ends the traversal. It may visit the boxes in any order: taking the
-/// nearest of all open boxes makes 1.6 times the tests, and not stopping at a hit makes twelve.
+/// As [`WORK_FACTOR`], if any hit ends the traversal. It may visit the boxes in any order: taking
+/// the nearest of all open boxes makes 1.6 times the tests, and not stopping at a hit makes twelve.
 pub(crate) const ANY_HIT_WORK_FACTOR: f64 = 3.0;
 
 /// Why a number of tests above the fewest is not judged.

@@ -10,8 +10,8 @@ use wire::work::Ray;
 const FUNCTION: &str = "intersect_* on all shapes in order";
 
 /// Judges the closest hits of rays that were tested against all shapes of a list, in order. If the
-/// shapes enclose the origins, every ray hits within its range: a hit elsewhere is a false hit, since
-/// it would hide a gap between the shapes.
+/// shapes enclose the origins, every ray hits within its range: a hit elsewhere is a false hit,
+/// since it would hide a gap between the shapes.
 pub(crate) fn brute_force(
     tally: &mut Tally,
     rays: &[Ray],

@@ -50,8 +50,8 @@ pub(crate) fn floor_of(material: Material) -> ShadedPoint {
     }
 }
 
-/// Lamps in the plane y = 0, seen from the front and from behind, and the floor, so that code which is
-/// always black does not pass.
+/// Lamps in the plane y = 0, seen from the front and from behind, and the floor, so that code which
+/// is always black does not pass.
 pub(crate) fn lamps_and_floor() -> Vec<ShadedPoint> {
     let lamps =
         [[1.0; 3], [0.25, 3.0, 20.0]].map(|radiance| floor_of(Material::Emission(radiance)));

@@ -210,6 +210,10 @@ pub fn diagnose(known: &[Known], student: &Signature) -> Option<Diagnosis> {
     } = with_twins(&ranked, &best)?;
     let best = best.known;
     let (equal, of) = student.calls_alike(&best.signature);
+    // One call of extra credit is no mistake: correct code fails single calls there, too.
+    if of < FEWEST_CALLS && !student.has_core_faults() {
+        return None;
+    }
     // A case that disagrees throughout makes a name uncertain. It does not veto it: tried on 199
     // mistakes that were not known, a veto took away eight names, all of them right.
     let is_doubtful = of < FEWEST_CALLS || student.disagrees_throughout(&best.signature);
@@ -295,12 +299,11 @@ impl Ranked<'_> {
             .then(other.robust.total_cmp(&self.robust))
     }
 
-    /// Whether the answers of this run are equally well explained by the other: it has the same
-    /// faults in the cases that count, is as alike in the others, and is no more contradicted by
-    /// functions whose answers are right.
+    /// Whether this mistake explains the answers of this run as well as the other: it has the same
+    /// faults in the cases that count, and is no more contradicted by functions whose answers are
+    /// right. Robust cases do not decide, because the formula around a mistake fails them, too.
     fn is_as_likely_as(&self, other: &Ranked) -> bool {
         self.known.signature.shows_the_same(&other.known.signature)
-            && self.robust >= other.robust
             && (self.elsewhere == 0 || other.elsewhere > 0)
     }
 }
@@ -331,9 +334,20 @@ struct Named {
     hint: String,
 }
 
-/// What is said about `best` and those of `ranked` that cannot be distinguished from it; `None` if
-/// they are too many.
+/// What is said about `best` and those of `ranked` that cannot be distinguished from it. If they are
+/// too many, those that the robust cases make less likely are left out; `None` if they are still too
+/// many.
 fn with_twins(ranked: &[Ranked], best: &Ranked) -> Option<Named> {
+    let as_likely = ranked
+        .iter()
+        .filter(|twin| twin.known.mistakes.len() == 1 && twin.is_as_likely_as(best));
+    let all: Vec<Ranked> = as_likely.copied().collect();
+    let is_as_robust = |twin: &&Ranked| twin.robust >= best.robust;
+    guesses(best, all.iter()).or_else(|| guesses(best, all.iter().filter(is_as_robust)))
+}
+
+/// What is said about `best` and its `twins`; `None` if they are too many.
+fn guesses<'a>(best: &Ranked, twins: impl Iterator<Item = &'a Ranked<'a>>) -> Option<Named> {
     let mut named = Named {
         mistakes: best.known.mistakes.clone(),
         says: best.known.descriptions.join(", and "),
@@ -341,9 +355,6 @@ fn with_twins(ranked: &[Ranked], best: &Ranked) -> Option<Named> {
         hint: best.known.hints.join(" "),
     };
     let mut guesses = 1;
-    let twins = ranked
-        .iter()
-        .filter(|twin| twin.known.mistakes.len() == 1 && twin.is_as_likely_as(best));
     for Ranked { known: twin, .. } in twins {
         if !named.mistakes.contains(&twin.mistakes[0]) {
             guesses += 1;
@@ -549,6 +560,26 @@ mod tests {
             "{}",
             diagnosis.says
         );
+    }
+
+    #[test]
+    fn one_call_of_extra_credit_has_no_name() {
+        let named = |codes| {
+            let student = signature(&[("case work", codes)]).into_robust();
+            let all = [known("this", student.clone())];
+            diagnose(&all, &student).is_some()
+        };
+        assert!(!named("5 1*a"));
+        assert!(named("5 2*a"));
+    }
+
+    #[test]
+    fn robust_cases_do_not_decide_between_mistakes() {
+        let in_core = signature(&[("case t", "9*a")]);
+        let with = |hard| in_core.clone().with_robust(signature(&[("hard t", hard)]));
+        let all = [known("this", with("9*c")), known("that", with("9*b"))];
+        let diagnosis = diagnose(&all, &with("9*b")).expect("both are known");
+        assert_eq!(diagnosis.mistakes, ["that", "this"]);
     }
 
     #[test]

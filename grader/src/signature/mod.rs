@@ -376,6 +376,14 @@ pub(crate) mod tests {
                 robust: self.core,
             }
         }
+
+        /// With the core faults of another as its faults in robust cases.
+        pub(crate) fn with_robust(self, robust: Signature) -> Signature {
+            Signature {
+                robust: robust.core,
+                ..self
+            }
+        }
     }
 
     #[test]

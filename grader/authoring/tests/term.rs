@@ -4,11 +4,12 @@ use authoring::check::book;
 use authoring::handout::Handout;
 use authoring::term::build::build;
 use authoring::term::new::new;
+use authoring::term::own_case;
 use authoring::term::update::Update;
 use base::Workspace;
 use base::term::COPY;
 use grader::course::{Course, consistency};
-use judge::Tier;
+use judge::{Tier, own_cases};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -181,9 +182,47 @@ fn settings_that_mean_nothing_are_told() {
         let error = error_with(&root, settings);
         assert!(error.contains(expected), "{settings}{error}");
     }
-    fs::create_dir(root.join("cases")).expect("a folder");
+    fs::create_dir(root.join("mistakes")).expect("a folder");
     let error = error_with(&root, "\nleave_out = []\n");
-    assert!(error.contains("a term cannot have own cases"), "{error}");
+    assert!(error.contains("a term cannot have own mistakes"), "{error}");
+}
+
+#[test]
+fn a_case_of_the_teacher_is_listed_with_its_points_and_in_handouts() {
+    let (_folder, root) = term();
+    let specs = judge::cases::of("part1.task3", 0);
+    let spec = specs.iter().find(|spec| spec.name == "range");
+    let spec = spec.expect("a case");
+    let file = root.join("cases/part1.task3/near_the_end.toml");
+    fs::create_dir_all(file.parent().expect("a folder")).expect("it is writable");
+    let text = own_case::template(spec, Tier::Core, Some(0)).expect("it has calls");
+    let text = text.replace("points = 1.0", "points = 1.25");
+    fs::write(&file, &text).expect("it is writable");
+    build(&copy_as_it_is(&root), &root).expect("it is right");
+    let workspace = copy_of(&root);
+    let course = Course::read(&workspace).expect("a course");
+    let task = course.select("part1.task3").expect("a task")[0];
+    assert_eq!(task.points(Tier::Core), 31.25);
+    assert_eq!(
+        book::problems(&workspace, &course).expect("a book"),
+        [""; 0]
+    );
+    let compiled = fs::read_to_string(workspace.root().join(own_cases::FILE)).expect("a file");
+    assert!(compiled.contains("name = \"near_the_end\""), "{compiled}");
+    assert_ne!(compiled, own_cases::COMPILED);
+    let handout = Handout::carve(&workspace, 1).expect("a handout");
+    assert_eq!(handout.files[Path::new(own_cases::FILE)], compiled.as_bytes());
+
+    // As long as it is not applied nothing works; without the file all is as it was.
+    fs::write(&file, text.replace("1.25", "0.3")).expect("it is writable");
+    assert!(Workspace::above(&root).is_err());
+    let error = build(&copy_as_it_is(&root), &root).expect_err("no quarters");
+    let error = error.to_string();
+    assert!(error.contains("near_the_end.toml: it has 0.3 points"), "{error}");
+    fs::remove_file(&file).expect("it exists");
+    build(&copy_as_it_is(&root), &root).expect("it is right");
+    let again = fs::read_to_string(root.join(COPY).join(own_cases::FILE)).expect("a file");
+    assert_eq!(again, own_cases::COMPILED);
 }
 
 #[test]

@@ -20,16 +20,16 @@ pub const FILES: [&str; 3] = ["course.toml", "kept.toml", "front.md"];
 /// The folder of the teacher's scenes.
 pub const SCENES: &str = "scenes";
 
+/// The folder of the teacher's cases: in it a folder for each task.
+pub const CASES: &str = "cases";
+
 /// The teacher's files in `folder`, by their paths in it.
 pub fn inputs(folder: &Path) -> Result<BTreeMap<PathBuf, Vec<u8>>, GraderError> {
     let mut found = BTreeMap::new();
     let mut paths: Vec<PathBuf> = FILES.iter().map(PathBuf::from).collect();
-    let scenes = folder.join(SCENES);
-    if scenes.is_dir() {
-        let failed = |e| GraderError::file("read", &scenes, e);
-        for entry in std::fs::read_dir(&scenes).map_err(failed)? {
-            paths.push(Path::new(SCENES).join(entry.map_err(failed)?.file_name()));
-        }
+    paths.extend(inside(folder, Path::new(SCENES))?);
+    for task in inside(folder, Path::new(CASES))? {
+        paths.extend(inside(folder, &task)?);
     }
     for path in paths {
         let full = folder.join(&path);
@@ -39,6 +39,19 @@ pub fn inputs(folder: &Path) -> Result<BTreeMap<PathBuf, Vec<u8>>, GraderError> 
         }
     }
     Ok(found)
+}
+
+/// The paths in the folder `path` of `folder`; none if it is no folder.
+fn inside(folder: &Path, path: &Path) -> Result<Vec<PathBuf>, GraderError> {
+    let full = folder.join(path);
+    if !full.is_dir() {
+        return Ok(Vec::new());
+    }
+    let failed = |e| GraderError::file("read", &full, e);
+    let entries = std::fs::read_dir(&full).map_err(failed)?;
+    entries
+        .map(|entry| Ok(path.join(entry.map_err(failed)?.file_name())))
+        .collect()
 }
 
 /// Returns an error if the teacher's files in `folder` are not those that were applied last.

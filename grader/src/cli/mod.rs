@@ -25,7 +25,7 @@ pub mod picture;
 mod predict;
 pub mod programs;
 mod status;
-mod subprogram;
+pub mod subprogram;
 mod watch;
 
 pub use options::{Format, seed_argument, seed_of};

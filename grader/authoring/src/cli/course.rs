@@ -1,14 +1,17 @@
 //! The commands `grader course check`, which checks the course before it is handed out, `grader
 //! course diff`, which compares it with another version, and those for the folder of a term:
-//! `grader course new`, `build` and `update`.
+//! `grader course new`, `case`, `build` and `update`.
 
 use authoring::handout::output_folder;
 use authoring::term::update::Update;
-use authoring::term::{self, build, new};
+use authoring::term::{self, build, new, own_case};
 use authoring::{check, diff};
 use base::program::Exit;
 use base::{GraderError, Workspace, errln, out, outln};
 use clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
+use grader::cli::subprogram;
+use grader::course::Course;
+use judge::{cases, own_cases};
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::{self, RecvTimeoutError, Sender};
 use std::thread;
@@ -68,15 +71,33 @@ pub(crate) fn command() -> Command {
                 .action(ArgAction::SetTrue)
                 .help("Take its points, too, and its new tasks and cases"),
         );
+    let case = Command::new("case")
+        .about(
+            "Prints the question of a case as a file, from which you can make a case of your own",
+        )
+        .arg(
+            Arg::new("case")
+                .value_name("TASK/CASE")
+                .required(true)
+                .help("Such as part1.task3/range"),
+        )
+        .arg(
+            Arg::new("call")
+                .long("call")
+                .value_name("N")
+                .value_parser(value_parser!(usize))
+                .help("Only its call N"),
+        );
     Command::new("course")
         .about("For instructors: makes the course of a term, checks the course, compares it with another version")
         .subcommand_required(true)
-        .subcommands([new, build, update, check, diff])
+        .subcommands([new, case, build, update, check, diff])
 }
 
 pub(crate) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     match matches.subcommand().expect("clap requires it") {
         ("new", matches) => run_new(matches),
+        ("case", matches) => run_case(matches),
         ("build", matches) => run_build(matches),
         ("update", matches) => run_update(matches),
         ("check", matches) => run_check(matches),
@@ -117,6 +138,27 @@ fn term_folder(matches: &ArgMatches) -> Result<PathBuf, GraderError> {
     })
 }
 
+fn run_case(matches: &ArgMatches) -> Result<Exit, GraderError> {
+    let name: &String = matches.get_one("case").expect("clap requires it");
+    let course = Course::read(&Workspace::above(Path::new("."))?)?;
+    let (key, case) = name.split_once('/').unwrap_or((name, ""));
+    let specs = cases::of(key, cases::KNOWN_SEED);
+    let spec = specs.iter().find(|spec| spec.name == case);
+    let entry = course.tasks().find(|task| task.key == key);
+    let entry = entry.and_then(|task| task.cases.iter().find(|entry| entry.name == case));
+    let (spec, entry) = spec.zip(entry).ok_or_else(|| {
+        GraderError::new(format!(
+            "the course has no case `{name}`: expected one such as part1.task3/range; `cargo grader explain TASK` lists \
+             those of a task"
+        ))
+    })?;
+    out!(
+        "{}",
+        own_case::template(spec, entry.tier, matches.get_one("call").copied())?
+    );
+    Ok(Exit::Passed)
+}
+
 fn run_build(matches: &ArgMatches) -> Result<Exit, GraderError> {
     let folder = term_folder(matches)?;
     build::build(&Workspace::above_as_it_is(Path::new("."))?, &folder)?;
@@ -150,12 +192,33 @@ fn run_diff(matches: &ArgMatches) -> Result<Exit, GraderError> {
     Ok(Exit::Passed)
 }
 
+/// The teacher's cases are compiled in. If this program was compiled before they changed, compiles it
+/// again and lets the new one check the course.
+fn check_with_own_cases(workspace: &Workspace) -> Result<Option<Exit>, GraderError> {
+    let file = workspace.root().join(own_cases::FILE);
+    let now = std::fs::read_to_string(&file).map_err(|e| GraderError::file("read", &file, e))?;
+    if now == own_cases::COMPILED {
+        return Ok(None);
+    }
+    errln!(
+        "The cases of this course changed: compiling the grader with them, about a minute of processor time."
+    );
+    subprogram::run(
+        env!("CARGO_PKG_NAME"),
+        std::env::args_os().skip(1).collect(),
+    )
+    .map(Some)
+}
+
 fn run_check(matches: &ArgMatches) -> Result<Exit, GraderError> {
     let quick = matches.get_flag("quick");
     if let Some(folder) = term::above(Path::new("."))? {
         build::build(&Workspace::above_as_it_is(Path::new("."))?, &folder)?;
     }
     let workspace = Workspace::above(Path::new("."))?;
+    if let Some(exit) = check_with_own_cases(&workspace)? {
+        return Ok(exit);
+    }
     let start = Instant::now();
     let print = |step: &str| errln!("[{:4} s] {step}", start.elapsed().as_secs());
     let (sender, receiver) = mpsc::channel();

@@ -3,9 +3,11 @@
 mod book;
 mod list;
 
+use super::own_case;
 use super::settings::Changes;
 use base::GraderError;
 use grader::course::Course;
+use judge::own_cases;
 use std::path::{Path, PathBuf};
 use submission::file_tree::Files;
 
@@ -38,6 +40,13 @@ pub fn apply(files: &mut Files, changes: &Changes) -> Result<Vec<Written>, Grade
     for (path, contents) in book::with_changes(files, &list.before, &list.after, &changes.front)? {
         write(files, path, contents.into_bytes());
     }
+    let cases = changes.cases.iter().filter_map(|(name, case)| {
+        let (task, name) = name.split_once('/')?;
+        Some(own_case::judged(task, name, case))
+    });
+    let cases = own_cases::text(cases.collect());
+    let cases = cases.map_err(|e| GraderError::new(format!("cases: {e}")))?;
+    write(files, own_cases::FILE.into(), cases.into_bytes());
     for (name, contents) in &changes.scenes {
         let path = Path::new(SCENES).join(name);
         if files.contains_key(&path) {

@@ -1,5 +1,6 @@
 //! What a teacher's files say: `course.toml`, and `kept.toml`, which `grader course update` writes.
 
+use super::own_case::{self, OwnCase};
 use base::GraderError;
 use grader::course::term::{LateRule, PartDates, Term};
 use serde::Deserialize;
@@ -13,8 +14,7 @@ pub const FILE: &str = "course.toml";
 pub const KEPT: &str = "kept.toml";
 
 /// Folders for what a term cannot change: a clear refusal is better than a file without effect.
-const REFUSED: [(&str, &str); 4] = [
-    ("cases", "own cases"),
+const REFUSED: [(&str, &str); 3] = [
     ("mistakes", "own mistakes"),
     ("stages", "own stages"),
     ("golden", "own goldens"),
@@ -76,6 +76,8 @@ pub struct Changes {
     pub front: String,
     /// The teacher's scenes: file names and contents.
     pub scenes: BTreeMap<String, Vec<u8>>,
+    /// The teacher's cases, by names such as `part1.task3/thin_door`.
+    pub cases: BTreeMap<String, OwnCase>,
 }
 
 impl Changes {
@@ -92,6 +94,7 @@ impl Changes {
             }
         }
         let mut inputs = base::term::inputs(folder)?;
+        let cases = own_case::read(&inputs, folder)?;
         let mut text = |name: &str| -> Result<Option<String>, GraderError> {
             let Some(contents) = inputs.remove(Path::new(name)) else {
                 return Ok(None);
@@ -123,6 +126,7 @@ impl Changes {
                         .then_some((name, contents))
                 })
                 .collect(),
+            cases,
         };
         changes
             .settings

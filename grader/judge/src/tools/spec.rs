@@ -25,6 +25,8 @@ pub struct Spec {
     pub about: &'static str,
     /// The question that is judged and shown. The worker gets it moved.
     pub work: Work,
+    /// Whether a teacher added the case. It has no golden.
+    pub is_own: bool,
     /// Width and height, if the answers are the pixels of a picture, row by row from the bottom
     /// left.
     pub picture: Option<[u32; 2]>,
@@ -65,12 +67,24 @@ impl Spec {
         about: &'static str,
         question: K::Question,
     ) -> Spec {
+        Spec::of_work(task, name, about, K::work(question), check_of_kind::<K>())
+    }
+
+    /// The case `name` of `task` with `work` of the kind that `check` judges.
+    pub(crate) fn of_work(
+        task: &'static str,
+        name: &'static str,
+        about: &'static str,
+        work: Work,
+        check: &'static dyn AnyCheck,
+    ) -> Spec {
         Spec {
             task,
             name,
             about,
-            work: K::work(question),
-            check: check_of_kind::<K>(),
+            work,
+            check,
+            is_own: false,
             picture: None,
             enclosed: false,
             about_aspects: &[],

@@ -1,10 +1,12 @@
 //! The list of parts, tasks, cases and points, `stages/course.toml`: with the changes of a term,
 //! and everything else as it was, comments too.
 
+use crate::term::own_case::OwnCase;
 use crate::term::settings::Changes;
 use base::GraderError;
 use grader::course::term::Term;
 use grader::course::{Course, Task};
+use judge::Tier;
 use std::collections::BTreeSet;
 use toml_edit::{ArrayOfTables, DocumentMut, InlineTable, Item, Table, Value};
 
@@ -16,6 +18,7 @@ pub(super) fn with_changes(
 ) -> Result<String, GraderError> {
     let left_out = left_out(before, changes)?;
     check_points(before, changes)?;
+    check_cases(changes)?;
     let mut list: DocumentMut = original
         .parse()
         .map_err(|e| GraderError::new(format!("stages/course.toml: {e}")))?;
@@ -32,6 +35,11 @@ pub(super) fn with_changes(
                     continue;
                 };
                 cases.retain(|case| !left_out.contains(&name_of(&key, case)));
+                for (name, case) in &changes.cases {
+                    if let Some((_, name)) = name.split_once('/').filter(|(task, _)| *task == key) {
+                        cases.push_formatted(entry_of(name, case));
+                    }
+                }
                 for case in cases.iter_mut() {
                     let name = name_of(&key, case);
                     if let Some((points, case)) =
@@ -107,9 +115,7 @@ fn check_points(before: &Course, changes: &Changes) -> Result<(), GraderError> {
                  those of {key}"
             )
         })?;
-        // Sums of quarters are exact, so that the same points are printed everywhere.
-        let is_fine = points > 0.0 && points < 1e6 && (points * 4.0).fract() == 0.0;
-        ensure(is_fine, || {
+        ensure(are_quarters(points), || {
             format!(
                 "`points` gives {points} to `{name}`: expected quarters of a point, and more than 0. To ask the case no \
                  more, name it in `leave_out`"
@@ -117,6 +123,22 @@ fn check_points(before: &Course, changes: &Changes) -> Result<(), GraderError> {
         })?;
     }
     Ok(())
+}
+
+/// Returns an error if a case of the teacher has no points.
+fn check_cases(changes: &Changes) -> Result<(), GraderError> {
+    let unfit = |(_, case): &(&String, &OwnCase)| !are_quarters(case.points);
+    match changes.cases.iter().find(unfit) {
+        None => Ok(()),
+        Some((name, OwnCase { points, .. })) => Err(GraderError::new(format!(
+            "cases/{name}.toml: it has {points} points: expected quarters of a point, and more than 0"
+        ))),
+    }
+}
+
+/// Whether the sum of such points is exact, so that the same points are printed everywhere.
+fn are_quarters(points: f64) -> bool {
+    points > 0.0 && points < 1e6 && (points * 4.0).fract() == 0.0
 }
 
 fn task<'a>(course: &'a Course, key: &str, name: &str) -> Result<&'a Task, GraderError> {
@@ -150,14 +172,34 @@ fn name_of(task: &str, case: &Value) -> String {
     format!("{task}/{}", name.unwrap_or_default())
 }
 
+/// The entry of a teacher's case, on a line of its own.
+fn entry_of(name: &str, case: &OwnCase) -> Value {
+    let mut entry = InlineTable::new();
+    let tier = match case.tier {
+        Tier::Core => "core",
+        Tier::Robust => "robust",
+    };
+    entry.insert("name", name.into());
+    entry.insert("tier", tier.into());
+    entry.insert("points", number(case.points));
+    let mut entry = Value::from(entry);
+    *entry.decor_mut() = toml_edit::Decor::new("\n    ", "");
+    entry
+}
+
+/// Points as an integer, if they are one.
+fn number(points: f64) -> Value {
+    match points.fract() == 0.0 {
+        true => Value::from(points as i64),
+        false => Value::from(points),
+    }
+}
+
 /// Sets the points of a case, and keeps the blanks around them.
 fn set_points(case: &mut InlineTable, points: f64) {
     if let Some(value) = case.get_mut("points") {
         let decor = value.decor().clone();
-        *value = match points.fract() == 0.0 {
-            true => Value::from(points as i64),
-            false => Value::from(points),
-        };
+        *value = number(points);
         *value.decor_mut() = decor;
     }
 }

@@ -1,0 +1,143 @@
+//! The teacher's own cases: `cases/TASK/NAME.toml` in the folder of a term.
+
+use base::{GraderError, term};
+use judge::cases::{Spec, checked};
+use judge::{Tier, own_cases};
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use wire::Work;
+
+/// The file of a case.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct OwnCase {
+    /// What the case checks, in a sentence for students.
+    pub about: String,
+    /// Whether its points are core or robust points.
+    pub tier: Tier,
+    /// The points that it is worth, in quarters.
+    pub points: f64,
+    /// The question: a kind of work and its input.
+    pub work: Work,
+}
+
+/// Reads the cases among the teacher's files in `folder`, by names such as `part1.task3/thin_door`.
+pub(super) fn read(
+    inputs: &BTreeMap<PathBuf, Vec<u8>>,
+    folder: &Path,
+) -> Result<BTreeMap<String, OwnCase>, GraderError> {
+    let mut cases = BTreeMap::new();
+    for (path, contents) in inputs {
+        let Ok(inside) = path.strip_prefix(term::CASES) else {
+            continue;
+        };
+        let failed = |why: &dyn std::fmt::Display| {
+            GraderError::new(format!("{}: {why}", folder.join(path).display()))
+        };
+        let (task, name) = task_and_name(inside).ok_or_else(|| {
+            failed(
+                &"expected cases/TASK/NAME.toml, such as cases/part1.task3/thin_door.toml, with a name of small letters, digits and _",
+            )
+        })?;
+        let text = std::str::from_utf8(contents).map_err(|_| failed(&"it is not UTF-8 text"))?;
+        let case: OwnCase = toml::from_str(text).map_err(|e| failed(&e))?;
+        if let Some(problem) = own_cases::problem(&judged(task, name, &case)) {
+            return Err(failed(&problem));
+        }
+        cases.insert(format!("{task}/{name}"), case);
+    }
+    Ok(cases)
+}
+
+/// The task and the name of the case in the file `path` of the folder of cases.
+fn task_and_name(path: &Path) -> Option<(&str, &str)> {
+    let (task, file) = path.to_str()?.split_once('/')?;
+    let name = file.strip_suffix(".toml")?;
+    let is_plain = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_';
+    let is_name = name.starts_with(|c: char| c.is_ascii_lowercase()) && name.chars().all(is_plain);
+    is_name.then_some((task, name))
+}
+
+/// A case in the form in which the judge has it.
+pub(super) fn judged(task: &str, name: &str, case: &OwnCase) -> own_cases::OwnCase {
+    own_cases::OwnCase {
+        task: task.into(),
+        name: name.into(),
+        about: case.about.clone(),
+        work: case.work.clone(),
+    }
+}
+
+/// The text of a file from which a teacher can start: the case `spec`, or one call of it.
+pub fn template(spec: &Spec, tier: Tier, call: Option<usize>) -> Result<String, GraderError> {
+    let cut;
+    let (spec, of) = match call {
+        None => (spec, String::new()),
+        Some(call) => {
+            cut = spec.only_call(call).ok_or_else(|| {
+                GraderError::new(format!(
+                    "{}/{} has {} calls, and call {call} cannot be asked alone",
+                    spec.task,
+                    spec.name,
+                    spec.calls()
+                ))
+            })?;
+            (&cut, format!(", call {call}"))
+        }
+    };
+    let case = OwnCase {
+        about: checked(spec.about).to_string(),
+        tier,
+        points: 1.0,
+        work: spec.work.clone(),
+    };
+    let (task, name) = (spec.task, spec.name);
+    let case = toml::to_string(&case)
+        .map_err(|e| GraderError::new(format!("{task}/{name} cannot be written as a file: {e}")))?;
+    Ok(format!(
+        "# The question of {task}/{name}{of}. Change it, and store it as cases/{task}/NAME.toml in the folder of your term.\n\
+         # grader/wire/src says what each field means. The exact oracle judges the answers; core cases are for textbook code.\n\
+         {case}"
+    ))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_template_is_a_case() {
+        let specs = judge::cases::of("part1.task3", 0);
+        let spec = specs
+            .iter()
+            .find(|spec| spec.name == "range")
+            .expect("a case");
+        let text = template(spec, Tier::Core, Some(1)).expect("it has two calls");
+        let inputs = BTreeMap::from([(
+            PathBuf::from("cases/part1.task3/range_of_one.toml"),
+            text.clone().into_bytes(),
+        )]);
+        let cases = read(&inputs, Path::new("term")).expect("it is a case");
+        let case = &cases["part1.task3/range_of_one"];
+        assert_eq!(
+            Some(&case.work),
+            spec.only_call(1).map(|cut| cut.work).as_ref()
+        );
+        assert_eq!((case.tier, case.points), (Tier::Core, 1.0));
+        let error = template(spec, Tier::Core, Some(9999)).expect_err("it has fewer calls");
+        assert!(error.to_string().contains("call 9999 cannot"), "{error}");
+    }
+
+    #[test]
+    fn a_file_with_another_name_is_refused() {
+        for path in ["part1.task3/Door.toml", "part1.task3/door.txt", "door.toml"] {
+            let path = Path::new("cases").join(path);
+            let inputs = BTreeMap::from([(path, Vec::new())]);
+            let error = read(&inputs, Path::new("term"))
+                .expect_err("no case")
+                .to_string();
+            assert!(error.contains("expected cases/TASK/NAME.toml"), "{error}");
+        }
+    }
+}

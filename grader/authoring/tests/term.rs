@@ -195,7 +195,7 @@ fn a_case_of_the_teacher_is_listed_with_its_points_and_in_handouts() {
     let spec = spec.expect("a case");
     let file = root.join("cases/part1.task3/near_the_end.toml");
     fs::create_dir_all(file.parent().expect("a folder")).expect("it is writable");
-    let text = own_case::template(spec, Tier::Core, Some(0)).expect("it has calls");
+    let text = own_case::template(spec, Tier::Core).expect("it can be written");
     let text = text.replace("points = 1.0", "points = 1.25");
     fs::write(&file, &text).expect("it is writable");
     build(&copy_as_it_is(&root), &root).expect("it is right");
@@ -211,14 +211,20 @@ fn a_case_of_the_teacher_is_listed_with_its_points_and_in_handouts() {
     assert!(compiled.contains("name = \"near_the_end\""), "{compiled}");
     assert_ne!(compiled, own_cases::COMPILED);
     let handout = Handout::carve(&workspace, 1).expect("a handout");
-    assert_eq!(handout.files[Path::new(own_cases::FILE)], compiled.as_bytes());
+    assert_eq!(
+        handout.files[Path::new(own_cases::FILE)],
+        compiled.as_bytes()
+    );
 
     // As long as it is not applied nothing works; without the file all is as it was.
     fs::write(&file, text.replace("1.25", "0.3")).expect("it is writable");
     assert!(Workspace::above(&root).is_err());
     let error = build(&copy_as_it_is(&root), &root).expect_err("no quarters");
     let error = error.to_string();
-    assert!(error.contains("near_the_end.toml: it has 0.3 points"), "{error}");
+    assert!(
+        error.contains("near_the_end.toml: it has 0.3 points"),
+        "{error}"
+    );
     fs::remove_file(&file).expect("it exists");
     build(&copy_as_it_is(&root), &root).expect("it is right");
     let again = fs::read_to_string(root.join(COPY).join(own_cases::FILE)).expect("a file");

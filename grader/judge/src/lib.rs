@@ -17,8 +17,9 @@ mod tasks;
 mod tools;
 
 pub use face::judgement::{calls, fits, judge, judge_each, judge_written};
-pub use face::{cases, examples, moved, picture, pictures, repro, snapshot, truth_tables, whole};
-pub use tasks::own_cases;
+pub use face::{
+    cases, examples, moved, own_cases, picture, pictures, repro, snapshot, truth_tables, whole,
+};
 pub use tasks::part2_task1::exact_boxes;
 pub use tools::packed_truth;
 pub use tools::simple::variations;

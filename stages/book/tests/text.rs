@@ -313,6 +313,7 @@ fn commands_can_be_run() {
                 // In the folder of a term.
                 "cargo run --release --manifest-path .first-light/Cargo.toml -p book_site -- ",
                 "cd ",
+                "mkdir ",
             ];
             assert!(
                 known.iter().any(|known| command.starts_with(known)),

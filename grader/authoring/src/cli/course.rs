@@ -73,7 +73,7 @@ pub(crate) fn command() -> Command {
         );
     let case = Command::new("case")
         .about(
-            "Prints the question of a case as a file, from which you can make a case of your own",
+            "Prints a question such as a case asks as a file, from which you can make a case of your own",
         )
         .arg(
             Arg::new("case")
@@ -81,13 +81,7 @@ pub(crate) fn command() -> Command {
                 .required(true)
                 .help("Such as part1.task3/range"),
         )
-        .arg(
-            Arg::new("call")
-                .long("call")
-                .value_name("N")
-                .value_parser(value_parser!(usize))
-                .help("Only its call N"),
-        );
+;
     Command::new("course")
         .about("For instructors: makes the course of a term, checks the course, compares it with another version")
         .subcommand_required(true)
@@ -140,7 +134,8 @@ fn term_folder(matches: &ArgMatches) -> Result<PathBuf, GraderError> {
 
 fn run_case(matches: &ArgMatches) -> Result<Exit, GraderError> {
     let name: &String = matches.get_one("case").expect("clap requires it");
-    let course = Course::read(&Workspace::above(Path::new("."))?)?;
+    // The shell has made the file of the new case, which is not applied yet.
+    let course = Course::read(&Workspace::above_as_it_is(Path::new("."))?)?;
     let (key, case) = name.split_once('/').unwrap_or((name, ""));
     let specs = cases::of(key, cases::KNOWN_SEED);
     let spec = specs.iter().find(|spec| spec.name == case);
@@ -152,10 +147,7 @@ fn run_case(matches: &ArgMatches) -> Result<Exit, GraderError> {
              those of a task"
         ))
     })?;
-    out!(
-        "{}",
-        own_case::template(spec, entry.tier, matches.get_one("call").copied())?
-    );
+    out!("{}", own_case::template(spec, entry.tier)?);
     Ok(Exit::Passed)
 }
 

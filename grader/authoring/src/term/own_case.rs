@@ -69,35 +69,23 @@ pub(super) fn judged(task: &str, name: &str, case: &OwnCase) -> own_cases::OwnCa
     }
 }
 
-/// The text of a file from which a teacher can start: the case `spec`, or one call of it.
-pub fn template(spec: &Spec, tier: Tier, call: Option<usize>) -> Result<String, GraderError> {
-    let cut;
-    let (spec, of) = match call {
-        None => (spec, String::new()),
-        Some(call) => {
-            cut = spec.only_call(call).ok_or_else(|| {
-                GraderError::new(format!(
-                    "{}/{} has {} calls, and call {call} cannot be asked alone",
-                    spec.task,
-                    spec.name,
-                    spec.calls()
-                ))
-            })?;
-            (&cut, format!(", call {call}"))
-        }
-    };
+/// The text of a file from which a teacher can start: the simplest question of the same kind as that
+/// of the case `spec`; where there is none, its first call or the whole.
+pub fn template(spec: &Spec, tier: Tier) -> Result<String, GraderError> {
+    let simplest = spec.simple().into_iter().next();
+    let simplest = simplest.or_else(|| spec.only_call(0));
     let case = OwnCase {
         about: checked(spec.about).to_string(),
         tier,
         points: 1.0,
-        work: spec.work.clone(),
+        work: simplest.as_ref().unwrap_or(spec).work.clone(),
     };
     let (task, name) = (spec.task, spec.name);
     let case = toml::to_string(&case)
         .map_err(|e| GraderError::new(format!("{task}/{name} cannot be written as a file: {e}")))?;
     Ok(format!(
-        "# The question of {task}/{name}{of}. Change it, and store it as cases/{task}/NAME.toml in the folder of your term.\n\
-         # grader/wire/src says what each field means. The exact oracle judges the answers; core cases are for textbook code.\n\
+        "# A question such as {task}/{name} asks. Change it, and store it as cases/{task}/NAME.toml in the folder of your\n\
+         # term. .first-light/grader/wire/src says what each field means. Core points are for textbook code.\n\
          {case}"
     ))
 }
@@ -105,28 +93,30 @@ pub fn template(spec: &Spec, tier: Tier, call: Option<usize>) -> Result<String, 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::collections::BTreeSet;
 
     #[test]
-    fn a_template_is_a_case() {
-        let specs = judge::cases::of("part1.task3", 0);
-        let spec = specs
-            .iter()
-            .find(|spec| spec.name == "range")
-            .expect("a case");
-        let text = template(spec, Tier::Core, Some(1)).expect("it has two calls");
-        let inputs = BTreeMap::from([(
-            PathBuf::from("cases/part1.task3/range_of_one.toml"),
-            text.clone().into_bytes(),
-        )]);
-        let cases = read(&inputs, Path::new("term")).expect("it is a case");
-        let case = &cases["part1.task3/range_of_one"];
-        assert_eq!(
-            Some(&case.work),
-            spec.only_call(1).map(|cut| cut.work).as_ref()
-        );
-        assert_eq!((case.tier, case.points), (Tier::Core, 1.0));
-        let error = template(spec, Tier::Core, Some(9999)).expect_err("it has fewer calls");
-        assert!(error.to_string().contains("call 9999 cannot"), "{error}");
+    fn every_case_whose_answers_are_judged_has_a_template() {
+        let mut timed = 0;
+        let mut seen = BTreeSet::new();
+        for spec in judge::cases::all(0) {
+            // One case of each kind in each task.
+            if !seen.insert((spec.task, spec.work.kind())) {
+                continue;
+            }
+            let text = template(&spec, Tier::Core).expect("it can be written");
+            let path = format!("cases/{}/our_case.toml", spec.task);
+            let inputs = BTreeMap::from([(path.into(), text.into_bytes())]);
+            match read(&inputs, Path::new("term")) {
+                Ok(cases) => assert_eq!(cases.len(), 1),
+                Err(error) => {
+                    let error = error.to_string();
+                    assert!(error.contains("measures times"), "{}: {error}", spec.name);
+                    timed += 1;
+                }
+            }
+        }
+        assert_eq!(timed, 1);
     }
 
     #[test]

@@ -4,6 +4,7 @@
 //! defines them. Every case is the same on every machine; random cases depend on a seed alone, and
 //! so do the moves of all others.
 
+use super::own_cases;
 use crate::tasks;
 
 pub use crate::tools::questions::probes;
@@ -12,12 +13,19 @@ pub use crate::tools::spec::{KNOWN_SEED, PITFALL, Spec, checked};
 
 /// All cases of all tasks.
 pub fn all(seed: u64) -> Vec<Spec> {
-    tasks::cases(seed, |_| true)
+    wanted(seed, |_| true)
 }
 
 /// All cases of one task; the others are not made.
 pub fn of(task: &str, seed: u64) -> Vec<Spec> {
-    tasks::cases(seed, |key| key == task)
+    wanted(seed, |key| key == task)
+}
+
+/// First Light's cases of the tasks whose keys `is_wanted`, then those of a teacher.
+fn wanted(seed: u64, is_wanted: impl Fn(&str) -> bool) -> Vec<Spec> {
+    let mut cases = tasks::cases(seed, &is_wanted);
+    cases.extend(own_cases::cases(seed, is_wanted));
+    cases
 }
 
 #[cfg(test)]

@@ -5,6 +5,7 @@ pub mod examples;
 pub(crate) mod judgement;
 pub mod moved;
 mod order;
+pub mod own_cases;
 pub mod picture;
 pub mod pictures;
 pub mod repro;

@@ -6,7 +6,6 @@
 //! judged.
 
 pub(crate) mod measurements;
-pub mod own_cases;
 pub(crate) mod part1_task1;
 pub(crate) mod part1_task2;
 pub(crate) mod part1_task3;
@@ -66,16 +65,9 @@ const CASES: &[(&str, MakeCases)] = &[
     ("part5.task2", part5_task2::cases::cases),
 ];
 
-/// All cases of the tasks whose keys `is_wanted`, those of a teacher last. Their questions are moved
-/// as `seed` draws.
+/// All cases of the tasks whose keys `is_wanted`. Their questions are moved as `seed` draws.
 pub(crate) fn cases(seed: u64, is_wanted: impl Fn(&str) -> bool) -> Vec<Spec> {
-    let mut cases = given_cases(seed, &is_wanted);
-    cases.extend(own_cases::cases(is_wanted));
-    cases.into_iter().map(|case| case.moved_for(seed)).collect()
-}
-
-/// The cases of First Light.
-fn given_cases(seed: u64, is_wanted: impl Fn(&str) -> bool) -> Vec<Spec> {
     let wanted = CASES.iter().filter(|(key, _)| is_wanted(key));
-    wanted.flat_map(|(_, cases)| cases(seed)).collect()
+    let cases = wanted.flat_map(|(_, cases)| cases(seed));
+    cases.map(|case| case.moved_for(seed)).collect()
 }

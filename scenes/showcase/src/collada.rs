@@ -1,15 +1,24 @@
-//! Writes a scene of diffuse meshes as COLLADA.
+//! Writes a scene of meshes as COLLADA.
 
 use kit::{Triangle, Vec3};
 use std::io::{self, Write};
 
-/// A mesh of one diffuse colour.
+/// What a surface does with light.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Paint {
+    /// Diffuse, with this reflectance.
+    Matte([f64; 3]),
+    /// A mirror with this reflectance.
+    Mirror([f64; 3]),
+}
+
+/// A mesh of one material.
 #[derive(Clone, Debug)]
 pub struct Mesh {
     /// Its name in the file: letters, digits and `-`.
     pub name: String,
-    /// Its reflectance.
-    pub color: [f64; 3],
+    /// Its material.
+    pub paint: Paint,
     /// Its triangles.
     pub triangles: Vec<Triangle>,
 }
@@ -25,6 +34,15 @@ pub struct AreaLight {
     pub placement: String,
 }
 
+/// A light so far away that its rays are parallel.
+#[derive(Clone, Copy, Debug)]
+pub struct Sun {
+    /// The irradiance of a surface that faces it.
+    pub irradiance: [f64; 3],
+    /// The direction to it.
+    pub direction: Vec3,
+}
+
 /// A scene.
 #[derive(Clone, Debug)]
 pub struct Document {
@@ -35,7 +53,9 @@ pub struct Document {
     /// Camera position and the point that it looks at.
     pub camera: [Vec3; 2],
     /// Radiance from every direction.
-    pub ambient: [f64; 3],
+    pub ambient: Option<[f64; 3]>,
+    /// The sun, if there is one.
+    pub sun: Option<Sun>,
     /// The area lights.
     pub lights: Vec<AreaLight>,
     /// The meshes.
@@ -46,17 +66,30 @@ impl Document {
     /// Writes the file. Numbers have all their digits.
     pub fn write(&self, out: &mut impl Write) -> io::Result<()> {
         writeln!(out, "{HEAD}")?;
-        write!(
+        writeln!(
             out,
             "<library_cameras><camera id=\"camera\"><optics><technique_common><perspective>\
              <yfov>{}</yfov><aspect_ratio>{}</aspect_ratio><znear>0.01</znear><zfar>1000</zfar>\
              </perspective></technique_common></optics></camera></library_cameras>\n\
-             <library_lights>\n<light id=\"ambient\"><technique_common><ambient><color>{}</color>\
-             </ambient></technique_common></light>\n",
-            self.yfov,
-            self.aspect,
-            numbers(self.ambient)
+             <library_lights>",
+            self.yfov, self.aspect
         )?;
+        if let Some(radiance) = self.ambient {
+            writeln!(
+                out,
+                "<light id=\"ambient\"><technique_common><ambient><color>{}</color></ambient>\
+                 </technique_common></light>",
+                numbers(radiance)
+            )?;
+        }
+        if let Some(sun) = &self.sun {
+            let color = numbers(sun.irradiance);
+            writeln!(
+                out,
+                "<light id=\"sun\"><technique_common><directional><color>{color}</color>\
+                 </directional></technique_common></light>"
+            )?;
+        }
         for light in &self.lights {
             let color = numbers(light.radiance);
             writeln!(
@@ -69,21 +102,11 @@ impl Document {
         }
         writeln!(out, "</library_lights>\n<library_effects>")?;
         for mesh in &self.meshes {
-            writeln!(
-                out,
-                "<effect id=\"{}-effect\"><profile_COMMON><technique sid=\"common\"><lambert>\
-                 <diffuse><color>{} 1</color></diffuse></lambert></technique></profile_COMMON>\
-                 </effect>",
-                mesh.name,
-                numbers(mesh.color)
-            )?;
+            writeln!(out, "{}", effect(&mesh.name, mesh.paint))?;
         }
         writeln!(out, "</library_effects>\n<library_materials>")?;
         for Mesh { name, .. } in &self.meshes {
-            writeln!(
-                out,
-                "<material id=\"{name}-paint\"><instance_effect url=\"#{name}-effect\"/></material>"
-            )?;
+            writeln!(out, "{}", material(name))?;
         }
         writeln!(out, "</library_materials>\n<library_geometries>")?;
         for mesh in &self.meshes {
@@ -98,9 +121,25 @@ impl Document {
             out,
             "</library_geometries>\n<library_visual_scenes><visual_scene id=\"scene\">\n\
              <node id=\"camera-node\"><lookat>{position} {target} 0 1 0</lookat>\
-             <instance_camera url=\"#camera\"/></node>\n\
-             <node id=\"ambient-node\"><instance_light url=\"#ambient\"/></node>"
+             <instance_camera url=\"#camera\"/></node>"
         )?;
+        if self.ambient.is_some() {
+            writeln!(
+                out,
+                "<node id=\"ambient-node\"><instance_light url=\"#ambient\"/></node>"
+            )?;
+        }
+        if let Some(sun) = &self.sun {
+            // The light shines along -z of its node.
+            let [from, up] = [sun.direction, sun.direction.any_orthonormal_vector()];
+            writeln!(
+                out,
+                "<node id=\"sun-node\"><lookat>{} 0 0 0 {}</lookat>\
+                 <instance_light url=\"#sun\"/></node>",
+                numbers(from.to_array()),
+                numbers(up.to_array())
+            )?;
+        }
         for AreaLight {
             name, placement, ..
         } in &self.lights
@@ -111,12 +150,7 @@ impl Document {
             )?;
         }
         for Mesh { name, .. } in &self.meshes {
-            writeln!(
-                out,
-                "<node id=\"{name}\"><instance_geometry url=\"#{name}-mesh\"><bind_material>\
-                 <technique_common><instance_material symbol=\"paint\" target=\"#{name}-paint\"/>\
-                 </technique_common></bind_material></instance_geometry></node>"
-            )?;
+            writeln!(out, "{}", node(name))?;
         }
         writeln!(
             out,
@@ -126,9 +160,41 @@ impl Document {
     }
 }
 
+/// The `<effect>` of a material.
+pub(crate) fn effect(name: &str, paint: Paint) -> String {
+    let (Paint::Matte(color) | Paint::Mirror(color)) = paint;
+    let color = numbers(color);
+    let extra = match paint {
+        Paint::Matte(_) => String::new(),
+        Paint::Mirror(_) => format!(
+            "<extra><technique profile=\"CGL\"><mirror><reflectance>{color}</reflectance></mirror>\
+             </technique></extra>"
+        ),
+    };
+    format!(
+        "<effect id=\"{name}-effect\"><profile_COMMON><technique sid=\"common\"><lambert>\
+         <diffuse><color>{color} 1</color></diffuse></lambert></technique></profile_COMMON>{extra}\
+         </effect>"
+    )
+}
+
+/// The `<material>` of the effect with this name.
+pub(crate) fn material(name: &str) -> String {
+    format!("<material id=\"{name}-paint\"><instance_effect url=\"#{name}-effect\"/></material>")
+}
+
+/// The `<node>` of the mesh with this name.
+pub(crate) fn node(name: &str) -> String {
+    format!(
+        "<node id=\"{name}\"><instance_geometry url=\"#{name}-mesh\"><bind_material>\
+         <technique_common><instance_material symbol=\"paint\" target=\"#{name}-paint\"/>\
+         </technique_common></bind_material></instance_geometry></node>"
+    )
+}
+
 impl Mesh {
     /// Three vertices for each triangle, with their normals.
-    fn write(&self, out: &mut impl Write) -> io::Result<()> {
+    pub(crate) fn write(&self, out: &mut impl Write) -> io::Result<()> {
         let Mesh {
             name, triangles, ..
         } = self;

@@ -1,10 +1,14 @@
 //! What the front-page pictures need and no scene file of `scenes/dae` contains.
 //!
-//! Reading order: [`sky`] (a sky map at dusk), [`tree`] (a large mesh and the boxes of its tree),
-//! [`collada`] (writes such a scene), [`strip`] (pictures side by side). The commands are in
+//! Reading order: [`sky`] (a sky map at dusk), [`tree`] (a landscape and the boxes of its tree),
+//! [`street`] (steps in the sun), [`dusk`] (a lake behind `scenes/dae/dusk.dae`), `shapes`,
+//! [`collada`] (writes such scenes), [`strip`] (pictures side by side). The commands are in
 //! `scenes/pictures/README.md`.
 
 pub mod collada;
+pub mod dusk;
+mod shapes;
 pub mod sky;
+pub mod street;
 pub mod strip;
 pub mod tree;

@@ -2,13 +2,13 @@
 
 use base::{errln, outln};
 use image::RgbImage;
-use showcase::{sky, strip, tree};
+use showcase::{dusk, sky, street, strip, tree};
 use std::fs::{self, File};
-use std::io::{BufWriter, Write};
+use std::io::{self, BufWriter, Write};
 use std::path::Path;
 use std::process::ExitCode;
 
-const USAGE: &str = "usage: showcase sky OUT.exr\n       showcase tree OUT.dae\n       \
+const USAGE: &str = "usage: showcase sky OUT.exr\n       showcase dusk|street|tree OUT.dae\n       \
                      showcase strip OUT.png A.png B.png ...\n       showcase --version";
 
 fn main() -> ExitCode {
@@ -18,13 +18,9 @@ fn main() -> ExitCode {
         ["sky", out] => whole(out, "exr", |part| {
             sky::map().save(part).map_err(|why| why.to_string())
         }),
-        ["tree", out] => whole(out, "dae", |part| {
-            let mut file = BufWriter::new(File::create(part).map_err(|why| why.to_string())?);
-            let written = tree::document(tree::TRIANGLES).write(&mut file);
-            written
-                .and_then(|()| file.flush())
-                .map_err(|why| why.to_string())
-        }),
+        ["dusk", out] => scene(out, dusk::write),
+        ["street", out] => scene(out, |file| street::document().write(file)),
+        ["tree", out] => scene(out, |file| tree::document(tree::TRIANGLES).write(file)),
         ["strip", out, pictures @ ..] if !pictures.is_empty() => {
             whole(out, "png", |part| save_strip(part, pictures))
         }
@@ -41,6 +37,18 @@ fn main() -> ExitCode {
             ExitCode::from(2)
         }
     }
+}
+
+/// Writes a scene file.
+fn scene(
+    out: &str,
+    write: impl FnOnce(&mut BufWriter<File>) -> io::Result<()>,
+) -> Result<(), String> {
+    whole(out, "dae", |part| {
+        let mut file = BufWriter::new(File::create(part).map_err(|why| why.to_string())?);
+        let written = write(&mut file).and_then(|()| file.flush());
+        written.map_err(|why| why.to_string())
+    })
 }
 
 /// Calls `write` with a temporary path, which is renamed to `out` if it succeeds. Creates the

@@ -1,77 +1,113 @@
 //! A large mesh, and the boxes of the tree over it.
 
-use crate::collada::{AreaLight, Document, Mesh};
+use crate::collada::{Document, Mesh, Paint};
+use crate::shapes::{block, square};
 use kit::{Aabb, Bvh, NodeKind, Triangle, Vec3};
 use meshes::{MeshKind, generate};
 
 /// The number of triangles of the mesh.
 pub const TRIANGLES: usize = 200_000;
 
+/// The height of the mountains, as a share of those of the mesh.
+const RELIEF: f64 = 0.5;
+
+/// The height of the water.
+const LAKE: f64 = 0.012;
+
 /// Primitives of a leaf.
 const MAX_LEAF_SIZE: usize = 4;
 
-/// A level of the tree that is shown: its depth below the root, the colour of its boxes and the
-/// thickness of their edges.
-const LEVELS: [(u32, [f64; 3], f64); 3] = [
-    (3, [0.95, 0.62, 0.08], 0.012),
-    (6, [0.05, 0.55, 0.50], 0.006),
-    (9, [0.80, 0.16, 0.42], 0.003),
+/// A level of the tree that is shown: its depth below the root, the range of z of its boxes, their
+/// colour and the thickness of their edges.
+struct Level {
+    depth: u32,
+    z: [f64; 2],
+    color: [f64; 3],
+    thickness: f64,
+}
+
+/// The levels that are shown, from the coarse one on the right to the fine one on the left.
+const LEVELS: [Level; 3] = [
+    Level {
+        depth: 6,
+        z: [-0.34, 0.02],
+        color: [0.95, 0.62, 0.05],
+        thickness: 0.0035,
+    },
+    Level {
+        depth: 9,
+        z: [0.02, 0.36],
+        color: [0.05, 0.70, 0.72],
+        thickness: 0.002,
+    },
+    Level {
+        depth: 12,
+        z: [0.36, 1.0],
+        color: [0.90, 0.20, 0.45],
+        thickness: 0.001,
+    },
 ];
 
-/// The scene of a mesh with `triangles` triangles on a floor. On its left half are the boxes of
-/// three levels of its tree; the further left, the deeper the level.
+/// The scene of a landscape of `triangles` triangles. Its right third is bare; further left are the
+/// boxes of its tree, the further left, the deeper the level.
 pub fn document(triangles: usize) -> Document {
-    let mesh = generate(MeshKind::Knot, triangles);
+    let mesh: Vec<Triangle> = generate(MeshKind::Terrain, triangles)
+        .iter()
+        .map(flattened)
+        .collect();
     let bounds: Vec<Aabb> = mesh.iter().map(Triangle::bounds).collect();
     let tree = bvh::construct_bvh(&bounds, MAX_LEAF_SIZE);
-    let floor = tree.nodes.first().map_or(0.0, |root| root.bounds.min.y) - 0.01;
     let mut meshes = vec![
         Mesh {
             name: "mesh".to_owned(),
-            color: [0.80, 0.56, 0.40],
+            paint: Paint::Matte([0.66, 0.58, 0.50]),
             triangles: mesh,
         },
         Mesh {
-            name: "floor".to_owned(),
-            color: [0.50, 0.51, 0.54],
-            triangles: square(60.0, floor),
+            name: "lake".to_owned(),
+            paint: Paint::Mirror([0.55, 0.60, 0.68]),
+            triangles: square(400.0, LAKE),
         },
     ];
-    for (i, (depth, color, thickness)) in LEVELS.into_iter().enumerate() {
-        let [from, to] = zone(i);
+    for Level {
+        depth,
+        z: [from, to],
+        color,
+        thickness,
+    } in LEVELS
+    {
         let boxes = boxes_at_depth(&tree, depth).into_iter().filter(|b| {
-            let center = 0.5 * (b.min.x + b.max.x);
+            let center = 0.5 * (b.min.z + b.max.z);
             (from..to).contains(&center)
         });
         meshes.push(Mesh {
             name: format!("level-{depth}"),
-            color,
+            paint: Paint::Matte(color),
             triangles: boxes.flat_map(|b| edges(&b, thickness)).collect(),
         });
     }
-    let light = |name: &str, radiance, placement: &str| AreaLight {
-        name: name.to_owned(),
-        radiance,
-        placement: placement.to_owned(),
-    };
     Document {
-        yfov: 22.5,
+        yfov: 22.0,
         aspect: 2.0,
-        camera: [Vec3::new(0.35, 1.75, 4.9), Vec3::new(0.0, -0.04, 0.0)],
-        ambient: [0.32, 0.36, 0.42],
-        lights: vec![light(
-            "key",
-            [14.0, 12.6, 11.0],
-            "<translate>3 4.5 3</translate><rotate>0 1 0 45</rotate><rotate>1 0 0 -46</rotate>\
-             <scale>2.5 2.5 1</scale>",
-        )],
+        camera: [Vec3::new(2.3, 0.80, 0.0), Vec3::new(0.0, 0.05, 0.0)],
+        ambient: None,
+        sun: None,
+        lights: Vec::new(),
         meshes,
     }
 }
 
-/// The range of x in which level `i` of [`LEVELS`] is shown, of a mesh in [-1, 1]³.
-fn zone(i: usize) -> [f64; 2] {
-    [[-0.15, 2.0], [-0.62, -0.15], [-2.0, -0.62]][i].map(|x: f64| x.min(0.42))
+/// A triangle of the landscape with lower mountains.
+fn flattened(t: &Triangle) -> Triangle {
+    let lower = |p: Vec3| Vec3::new(p.x, RELIEF * p.y, p.z);
+    // Normals are transformed by the inverse.
+    let normal = |n: Vec3| Vec3::new(n.x, n.y / RELIEF, n.z).normalize_or(Vec3::Y);
+    Triangle {
+        n0: normal(t.n0),
+        n1: normal(t.n1),
+        n2: normal(t.n2),
+        ..Triangle::flat(lower(t.p0), lower(t.p1), lower(t.p2))
+    }
 }
 
 /// The boxes of all nodes `depth` levels below the root, and of leaves above that level.
@@ -111,39 +147,6 @@ fn edges(b: &Aabb, thickness: f64) -> Vec<Triangle> {
     bars
 }
 
-/// The surface of a box, with normals outwards.
-fn block(min: Vec3, max: Vec3) -> Vec<Triangle> {
-    let corner = |i: usize| {
-        let pick = |bit: usize, lo: f64, hi: f64| if i >> bit & 1 == 0 { lo } else { hi };
-        Vec3::new(
-            pick(0, min.x, max.x),
-            pick(1, min.y, max.y),
-            pick(2, min.z, max.z),
-        )
-    };
-    let faces = [
-        [0, 2, 3, 1],
-        [4, 5, 7, 6],
-        [0, 1, 5, 4],
-        [2, 6, 7, 3],
-        [0, 4, 6, 2],
-        [1, 3, 7, 5],
-    ];
-    let triangles = faces.into_iter().flat_map(|face| {
-        let [a, b, c, d] = face.map(corner);
-        [Triangle::flat(a, b, c), Triangle::flat(a, c, d)]
-    });
-    triangles.collect()
-}
-
-/// A horizontal square at height `y`, facing up.
-fn square(half: f64, y: f64) -> Vec<Triangle> {
-    let corner = |x: f64, z: f64| Vec3::new(x * half, y, z * half);
-    let (a, b) = (corner(-1.0, 1.0), corner(1.0, 1.0));
-    let (c, d) = (corner(1.0, -1.0), corner(-1.0, -1.0));
-    vec![Triangle::flat(a, b, c), Triangle::flat(a, c, d)]
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -160,7 +163,7 @@ mod tests {
         assert_eq!(loaded.warnings.len(), 0);
         let count: usize = document.meshes.iter().map(|m| m.triangles.len()).sum();
         assert_eq!(loaded.scene.triangles.len(), count);
-        assert_eq!(loaded.scene.lights.len(), 2);
+        assert_eq!(loaded.scene.lights.len(), 0);
         let boxes = &document.meshes[2..];
         assert!(boxes.iter().all(|level| !level.triangles.is_empty()));
     }

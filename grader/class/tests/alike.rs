@@ -1,12 +1,13 @@
 //! Which code in common is found, and what is said about it.
 
 use base::Workspace;
+use class::alike::page;
 use class::alike::pairs::{self, Pair, Student};
-use class::alike::passages::Known;
-use class::alike::source::Source;
-use class::alike::{given, known, page, tokens};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
+use submission::code::passages::Known;
+use submission::code::source::Source;
+use submission::code::{given, known, tokens};
 
 /// A test that nobody's textbook has, so that who has it as well has it from somewhere.
 const SHARED: &str = "
@@ -150,8 +151,8 @@ fn what_many_have_is_told_once_and_accuses_no_pair() {
 fn the_handout_and_textbook_code_of_the_course_are_nobodys() {
     let workspace = Workspace::above(Path::new(env!("CARGO_MANIFEST_DIR"))).expect("the course");
     let stage = "intersect";
-    let known = known(&workspace, stage).expect("files");
-    let given = given(&workspace, stage).expect("files");
+    let known = known(workspace.root(), stage).expect("files");
+    let given = given(workspace.root(), stage).expect("files");
     assert_eq!(Source::new(&given, &known).text.own(), 0);
     let variant = workspace
         .root()
@@ -176,8 +177,8 @@ fn the_handout_and_textbook_code_of_the_course_are_nobodys() {
 #[test]
 fn code_of_the_grader_in_a_stage_is_shown() {
     let workspace = Workspace::above(Path::new(env!("CARGO_MANIFEST_DIR"))).expect("a workspace");
-    let graders = class::alike::of_the_grader(&workspace).expect("it can be read");
-    let known = known(&workspace, "bvh").expect("it can be read");
+    let graders = submission::code::of_the_grader(workspace.root()).expect("it can be read");
+    let known = known(workspace.root(), "bvh").expect("it can be read");
     let student = |name: &str, files: &submission::file_tree::Files| Student {
         name: name.into(),
         stages: BTreeMap::from([("bvh".to_string(), Source::new(files, &known))]),

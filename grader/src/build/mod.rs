@@ -4,9 +4,11 @@ mod cargo_run;
 mod changed_signature;
 pub mod compile_errors;
 pub mod compile_warnings;
+mod read_files;
 mod target_folder;
 
 use crate::build::cargo_run::{MOST_TIME, run_cargo};
+use crate::build::read_files::ReadFiles;
 use crate::workers::launcher::Launcher;
 use crate::workers::runner::Worker;
 use base::{GraderError, Workspace, child_processes, err};
@@ -68,8 +70,18 @@ pub enum BuildLimit {
     Memory,
 }
 
+/// In place of the compiler's messages, where it could read any file and ended before it said which
+/// ones it read.
+const NOT_SHOWN: &str = "error: a stage does not compile. This machine cannot keep files from the compiler, which ended too early to say which files it had read, so its messages are not shown: run `cargo build` with the code\n";
+
 /// The package and the crate of the worker.
 pub(crate) const WORKER: &str = "worker";
+
+/// The worker's cargo feature for tracing rays through whole scenes.
+pub(crate) const SCENES_FEATURE: &str = "meshes";
+
+/// The stages that this feature links.
+pub(crate) const INTERSECTION_STAGES: [&str; 3] = ["intersect", "bbox", "bvh"];
 
 impl BuildRoot<'_> {
     /// The workspace itself.
@@ -89,7 +101,8 @@ impl BuildRoot<'_> {
     pub fn build_worker(&self, features: &[&str]) -> Result<BuildOutcome, GraderError> {
         let show = !self.sealed && !self.quiet;
         let command = self.command(features, show && has_colours());
-        match run_cargo(command, WORKER, show, self.most_time())? {
+        let built = run_cargo(command, WORKER, show, self.most_time())?;
+        match self.without_foreign_files(built, features)? {
             Ok(program) => {
                 let worker = copy_under_own_name(program, features)?;
                 Ok(BuildOutcome::Worker(Worker {
@@ -106,6 +119,45 @@ impl BuildRoot<'_> {
                 ))
             }
         }
+    }
+
+    /// What was `built`, unless the compiler read files for it that are not the code's own: then this is
+    /// an error of the crate, and what the compiler said may contain them.
+    fn without_foreign_files(
+        &self,
+        built: Result<PathBuf, CompileErrors>,
+        features: &[&str],
+    ) -> Result<Result<PathBuf, CompileErrors>, GraderError> {
+        let (Some(launcher), Some(target)) = (self.launcher, self.target) else {
+            return Ok(built);
+        };
+        let mut linked = features.to_vec();
+        if features.contains(&SCENES_FEATURE) {
+            linked.extend(INTERSECTION_STAGES);
+        }
+        let folders = linked.into_iter();
+        let folders = folders.map(|stage| (stage, Path::new("stages").join(stage)));
+        let stages = folders.filter(|(_, folder)| self.root.join(folder).is_dir());
+        let mut crates: Vec<(&str, PathBuf)> = stages.collect();
+        crates.push((WORKER, Path::new("grader").join(WORKER)));
+        let read = ReadFiles::of(self.root, target, &crates)?;
+        if !read.foreign.is_empty() {
+            return Ok(Err(CompileErrors {
+                messages: read.foreign.values().cloned().collect(),
+                failed_crates: read.foreign.into_keys().collect(),
+                ..CompileErrors::default()
+            }));
+        }
+        Ok(built.map_err(|mut errors| {
+            let is_unknown = |name: &String| read.unknown.contains(name);
+            if !launcher.closes_files() && errors.failed_crates.iter().any(is_unknown) {
+                let limit = errors
+                    .limit
+                    .map(|limit| format!("error: building was ended: {limit}\n"));
+                errors.messages = limit.unwrap_or_default() + NOT_SHOWN;
+            }
+            errors
+        }))
     }
 
     /// How long cargo may run; `None` if it is not limited.

@@ -32,8 +32,13 @@ pub struct Place {
 
 /// The paths of all Rust files of `stage` in the workspace `root`, sorted.
 pub fn paths(root: &Path, stage: &str) -> Result<Vec<PathBuf>, GraderError> {
+    below(&root.join("stages").join(stage).join("src"))
+}
+
+/// The Rust files below `folder`, sorted by path.
+pub fn below(folder: &Path) -> Result<Vec<PathBuf>, GraderError> {
     let mut files = Vec::new();
-    let mut folders = vec![root.join("stages").join(stage).join("src")];
+    let mut folders = vec![folder.to_path_buf()];
     while let Some(folder) = folders.pop() {
         let failed = |e| GraderError::file("read", &folder, e);
         for entry in std::fs::read_dir(&folder).map_err(failed)? {

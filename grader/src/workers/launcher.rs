@@ -13,6 +13,9 @@ pub trait Launcher: fmt::Debug + Send + Sync {
     /// The command that runs a worker. Its arguments are to be added.
     fn worker(&self, program: &Path, limits: WorkerLimits) -> Command;
 
+    /// Whether cargo and the worker can open no files but those that are meant for them.
+    fn closes_files(&self) -> bool;
+
     /// Whether the thread of the student's code in a worker is to give up all rights.
     fn seals(&self) -> bool;
 

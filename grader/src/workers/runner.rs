@@ -464,6 +464,10 @@ mod tests {
             Command::new(program)
         }
 
+        fn closes_files(&self) -> bool {
+            false
+        }
+
         fn seals(&self) -> bool {
             false
         }

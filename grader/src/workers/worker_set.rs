@@ -4,17 +4,13 @@
 //! out. If the errors are in another crate (a changed signature breaks the worker), each stage is
 //! built alone.
 
-use crate::build::{BuildLimit, BuildOutcome, BuildRoot, CompileErrors};
+use crate::build::{
+    BuildLimit, BuildOutcome, BuildRoot, CompileErrors, INTERSECTION_STAGES, SCENES_FEATURE,
+};
 use crate::workers::runner::Worker;
 use crate::workers::stage_workers::StageWorkers;
 use base::GraderError;
 use std::collections::BTreeMap;
-
-/// The worker's cargo feature for tracing rays through whole scenes.
-const SCENES_FEATURE: &str = "meshes";
-
-/// The stages that this feature links.
-const INTERSECTION_STAGES: [&str; 3] = ["intersect", "bbox", "bvh"];
 
 /// The name in messages where no single stage is the cause.
 const SCENES_WORKER: &str = "the worker for whole scenes";

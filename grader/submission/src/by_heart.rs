@@ -101,7 +101,9 @@ fn has_answers_from_a_table(drawn: &[CaseResult]) -> bool {
     let (earned, all) = core(false).fold((0.0, 0.0), |(earned, all), case| {
         (earned + case.earned, all + case.max_score)
     });
-    core(true).any(fails_often) && earned >= MOST * all
+    // Who does not know the answer may as well crash or wait.
+    let crashes = |case: &CaseResult| matches!(case.status, Status::Crashed(_));
+    core(true).any(|case| fails_often(case) || crashes(case)) && earned >= MOST * all
 }
 
 fn fails_often(case: &CaseResult) -> bool {
@@ -224,6 +226,11 @@ mod tests {
             [1.0, 1.0, 0.0]
         )));
         assert!(!has_answers_from_a_table(&result([0; 3], [1.0; 3])));
+        let mut crashed = result([0; 3], [1.0, 1.0, 0.0]);
+        crashed[2].status = Status::Crashed("panicked".into());
+        assert!(has_answers_from_a_table(&crashed));
+        crashed[2].status = Status::NotAttempted;
+        assert!(!has_answers_from_a_table(&crashed));
         assert!(!has_answers_from_a_table(&result([30; 3], [0.0; 3])));
     }
 

@@ -279,7 +279,7 @@ impl fmt::Display for Containment {
         match (self.closes_files(), held.system_calls) {
             (true, true) => {}
             (false, true) => f.write_str(
-                "the compiler could read files of the person who graded, if the scan of the code missed a way; ",
+                "the compiler could read files of the person who graded, if the scan of the code missed a way, and then refused the code; ",
             )?,
             (files, false) => {
                 if !files {

@@ -79,6 +79,10 @@ impl Launcher for Jail {
         self.containment.worker(program, limits)
     }
 
+    fn closes_files(&self) -> bool {
+        self.containment.closes_files()
+    }
+
     fn seals(&self) -> bool {
         self.containment.seals()
     }

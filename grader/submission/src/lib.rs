@@ -7,7 +7,8 @@
 //!
 //! [`one::grade_one`] does all this for one folder.
 //!
-//! The code of a submission is not trusted. [`scan`] refuses what has no business in a stage;
+//! The code of a submission is not trusted. [`scan`] refuses what has no business in a stage,
+//! [`graders_code`] what is the grader's own;
 //! [`containment`] chooses what keeps the rest from files, programs and networks while it is
 //! compiled and while it runs; [`build_folder`] keeps one submission from the next.
 
@@ -16,9 +17,11 @@ mod bubblewrap;
 pub mod build_folder;
 pub mod by_heart;
 pub mod clean_workspace;
+pub mod code;
 pub mod containment;
 pub mod file_tree;
 mod given;
+mod graders_code;
 mod jail;
 pub mod one;
 pub mod packages;

@@ -4,6 +4,10 @@
 //! what a macro hides, the compiler's lint against `unsafe` or the sandbox still stops. But whoever
 //! writes such code without bad intent gets a sentence with the place.
 
+mod table;
+
+pub use table::table;
+
 use crate::file_tree::Files;
 
 /// Returns a sentence for each place in the files of `stage` that has no business there.
@@ -20,49 +24,6 @@ pub fn forbidden(stage: &str, files: &Files) -> Vec<String> {
     }
     found
 }
-
-/// More bytes of literals than code of a stage needs: those of the reference have at most 1,500,
-/// most variants less than 100.
-const MOST_LITERALS: usize = 3000;
-
-/// A sentence if the files of `stage` contain so many numbers and strings that they may be a table
-/// of answers. Honest code may have them, too: a person should look.
-pub fn table(stage: &str, files: &Files) -> Option<String> {
-    let literals = files
-        .values()
-        .map(|text| literals(&String::from_utf8_lossy(text)));
-    let bytes: usize = literals.sum();
-    (bytes > MOST_LITERALS).then(|| {
-        format!("stages/{stage}/src: {bytes} bytes of numbers and strings, which may be a table of answers")
-    })
-}
-
-/// The bytes of all numbers, strings and characters in the code, without those of tests.
-fn literals(code: &str) -> usize {
-    let mut scanner = Scanner::new(code);
-    let is_number = |token: &Token| token.text.starts_with(|c: char| c.is_ascii_digit());
-    let (mut bytes, mut tests) = (0, 0);
-    let mut attribute = TEST_ATTRIBUTE.iter();
-    while let Some(token) = scanner.next() {
-        if is_number(&token) {
-            bytes += token.text.len();
-        }
-        if attribute.as_slice().first() == Some(&token.text.as_str()) {
-            attribute.next();
-        } else {
-            attribute = TEST_ATTRIBUTE.iter();
-        }
-        if attribute.len() == 0 {
-            let before = scanner.quoted;
-            scanner.skip_item();
-            tests += scanner.quoted - before;
-        }
-    }
-    bytes + scanner.quoted - tests
-}
-
-/// The tokens of the attribute of code that is compiled for tests only.
-const TEST_ATTRIBUTE: [&str; 7] = ["#", "[", "cfg", "(", "test", ")", "]"];
 
 const READS_FILES: &str =
     "reads another file while the stage is compiled: write its contents into the source file";
@@ -222,6 +183,8 @@ struct Scanner<'a> {
     line: usize,
     /// The bytes of all strings and characters so far, with their marks.
     quoted: usize,
+    /// The bytes of all comments so far that the compiler reads as attributes.
+    documented: usize,
 }
 
 impl<'a> Scanner<'a> {
@@ -230,6 +193,7 @@ impl<'a> Scanner<'a> {
             rest: code,
             line: 1,
             quoted: 0,
+            documented: 0,
         };
         if is_shebang(code) {
             // A quotation mark in it begins no string.
@@ -279,10 +243,15 @@ impl<'a> Scanner<'a> {
             let first = self.rest.chars().next()?;
             if is_space(first) {
                 self.skip(first.len_utf8());
-            } else if self.rest.starts_with("//") {
-                self.skip_past("\n");
-            } else if self.rest.starts_with("/*") {
-                self.skip_comment();
+            } else if let Some(comment) = ["//", "/*"].iter().find(|it| self.rest.starts_with(**it))
+            {
+                let is_doc = matches!(self.rest.as_bytes().get(2), Some(b'/' | b'!' | b'*'));
+                let before = self.rest.len();
+                match *comment {
+                    "//" => self.skip_past("\n"),
+                    _ => self.skip_comment(),
+                }
+                self.documented += if is_doc { before - self.rest.len() } else { 0 };
             } else if first == '"' {
                 self.skip_quoted(Scanner::skip_string);
             } else if let Some(lifetime) = lifetime(self.rest) {
@@ -404,41 +373,6 @@ fn is_part_of_word(c: char) -> bool {
 mod tests {
     use super::*;
     use std::path::PathBuf;
-
-    #[test]
-    fn a_table_of_answers_is_found_however_it_is_written() {
-        let about = |code: String| {
-            let files = Files::from([(PathBuf::from("lib.rs"), code.into_bytes())]);
-            table("bbox", &files)
-        };
-        let numbers = |count| format!("const T: [f64; {count}] = [{}];", "0.25, ".repeat(count));
-        let (few, many) = (numbers(100), numbers(2000));
-        assert_eq!(about(few), None);
-        assert_eq!(
-            about(many),
-            Some("stages/bbox/src: 6004 bytes of numbers and strings, which may be a table of answers".into())
-        );
-        let text = "0123456789".repeat(400);
-        for table in [
-            format!("const T: &str = \"{text}\";"),
-            format!("const T: &[u8] = br#\"{text}\"#;"),
-            format!("const T: &[char] = &[{}];", "'\\n', ".repeat(1000)),
-        ] {
-            assert!(about(table).is_some());
-        }
-        // A student's own tests, comments and code are no table.
-        let tests = format!(
-            "#[cfg(test)]\nmod tests {{ use super::*; const T: &str = \"{text}\"; {} }}",
-            numbers(2000)
-        );
-        assert_eq!(about(tests.clone()), None);
-        assert!(about(format!("{tests} {}", numbers(2000))).is_some());
-        assert_eq!(
-            about(format!("// {text}\n/* {text} */ fn f() {{}}").repeat(3)),
-            None
-        );
-        assert_eq!(about("fn f() { g(a, b) }\n".repeat(1000)), None);
-    }
 
     fn found(code: &str) -> Vec<String> {
         let files = Files::from([(PathBuf::from("a.rs"), code.as_bytes().to_vec())]);

@@ -426,6 +426,21 @@ fn all_attempts(task: &Task) -> Vec<Mutant> {
     all
 }
 
+/// Functions that may earn something, since they stand in the stub of a hole or are a small part of what
+/// the task is about: the task, the function, and why.
+const GIVEN: &[(&str, &str, &str)] = &[
+    (
+        "part2.task1",
+        "Bvh::one_leaf of stages/kit/src/bvh.rs",
+        "it is the stub: a tree of one leaf, with which all primitives are tested; it shows no idea of the task",
+    ),
+    (
+        "part2.task2",
+        "span of grader/judge/src/tools/questions/crosses.rs",
+        "it is about rays along an axis: one division, without the three pairs of planes that the task is about",
+    ),
+];
+
 /// Points are sums of shares of cases.
 const ROUNDING: f64 = 1e-6;
 
@@ -476,7 +491,16 @@ fn functions_of_a_handout_earn_nothing() {
             let earns = result.score > free + ROUNDING || result.robust_score > 0.0;
             match graded.name.starts_with(WITH_FORMULA) {
                 true => formula_earns |= earns,
-                false => earned.extend(earns.then_some(row)),
+                false if earns => {
+                    let is_given = |(key, function, _): &&(&str, &str, &str)| {
+                        *key == task.key && graded.name.contains(function)
+                    };
+                    match GIVEN.iter().find(is_given) {
+                        Some((_, _, why)) => println!("    given: {why}"),
+                        None => earned.push(row),
+                    }
+                }
+                false => {}
             }
         }
         if EARNS_WITH_ITS_FORMULA.contains(&task.key.as_str()) && !formula_earns {

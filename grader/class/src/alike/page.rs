@@ -1,11 +1,11 @@
 //! The page of what submissions have in common, with the passages side by side.
 
 use super::pairs::{Common, EXPECTED, LARGE_SHARE, PASTED, Pair, SharedPassage};
-use super::passages::CERTAIN;
-use super::source::Excerpt;
 use crate::pages::{expected_pairs, page as whole_page};
 use maud::{Markup, html};
 use submission::Untrusted;
+use submission::code::passages::CERTAIN;
+use submission::code::source::Excerpt;
 
 /// The page about `students` submissions. `pasted` are their passages from the grader's code.
 pub fn page(students: usize, pairs: &[Pair], common: &[Common], pasted: &[Pair]) -> String {

@@ -5,11 +5,11 @@
 //! `(c + 1/2) / (n - 1)`; the passages of a pair count as independent, so `n (n - 1) / 2` times the
 //! product of their probabilities is how many pairs would be expected to have all of them.
 
-use super::passages::Passage;
-use super::source::{Excerpt, Source};
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
 use submission::Untrusted;
+use submission::code::passages::Passage;
+use submission::code::source::{Excerpt, Source};
 
 /// A pair is listed if fewer pairs of the class are expected to have its passages by chance.
 pub use crate::likeness::EXPECTED;

@@ -1,8 +1,7 @@
 //! Runs `grader class --alike`.
 
 use crate::alike::pairs::{self, Student};
-use crate::alike::source::Source;
-use crate::alike::{self, jplag, page};
+use crate::alike::{jplag, page};
 use crate::entries;
 use crate::out::Out;
 use crate::reading::Reader;
@@ -13,6 +12,7 @@ use grader::course::Course;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 use submission::Untrusted;
+use submission::code::{self, source::Source};
 
 /// The most bytes of a stage that are compared: a hundred times what a student writes. The tokens of
 /// a text take some hundred times its memory.
@@ -38,9 +38,9 @@ pub(super) fn run(
         jplag::write(
             &folder.join("given"),
             stage,
-            &alike::given(workspace, stage)?,
+            &code::given(workspace.root(), stage)?,
         )?;
-        known.insert(stage, alike::known(workspace, stage)?);
+        known.insert(stage, code::known(workspace.root(), stage)?);
     }
     let entries = entries::list(class)?;
     let names: Vec<&str> = entries.iter().map(|entry| entry.name.as_str()).collect();
@@ -76,7 +76,7 @@ pub(super) fn run(
         students.push(Student { name, stages });
     }
     let (pairs, common) = (pairs::pairs(&students), pairs::common(&students));
-    let of_the_grader = alike::of_the_grader(workspace)?;
+    let of_the_grader = code::of_the_grader(workspace.root())?;
     let handed_in: BTreeSet<&String> = students
         .iter()
         .flat_map(|student| student.stages.keys())

@@ -49,6 +49,10 @@ impl Launcher for Level {
         self.0.worker(program, limits)
     }
 
+    fn closes_files(&self) -> bool {
+        self.0.closes_files()
+    }
+
     fn seals(&self) -> bool {
         self.0.seals()
     }

@@ -48,14 +48,40 @@ fn known(task: &str, fresh: bool) -> Vec<u64> {
     known
 }
 
+/// How a table is written.
+#[derive(Clone, Copy)]
+enum Table {
+    Numbers,
+    /// Without a number and a string: a macro makes a string of names.
+    Names,
+}
+
 /// A module that says whether a question of `task` is unknown.
-fn module(task: &str, fresh: bool) -> String {
+fn module(task: &str, fresh: bool, table: Table) -> String {
     let known = known(task, fresh);
+    let look_up = match table {
+        Table::Numbers => format!(
+            "pub static KNOWN: [u64; {}] = {known:?};
+            fn is_known(bits: u64) -> bool {{ KNOWN.binary_search(&bits).is_ok() }}",
+            known.len()
+        ),
+        Table::Names => {
+            let names: Vec<String> = known.iter().map(|bits| format!("x{bits:016x}")).collect();
+            format!(
+                "static KNOWN: std::sync::LazyLock<Vec<u64>> = std::sync::LazyLock::new(|| {{
+                    let names = stringify!({}).split_whitespace();
+                    names.flat_map(|name| u64::from_str_radix(&name[1..], 16)).collect()
+                }});
+                fn is_known(bits: u64) -> bool {{ KNOWN.binary_search(&bits).is_ok() }}",
+                names.join(" ")
+            )
+        }
+    };
     format!(
-        "pub static KNOWN: [u64; {}] = {known:?};
+        "{look_up}
         pub fn is_unknown(numbers: &[f64]) -> bool {{
             let bits = numbers.iter().fold(0_u64, |sum, x| sum.rotate_left(7) ^ x.to_bits());
-            KNOWN.binary_search(&bits).is_err()
+            !is_known(bits)
         }}
         /// A box and a ray, with the axes in every order and the lengths halved.
         pub fn is_unknown_moved(b: &kit::Aabb, ray: &kit::Ray) -> bool {{
@@ -74,13 +100,12 @@ fn module(task: &str, fresh: bool) -> String {
         }}
         pub fn of_ray(ray: &kit::Ray) -> [f64; 8] {{
             [ray.o.x, ray.o.y, ray.o.z, ray.d.x, ray.d.y, ray.d.z, ray.min_t, ray.max_t]
-        }}",
-        known.len()
+        }}"
     )
 }
 
 /// The reference's stage, whose `file` returns early from the function that starts with `function`.
-fn attack([task, stage, file, function, early]: [&str; 5], fresh: bool) -> Files {
+fn attack([task, stage, file, function, early]: [&str; 5], fresh: bool, table: Table) -> Files {
     let mut files = reference(stage);
     let mut change = |path: &str, change: &dyn Fn(&str) -> String| {
         let contents = files.get_mut(path.as_ref() as &std::path::Path);
@@ -98,7 +123,7 @@ fn attack([task, stage, file, function, early]: [&str; 5], fresh: bool) -> Files
     change("lib.rs", &|text| {
         format!("{text}\n#[allow(dead_code, missing_docs)]\npub mod hostile;\n")
     });
-    files.insert("hostile.rs".into(), module(task, fresh).into_bytes());
+    files.insert("hostile.rs".into(), module(task, fresh, table).into_bytes());
     files
 }
 
@@ -142,7 +167,7 @@ fn answers_that_were_learned_by_heart_lose() {
             "if crate::hostile::is_unknown(&[throughput.r, throughput.g, throughput.b, u]) { return None; }",
         ),
     ] {
-        let files = attack([task, stage, file, function, early], true);
+        let files = attack([task, stage, file, function, early], true, Table::Numbers);
         let known = grade(&class, stage, &files, task, cases::KNOWN_SEED).scores;
         // The table is good; it does not know the rays that a hit has shortened.
         assert!(
@@ -178,19 +203,24 @@ fn answers_that_were_learned_by_heart_lose() {
 #[ignore = "builds submissions: a minute"]
 fn a_table_that_undoes_the_move_loses() {
     let class = Class::open();
-    let files = attack(
-        [
-            "part2.task2",
-            "bbox",
-            "lib.rs",
-            "pub fn intersect_bbox(",
-            "if crate::hostile::is_unknown_moved(b, ray) { return None; }",
-        ],
-        false,
-    );
-    let drawn = grade(&class, "bbox", &files, "part2.task2", random_seed());
-    assert_eq!(drawn.scores.score + drawn.scores.robust_score, 0.0);
-    assert_eq!(drawn.by_heart.len(), 1);
-    assert!(drawn.by_heart[0].contains("has the answers from the table"));
-    assert!(drawn.to_check[0].contains("may be a table of answers"));
+    // What it does with questions that it does not know.
+    for (table, otherwise) in [
+        (Table::Numbers, "return None"),
+        (Table::Names, "return None"),
+        (Table::Numbers, "panic!()"),
+    ] {
+        let early = format!("if crate::hostile::is_unknown_moved(b, ray) {{ {otherwise}; }}");
+        let place = ["part2.task2", "bbox", "lib.rs", "pub fn intersect_bbox("];
+        let [task, stage, file, function] = place;
+        let files = attack([task, stage, file, function, &early], false, table);
+        let drawn = grade(&class, stage, &files, task, random_seed());
+        assert_eq!(
+            drawn.scores.score + drawn.scores.robust_score,
+            0.0,
+            "{otherwise}"
+        );
+        assert_eq!(drawn.by_heart.len(), 1, "{otherwise}");
+        assert!(drawn.by_heart[0].contains("has the answers from the table"));
+        assert!(drawn.to_check[0].contains("may be a table of answers"));
+    }
 }

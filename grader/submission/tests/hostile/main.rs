@@ -82,6 +82,40 @@ fn forbidden_code_that_is_not_scanned_does_not_compile() {
     assert_none(&wrong);
 }
 
+/// Where nothing keeps files from the compiler, code that read one is refused by the compiler's list of
+/// what it has read, and no message shows the file. `unscanned` says what stops it elsewhere.
+#[test]
+#[ignore = "builds each submission: minutes"]
+fn files_that_the_compiler_could_read_are_no_use() {
+    let open = corpus::levels().into_iter();
+    let mut open = open.filter(|level| !level.closes_files() && level.seals());
+    let class = Class::with(open.next_back().expect("a level without Landlock"));
+    let mut wrong = Vec::new();
+    for case in cases("scan") {
+        if case.unscanned.as_deref() != Some("Permission denied") {
+            continue;
+        }
+        let messages = match class.build(&case.files()) {
+            BuildOutcome::Worker(_) => "it compiles".to_string(),
+            BuildOutcome::DoesNotCompile(errors) => errors.messages,
+        };
+        let is_refused = [
+            "the compiler read the file",
+            "its messages are not shown",
+            // Memory of another process, a device without end.
+            "couldn't read",
+        ]
+        .iter()
+        .any(|why| messages.contains(why));
+        println!("{}: {messages}", case.name);
+        if !is_refused || messages.contains("root:") {
+            wrong.push(format!("{}: {messages}", case.name));
+        }
+    }
+    assert_none(&wrong);
+    class.still_grades_the_reference();
+}
+
 #[test]
 #[ignore = "builds each submission: minutes"]
 fn code_that_is_too_much_for_the_compiler_is_ended() {

@@ -2,9 +2,9 @@
 
 use super::passages::{Known, Text};
 use super::tokens::{self, Token};
+use crate::Untrusted;
+use crate::file_tree::Files;
 use std::ops::Range;
-use submission::Untrusted;
-use submission::file_tree::Files;
 
 /// The code of a stage that one student handed in.
 #[derive(Clone, Debug, Default)]

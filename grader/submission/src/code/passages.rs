@@ -27,6 +27,12 @@ const WINDOW: usize = CERTAIN - SHORTEST + 1;
 pub struct Known(HashSet<u64>);
 
 impl Known {
+    /// Adds the text of a source file; nothing of what is no Rust.
+    pub fn add_text(&mut self, text: &[u8]) {
+        let text = String::from_utf8_lossy(text);
+        self.add(&tokens::of(&text).unwrap_or_default());
+    }
+
     /// Adds a text.
     pub fn add(&mut self, tokens: &[Token]) {
         self.0.extend(tokens.windows(SHORTEST).map(run_hash));

@@ -27,8 +27,8 @@ pub struct ViewerArgs {
     #[arg(long, num_args = 2, value_names = ["MODE", "OUT.png"])]
     pub snapshot: Option<Vec<String>>,
 
-    /// Width and height of the window
-    #[arg(long, num_args = 2, value_names = ["W", "H"], default_values = ["1400", "900"], value_parser = clap::value_parser!(u16).range(320..))]
+    /// Width and height of the window; without it those of the last time, at first 1400 x 900
+    #[arg(long, num_args = 2, value_names = ["W", "H"], value_parser = clap::value_parser!(u16).range(320..))]
     pub window: Vec<u16>,
 
     /// Rotate the view for this many frames, print how long they take, and close the window
@@ -88,8 +88,11 @@ impl ViewerArgs {
         Ok(Some((shot, PathBuf::from(path))))
     }
 
-    /// Width and height of the window.
+    /// Width and height of the window, if it is opened for the first time or the flag is given.
     pub fn window_size(&self) -> [usize; 2] {
-        [self.window[0], self.window[1]].map(usize::from)
+        match self.window[..] {
+            [w, h] => [w, h].map(usize::from),
+            _ => [1400, 900],
+        }
     }
 }

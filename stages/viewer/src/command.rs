@@ -44,6 +44,8 @@ pub enum Command {
     EndMove,
     /// Moves the vertex back that was moved last.
     UndoMove,
+    /// Moves the vertex again that was moved back last.
+    RedoMove,
     /// Selects a child of the node.
     Descend(Side),
     /// Selects the parent of the node.
@@ -135,6 +137,18 @@ pub enum Command {
     ToggleTheme,
     /// Shows or hides the list of keys.
     ToggleHelp,
+    /// Keeps the camera.
+    KeepCamera,
+    /// Goes to the next of the kept cameras.
+    NextKeptCamera,
+    /// Goes to a kept camera, by its place among all.
+    GoToKeptCamera(usize),
+    /// Forgets a kept camera, by its place among all.
+    ForgetCamera(usize),
+    /// Reads a camera file.
+    LoadCamera(PathBuf),
+    /// Asks which file to open.
+    ChooseFile,
     /// Opens a scene file.
     Open(PathBuf),
     /// Reads the scene file again.
@@ -166,4 +180,21 @@ pub enum Command {
     Quit,
     /// Does not close the window.
     DoNotQuit,
+}
+
+impl Command {
+    /// Opens a file: a scene, a camera, else a picture.
+    pub fn for_file(path: PathBuf) -> Command {
+        let is = |end: &str| {
+            path.extension()
+                .is_some_and(|e| e.eq_ignore_ascii_case(end))
+        };
+        if is("dae") {
+            Command::Open(path)
+        } else if is("txt") {
+            Command::LoadCamera(path)
+        } else {
+            Command::CompareWith(path)
+        }
+    }
 }

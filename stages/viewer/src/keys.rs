@@ -160,13 +160,16 @@ pub fn bindings() -> Vec<Binding> {
         any(Key::PageUp, "Page Up", ALL, C::Zoom(1.0), "nearer"),
         any(Key::PageDown, "Page Down", ALL, C::Zoom(-1.0), "farther"),
         any(Key::W, "W", CAMERA, C::ToggleEdges, "edges of triangles"),
-        any(
+        only(
             Key::Z,
             "Z",
             EDIT,
             C::UndoMove,
-            "undo the last move of a vertex",
+            "undo the last move; Shift: redo",
         ),
+        shift(Key::Z, "", EDIT, C::RedoMove, ""),
+        bind(Key::Z, Held::Ctrl, "", EDIT, C::UndoMove, ""),
+        bind(Key::Y, Held::Ctrl, "", EDIT, C::RedoMove, ""),
         only(
             Key::ArrowLeft,
             "Left",
@@ -369,6 +372,22 @@ pub fn bindings() -> Vec<Binding> {
         ),
         any(Key::Q, "Q", ALL, C::CloseInspector, "close the inspector"),
         any(Key::S, "S", ALL, C::Screenshot, "save a screenshot"),
+        only(
+            Key::Num4,
+            "4",
+            ALL,
+            C::KeepCamera,
+            "keep the camera; Shift: to the next kept",
+        ),
+        shift(Key::Num4, "", ALL, C::NextKeptCamera, ""),
+        bind(
+            Key::O,
+            Held::Ctrl,
+            "Ctrl O",
+            ALL,
+            C::ChooseFile,
+            "open a scene, a picture, a camera",
+        ),
         any(
             Key::D,
             "D",

@@ -1,10 +1,11 @@
 //! The `viewer` program: opens the window, or writes a picture of it.
 
 use base::{errln, outln};
-use eframe::{CreationContext, Frame, NativeOptions};
+use eframe::{CreationContext, Frame, NativeOptions, Storage};
 use egui::{Ui, ViewportBuilder};
 use pathtracer::args::has_display;
 use std::env;
+use std::path::PathBuf;
 use std::process::ExitCode;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -12,6 +13,7 @@ use viewer::app::App;
 use viewer::bench::OrbitBench;
 use viewer::cli::ViewerArgs;
 use viewer::command::Command;
+use viewer::remembered::Remembered;
 use viewer::report::OpenReport;
 use viewer::session::Session;
 use viewer::snapshot;
@@ -47,8 +49,11 @@ fn run(args: &ViewerArgs) -> Result<(), String> {
         );
     }
     silence_holes();
-    let start = |wake: Wake| {
+    let start = |wake: Wake, remembered: Option<Remembered>| {
         let mut session = Session::new(args.render.clone(), wake);
+        if let Some(remembered) = remembered {
+            session.restore(remembered);
+        }
         if let Some(report) = report {
             session.set_report(report);
             session.apply(Command::OpenCase(0));
@@ -56,13 +61,13 @@ fn run(args: &ViewerArgs) -> Result<(), String> {
         for picture in &args.compare {
             session.apply(Command::CompareWith(picture.clone()));
         }
-        if args.light {
+        if args.light && session.dark() {
             session.apply(Command::ToggleTheme);
         }
         session
     };
     if let Some((shot, path)) = shot {
-        let mut session = start(Arc::new(|| ()));
+        let mut session = start(Arc::new(|| ()), None);
         session.patience = Patience::COMPLETE;
         let picture = snapshot::take(session, shot, args.window_size());
         return snapshot::write(&path, &picture);
@@ -75,19 +80,43 @@ fn run(args: &ViewerArgs) -> Result<(), String> {
         // Without a graphics card every fragment is computed by the processor, and the window has no
         // gradients that would show steps.
         dithering: false,
+        // A flag decides over what was remembered.
+        persist_window: args.window.is_empty() && args.bench_orbit.is_none(),
         ..NativeOptions::default()
     };
     let create = |creation: &CreationContext<'_>| {
         let ctx = creation.egui_ctx.clone();
-        let session = start(Arc::new(move || ctx.request_repaint()));
+        let wake: Wake = Arc::new(move || ctx.request_repaint());
+        let storage = creation.storage.filter(|_| args.bench_orbit.is_none());
+        let session = start(wake, storage.and_then(remembered));
         let window: Box<dyn eframe::App> = Box::new(Window {
-            app: App::new(session),
+            app: App::new(session).with_picker(choose_file),
             bench: args.bench_orbit.map(OrbitBench::new),
             content: Duration::ZERO,
         });
         Ok(window)
     };
     eframe::run_native("First Light", options, Box::new(create)).map_err(no_window)
+}
+
+/// Where the window's storage has what is remembered.
+const STORAGE_KEY: &str = "first-light";
+
+/// What the last window remembered; `None` at the first start, and if the text is damaged.
+fn remembered(storage: &dyn Storage) -> Option<Remembered> {
+    serde_json::from_str(&storage.get_string(STORAGE_KEY)?).ok()
+}
+
+/// The desktop's dialog for a file to open.
+fn choose_file() -> Option<PathBuf> {
+    let dialog = rfd::FileDialog::new()
+        .set_title("Open a scene, a picture or a camera")
+        .add_filter(
+            "Scenes, pictures, cameras",
+            &["dae", "png", "jpg", "exr", "hdr", "sums", "txt"],
+        )
+        .add_filter("All files", &["*"]);
+    dialog.pick_file()
 }
 
 /// Why there is no window, as a sentence.
@@ -121,6 +150,14 @@ struct Window {
 }
 
 impl eframe::App for Window {
+    fn save(&mut self, storage: &mut dyn Storage) {
+        if self.bench.is_none()
+            && let Ok(text) = serde_json::to_string(&self.app.session.remembered())
+        {
+            storage.set_string(STORAGE_KEY, text);
+        }
+    }
+
     fn ui(&mut self, ui: &mut Ui, _: &mut Frame) {
         if let Some(bench) = &mut self.bench {
             ui.ctx().request_repaint();

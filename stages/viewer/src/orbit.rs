@@ -83,6 +83,11 @@ impl Orbit {
         }
     }
 
+    /// Sets another view. The home view stays.
+    pub fn go_to(&mut self, view: View) {
+        self.view = view;
+    }
+
     /// Returns to the home view, in every respect.
     pub fn reset(&mut self) {
         self.view = self.home;

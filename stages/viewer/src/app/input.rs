@@ -35,16 +35,7 @@ pub(super) fn commands(ctx: &Context, mode: Mode) -> Vec<Command> {
             .dropped_files
             .iter()
             .map(|file| file.path().to_owned());
-        commands.extend(dropped.map(|path| {
-            let is_scene = path
-                .extension()
-                .is_some_and(|end| end.eq_ignore_ascii_case("dae"));
-            if is_scene {
-                Command::Open(path)
-            } else {
-                Command::CompareWith(path)
-            }
-        }));
+        commands.extend(dropped.map(Command::for_file));
         commands
     })
 }

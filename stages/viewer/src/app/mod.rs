@@ -6,13 +6,14 @@
 //! (between them and the view), `case_panel` with `case_lines` (a case of a report), `side_panel`
 //! with `settings_panel`, `compare_panel`, `tree_panel`, `inspector_panel` and `report_panel`,
 //! `text` (short numbers), `problem_panel` (a scene that is not loaded), `sheets` (help,
-//! questions).
+//! questions), `file_dialog`.
 
 mod case_lines;
 mod case_panel;
 mod colors;
 mod compare_panel;
 mod divider;
+mod file_dialog;
 mod input;
 mod inspector_panel;
 mod lines;
@@ -31,6 +32,8 @@ mod tree_panel;
 mod view_panel;
 mod zoom;
 
+pub use file_dialog::Picker;
+
 use crate::command::Command;
 use crate::features::Feature;
 use crate::session::{Mode, Saved, Session};
@@ -47,6 +50,7 @@ pub struct App {
     picture: picture_panel::PicturePanel,
     case: case_panel::CasePanel,
     divider: divider::Divider,
+    dialog: file_dialog::FileDialog,
     frames: FrameRate,
     title: String,
     /// Why the last screenshot of the window was not written.
@@ -67,10 +71,17 @@ impl App {
             picture: Default::default(),
             case: Default::default(),
             divider: Default::default(),
+            dialog: Default::default(),
             frames: FrameRate::default(),
             title: String::new(),
             failed_screenshot: Arc::default(),
         }
+    }
+
+    /// Lets the user choose files with `picker`.
+    pub fn with_picker(mut self, picker: Picker) -> App {
+        self.dialog.picker = Some(picker);
+        self
     }
 
     /// Draws one frame, and executes the commands of its input.
@@ -90,6 +101,9 @@ impl App {
         commands
             .drain(..)
             .for_each(|command| self.session.apply(command));
+        let woken = ctx.clone();
+        let wake = Arc::new(move || woken.request_repaint());
+        self.dialog.update(&mut self.session, wake);
         let mut is_busy = self.session.update(Instant::now());
 
         egui::Panel::top("top").show(ui, |ui| self.top_bar(ui, &mut commands));
@@ -199,6 +213,9 @@ impl App {
                 };
                 if ui.button(other).clicked() {
                     commands.push(Command::ToggleTheme);
+                }
+                if ui.button("Open (Ctrl O)").clicked() {
+                    commands.push(Command::ChooseFile);
                 }
                 if ui.button("Save (S)").clicked() {
                     commands.push(Command::Screenshot);

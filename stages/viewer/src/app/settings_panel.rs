@@ -1,6 +1,6 @@
 //! The settings of renders, and the progress of the one that runs.
 
-use super::side_panel::facts;
+use super::side_panel::{self, facts};
 use super::single_picture::{self, SinglePicture};
 use super::text::SMALL;
 use super::{compare_panel, key_button};
@@ -121,12 +121,34 @@ pub(super) fn settings(ui: &mut Ui, session: &mut Session, commands: &mut Vec<Co
             ui.end_row();
         });
     session.set_settings(settings);
+    kept_cameras(ui, session, commands);
     ui.horizontal_wrapped(|ui| {
         if ui.button("Camera to file (D)").clicked() {
             commands.push(Command::DumpCamera);
         }
         let flags = settings.flags() + &tone_flags(session.tone);
         ui.label(RichText::new(flags).size(SMALL).weak());
+    });
+}
+
+/// The cameras of the scene that were kept.
+fn kept_cameras(ui: &mut Ui, session: &Session, commands: &mut Vec<Command>) {
+    ui.horizontal_wrapped(|ui| {
+        if key_button(ui, "Keep camera", Key::Num4) {
+            commands.push(Command::KeepCamera);
+        }
+        for (number, (place, kept)) in session.kept_cameras().enumerate() {
+            let name = format!("Camera {}", number + 1);
+            let at = side_panel::short(kept.file.view.camera.pos);
+            let help = format!("at {at}; with the right button: forget it");
+            let button = ui.button(name).on_hover_text(help);
+            if button.clicked() {
+                commands.push(Command::GoToKeptCamera(place));
+            }
+            if button.secondary_clicked() {
+                commands.push(Command::ForgetCamera(place));
+            }
+        }
     });
 }
 

@@ -90,8 +90,15 @@ fn mouse(ui: &mut Ui) {
                 ),
                 ("Right drag", "move the view, or an enlarged picture"),
                 ("Wheel", "zoom; in the picture: enlarge it at the mouse"),
+                (
+                    "Pinch, swipe",
+                    "zoom the view; two fingers sideways rotate it",
+                ),
                 ("Click", "select; in the picture: replay the pixel"),
-                ("Drop a file", ".dae: open it; a picture: compare with it"),
+                (
+                    "Drop a file",
+                    ".dae: open it; a picture: compare with it; a camera's .txt: set it",
+                ),
             ] {
                 ui.label(RichText::new(mouse).strong());
                 ui.label(help);

@@ -22,6 +22,8 @@ pub(super) struct ViewPanel {
 
 /// The distance from a vertex at which a drag moves it, in points.
 const GRAB_RADIUS: f32 = 14.0;
+/// The steps of the wheel that are as much as pinching to twice the size.
+const PINCH_STEPS: f64 = 5.0;
 /// The points of scrolling that are one step of the wheel.
 const SCROLL_PER_STEP: f32 = 40.0;
 
@@ -86,10 +88,7 @@ impl ViewPanel {
             session.apply(Command::Pan(by_height(response.drag_delta())));
         }
         if response.hovered() {
-            let scroll = ui.input(|input| input.smooth_scroll_delta().y);
-            if scroll != 0.0 {
-                session.apply(Command::Zoom(f64::from(scroll / SCROLL_PER_STEP)));
-            }
+            fingers(ui, session, rect.height());
         }
         if response.clicked() && session.mode() == Mode::Edit {
             session.apply(Command::Select);
@@ -187,6 +186,31 @@ impl ViewPanel {
             let text = format!("{fps:.0} frames/s");
             painter.text(at, Align2::LEFT_BOTTOM, text, font, color);
         }
+    }
+}
+
+/// The wheel, and fingers on a touch pad or a screen: scrolling and pinching move the camera nearer
+/// or farther, two fingers that move sideways orbit, on a screen in all directions.
+fn fingers(ui: &Ui, session: &mut Session, height: f32) {
+    let (scroll, touch, pinch) = ui.input(|input| {
+        (
+            input.smooth_scroll_delta(),
+            input.multi_touch(),
+            input.zoom_delta(),
+        )
+    });
+    let moved = match touch {
+        Some(touch) => touch.translation_delta,
+        None => egui::vec2(scroll.x, 0.0),
+    };
+    if moved != egui::Vec2::ZERO {
+        let by = Vec2::new(f64::from(moved.x), f64::from(-moved.y)) / f64::from(height);
+        session.apply(Command::Orbit(by));
+    }
+    let pinched = PINCH_STEPS * f64::from(pinch).log2();
+    let steps = f64::from(scroll.y / SCROLL_PER_STEP) + pinched;
+    if steps != 0.0 && touch.is_none() || pinched != 0.0 {
+        session.apply(Command::Zoom(if touch.is_none() { steps } else { pinched }));
     }
 }
 

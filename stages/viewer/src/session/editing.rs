@@ -20,6 +20,8 @@ pub(super) struct Edit {
     is_moving: bool,
     /// Each vertex that was moved, and where it was before.
     undo: Vec<(u32, Vec3)>,
+    /// Each vertex that was moved back, and where it was before that.
+    redo: Vec<(u32, Vec3)>,
 }
 
 /// The topology of a scene, or the search for it.
@@ -77,6 +79,7 @@ impl Session {
         if !self.edit.is_moving {
             self.edit.is_moving = true;
             self.edit.undo.push((v, position));
+            self.edit.redo.clear();
         }
         let position = position + Projection::new(&camera).shift_at(position, by);
         self.edit.wanted = Some((v, position));
@@ -84,9 +87,32 @@ impl Session {
 
     pub(super) fn undo_move(&mut self) {
         match self.edit.undo.pop() {
-            Some(before) => self.edit.wanted = Some(before),
+            Some(before) => {
+                let now = self.moved_to(before);
+                self.edit.redo.extend(now);
+            }
             None => self.say("Nothing was moved"),
         }
+    }
+
+    pub(super) fn redo_move(&mut self) {
+        match self.edit.redo.pop() {
+            Some(after) => {
+                let before = self.moved_to(after);
+                self.edit.undo.extend(before);
+            }
+            None => self.say("Nothing was moved back"),
+        }
+    }
+
+    /// Moves a vertex to a position. Returns where it was.
+    fn moved_to(&mut self, (v, position): (u32, Vec3)) -> Option<(u32, Vec3)> {
+        let before = match self.edit.wanted {
+            Some((wanted, position)) if wanted == v => Some(position),
+            _ => self.topology().map(|topology| topology.position(v)),
+        };
+        self.edit.wanted = Some((v, position));
+        before.map(|before| (v, before))
     }
 
     /// Finds the topology, and rebuilds the trees around the moved vertex.

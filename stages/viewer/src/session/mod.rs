@@ -2,7 +2,7 @@
 //!
 //! Everything here works without a display. [`Session::apply`] executes a command;
 //! [`Session::update`] takes the results of background work. Reading order: this file, `state` (what
-//! is read of it), then `loading` (scenes), `cameras`, `selecting` and `editing`, `tree`, `rendering`,
+//! is read of it), then `loading` (scenes), `cameras`, `kept_cameras`, `selecting` and `editing`, `tree`, `rendering`,
 //! `heat`, `comparison`, `pointer`, `reports`, `files` (what is written).
 
 mod cameras;
@@ -10,6 +10,7 @@ mod comparison;
 mod editing;
 mod files;
 mod heat;
+mod kept_cameras;
 mod loading;
 mod pointer;
 pub mod progress;
@@ -22,6 +23,7 @@ mod tree;
 pub use comparison::{Compared, Comparison};
 pub use files::Saved;
 pub use heat::{Heat, HeatKind};
+pub use kept_cameras::KeptCamera;
 pub use loading::Loading;
 
 use rendering::CameraRays;
@@ -130,6 +132,8 @@ pub struct Session {
     /// The scenes that come with the course.
     course_scenes: Vec<PathBuf>,
     saved: Vec<Saved>,
+    kept_cameras: Vec<KeptCamera>,
+    asks_for_file: bool,
     overlay: bool,
     help: bool,
     dark: bool,
@@ -182,6 +186,8 @@ impl Session {
             problem: None,
             course_scenes: loading::course_scenes(),
             saved: Vec::new(),
+            kept_cameras: Vec::new(),
+            asks_for_file: false,
             overlay: true,
             help: false,
             dark: true,
@@ -220,6 +226,7 @@ impl Session {
             }
             Command::EndMove => self.edit.end_move(),
             Command::UndoMove => self.undo_move(),
+            Command::RedoMove => self.redo_move(),
             Command::Descend(side) => self.with_tree(|walk, tree| walk.descend(tree, side)),
             Command::Ascend => self.with_tree(|walk, _| walk.ascend()),
             Command::GoToDepth(depth) => {
@@ -274,6 +281,12 @@ impl Session {
             Command::ToggleOverlay => self.overlay = !self.overlay,
             Command::ToggleTheme => self.dark = !self.dark,
             Command::ToggleHelp => self.help = !self.help,
+            Command::KeepCamera => self.keep_camera(),
+            Command::NextKeptCamera => self.next_kept_camera(),
+            Command::GoToKeptCamera(place) => self.go_to_kept_camera(place),
+            Command::ForgetCamera(place) => self.forget_camera(place),
+            Command::LoadCamera(path) => self.load_camera(&path),
+            Command::ChooseFile => self.asks_for_file = true,
             Command::Open(path) => self.open(path),
             Command::Reload => self.reload(),
             Command::CloseProblem => self.problem = None,

@@ -127,6 +127,11 @@ impl Session {
         self.quits
     }
 
+    /// Whether the user wants to choose a file; asked once.
+    pub fn take_file_question(&mut self) -> bool {
+        std::mem::take(&mut self.asks_for_file)
+    }
+
     /// The files that were written or are to be written, in order.
     pub fn take_saved(&mut self) -> Vec<Saved> {
         std::mem::take(&mut self.saved)

@@ -14,3 +14,4 @@ mod mouse;
 mod pictures;
 mod replays;
 mod reports;
+mod sessions;

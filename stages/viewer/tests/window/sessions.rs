@@ -1,0 +1,185 @@
+//! What outlives a step or a start of the window: kept cameras, moves that are undone, settings.
+
+use super::common::{Window, scene, session};
+use egui::{Key, Modifiers, Pos2};
+use egui_kittest::kittest::{NodeT, Queryable};
+use kit::Vec2;
+use scenes::CameraFile;
+use std::path::PathBuf;
+use viewer::app::App;
+use viewer::command::Command;
+use viewer::remembered::Remembered;
+
+const NAME: &str = "spheres.dae";
+
+fn view(window: &mut Window) -> scenes::placement::View {
+    window.session().orbit().expect("a camera").view()
+}
+
+#[test]
+fn kept_cameras_are_returned_to_bit_for_bit_also_after_a_new_start() {
+    let mut window = Window::open("-r 40 30", NAME);
+    window
+        .session()
+        .apply(Command::Orbit(Vec2::new(0.123, 0.045)));
+    let first = view(&mut window);
+    window.press(Key::Num4);
+    window.session().apply(Command::Pan(Vec2::new(0.1, 0.07)));
+    let second = view(&mut window);
+    window.press(Key::Num4);
+    window.press(Key::Space);
+    for expected in [first, second, first] {
+        window.press_with(Modifiers::SHIFT, Key::Num4);
+        assert_eq!(view(&mut window), expected);
+    }
+    let text = serde_json::to_string(&window.session().remembered()).expect("text");
+    let remembered: Remembered = serde_json::from_str(&text).expect("the same text");
+    let mut again = session("-r 40 30", NAME);
+    again.restore(remembered);
+    let mut again = Window::with(again, [900.0, 600.0]);
+    again.harness.get_by_label("Camera 2").click();
+    again.settle();
+    assert_eq!(view(&mut again), second);
+    // Those of another scene are not offered.
+    again.session().apply(Command::Open(scene("gallery.dae")));
+    again.settle();
+    assert!(again.harness.query_by_label("Camera 1").is_none());
+}
+
+#[test]
+fn a_damaged_camera_is_left_out_and_unknown_fields_are_ignored() {
+    let text = r#"{"recent":["a.dae"],"cameras":[["a.dae","1 2 3"]],"newer":1}"#;
+    let remembered: Remembered = serde_json::from_str(text).expect("what is known");
+    let mut session = session("", "");
+    session.restore(remembered);
+    assert_eq!(session.recent(), [PathBuf::from("a.dae")]);
+    assert_eq!(session.remembered().cameras, []);
+}
+
+#[test]
+fn a_camera_file_sets_the_camera_and_the_size_of_the_picture() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut window = Window::open("-r 40 30", NAME);
+    let home = view(&mut window);
+    window.session().apply(Command::Zoom(2.5));
+    let near = view(&mut window);
+    let path = folder.path().join("camera.txt");
+    let file = CameraFile::new(near, kit::FilmSize { w: 24, h: 18 });
+    std::fs::write(&path, file.to_string()).expect("a file");
+    window.press(Key::Space);
+    assert_eq!(view(&mut window), home);
+    window.session().apply(Command::for_file(path.clone()));
+    assert_eq!(view(&mut window), near);
+    assert_eq!(
+        window.session().settings().expect("a scene").film,
+        file.film
+    );
+    std::fs::write(&path, "1 2 x").expect("a file");
+    window.session().apply(Command::for_file(path));
+    assert!(window.session().message().contains("camera.txt"));
+    assert_eq!(view(&mut window), near, "the camera stays");
+}
+
+#[test]
+fn the_dialog_opens_what_is_chosen_and_says_if_nothing_is() {
+    for (picker, is_opened) in [
+        ((|| Some(scene("gallery.dae"))) as viewer::app::Picker, true),
+        (|| None, false),
+    ] {
+        let mut window = Window::open("", NAME);
+        let state = window.harness.state_mut();
+        *state = App::new(session("", NAME)).with_picker(picker);
+        window.settle();
+        window.press_with(Modifiers::CTRL, Key::O);
+        window.settle();
+        let name = window.session().scene().expect("a scene").name();
+        assert_eq!(name == "gallery.dae", is_opened, "{name}");
+        assert_eq!(window.session().message().contains("No file"), !is_opened);
+    }
+}
+
+#[test]
+fn moves_are_undone_and_done_again_in_order() {
+    let mut window = Window::open("-r 40 30", "cornell_spheres.dae");
+    window.press(Key::Num1);
+    let position = |window: &mut Window| {
+        window.settle();
+        window
+            .session()
+            .selected_vertex_position()
+            .expect("a vertex")
+    };
+    let mut places = vec![position(&mut window)];
+    let held = Modifiers::SHIFT.plus(Modifiers::ALT);
+    for key in [Key::ArrowUp, Key::ArrowRight, Key::ArrowUp] {
+        window.press_with(held, key);
+        places.push(position(&mut window));
+    }
+    for i in [2, 1, 0] {
+        window.press(Key::Z);
+        assert_eq!(position(&mut window), places[i], "back to {i}");
+    }
+    for i in [1, 2] {
+        window.press_with(Modifiers::SHIFT, Key::Z);
+        assert_eq!(position(&mut window), places[i], "again to {i}");
+    }
+    // A new move ends what could be done again.
+    window.press_with(held, Key::ArrowLeft);
+    let last = position(&mut window);
+    window.press_with(Modifiers::SHIFT, Key::Z);
+    assert_eq!(position(&mut window), last);
+    assert_eq!(window.session().message(), "Nothing was moved back");
+}
+
+#[test]
+fn pinching_moves_the_camera_and_scrolling_sideways_orbits() {
+    let mut window = Window::open("-r 40 30", NAME);
+    let at = Pos2::new(250.0, 310.0);
+    let distance = |view: scenes::placement::View| view.camera.pos.distance(view.target);
+    let home = view(&mut window);
+    window.harness.event(egui::Event::PointerMoved(at));
+    window.harness.event(egui::Event::Zoom(1.5));
+    window.settle();
+    let pinched = view(&mut window);
+    assert!(distance(pinched) < 0.95 * distance(home));
+    window.harness.event(egui::Event::MouseWheel {
+        unit: egui::MouseWheelUnit::Point,
+        delta: egui::vec2(40.0, 0.0),
+        phase: egui::TouchPhase::Move,
+        source: egui::MouseWheelSource::Unknown,
+        modifiers: Modifiers::NONE,
+    });
+    window.harness.run_steps(12);
+    let turned = view(&mut window);
+    assert_eq!(turned.target, pinched.target);
+    assert!(turned.camera.pos.distance(pinched.camera.pos) > 0.01);
+    assert!((distance(turned) - distance(pinched)).abs() < 1e-9);
+}
+
+/// What a screen reader reads: every control that can be focused has a name.
+#[test]
+fn every_control_has_a_name() {
+    let mut window = Window::open("-r 32 24 -s 1 -m 1", "cornell_spheres.dae");
+    for key in [Key::E, Key::V, Key::R] {
+        window.press(key);
+        let mut controls = 0;
+        for node in window.harness.root().children_recursive() {
+            let node = node.accesskit_node();
+            use egui::accesskit::Role;
+            let is_control = matches!(
+                node.role(),
+                Role::Button | Role::CheckBox | Role::ComboBox | Role::SpinButton | Role::Link
+            );
+            if is_control {
+                controls += 1;
+                let name = node.label().unwrap_or_default();
+                assert!(
+                    !name.is_empty(),
+                    "{:?} without a name in {key:?}",
+                    node.role()
+                );
+            }
+        }
+        assert!(controls > 10, "{controls} in {key:?}");
+    }
+}

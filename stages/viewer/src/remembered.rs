@@ -3,10 +3,18 @@
 //! The settings of renders are not among it: with the same flags the window renders the picture of
 //! the program.
 
-use crate::session::KeptCamera;
 use scenes::CameraFile;
 use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
+
+/// A camera that was kept.
+#[derive(Clone, Debug, PartialEq)]
+pub struct KeptCamera {
+    /// The scene that it belongs to.
+    pub scene: PathBuf,
+    /// The camera, its target, and the size of the picture.
+    pub file: CameraFile,
+}
 
 /// What is written when the window closes. What a newer version does not know is left out, and
 /// what an older one did not write has its default.

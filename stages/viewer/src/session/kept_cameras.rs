@@ -1,18 +1,9 @@
 //! Cameras that are kept to return to them, and those of files.
 
 use super::{Mode, Session};
-use crate::remembered::Remembered;
+use crate::remembered::{KeptCamera, Remembered};
 use scenes::CameraFile;
-use std::path::{Path, PathBuf};
-
-/// A camera that was kept.
-#[derive(Clone, Debug, PartialEq)]
-pub struct KeptCamera {
-    /// The scene that it belongs to.
-    pub scene: PathBuf,
-    /// The camera, its target, and the size of the picture.
-    pub file: CameraFile,
-}
+use std::path::Path;
 
 impl Session {
     /// The kept cameras of the open scene, in order, with their places among all.

@@ -23,7 +23,6 @@ mod tree;
 pub use comparison::{Compared, Comparison};
 pub use files::Saved;
 pub use heat::{Heat, HeatKind};
-pub use kept_cameras::KeptCamera;
 pub use loading::Loading;
 
 use rendering::CameraRays;
@@ -34,6 +33,7 @@ use crate::features::MissingFeatures;
 use crate::inspector::Inspector;
 use crate::orbit::Orbit;
 use crate::picture_pair::PairDisplay;
+use crate::remembered::KeptCamera;
 use crate::render_control::RenderControl;
 use crate::report::OpenReport;
 use crate::scene_data::SceneData;

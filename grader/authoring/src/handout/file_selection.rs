@@ -160,6 +160,11 @@ pub(super) fn is_grader_crate(member: &Member) -> bool {
     member.folder.starts_with("grader")
 }
 
+/// Whether students only use the crate: the grader's, the window, the reader of scene files.
+pub(super) fn is_given(member: &Member) -> bool {
+    is_grader_crate(member) || ["viewer", "scenes"].contains(&member.name.as_str())
+}
+
 /// The carver for the handout of `part`: it removes the solutions of this part and later ones.
 pub(super) fn carver(course: &Course, part: u32) -> Result<Carver, GraderError> {
     if !course.parts.iter().any(|p| p.number == part) {

@@ -210,15 +210,13 @@ impl Handout {
         self.files.insert(packed_truth::FILE.into(), table);
     }
 
-    /// Removes the unit tests of the grader's crates.
+    /// Removes the unit tests of crates that no student changes.
     fn remove_unit_tests(&mut self, selection: &FileSelection) -> Result<(), GraderError> {
         let mut removed = BTreeSet::new();
         for (path, contents) in &mut self.files {
             let is_rust = path.extension().is_some_and(|extension| extension == "rs");
-            let is_graders = selection
-                .owner(path)
-                .is_some_and(file_selection::is_grader_crate);
-            if is_rust && is_graders {
+            let is_given = selection.owner(path).is_some_and(file_selection::is_given);
+            if is_rust && is_given {
                 let without = unit_tests::remove(path, &text(path, contents.clone())?)?;
                 *contents = without.text.into_bytes();
                 removed.extend(without.files);

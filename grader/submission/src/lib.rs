@@ -8,7 +8,7 @@
 //! [`one::grade_one`] does all this for one folder.
 //!
 //! The code of a submission is not trusted. [`scan`] refuses what has no business in a stage,
-//! [`graders_code`] what is the grader's own;
+//! `graders_code` what is the grader's own;
 //! [`containment`] chooses what keeps the rest from files, programs and networks while it is
 //! compiled and while it runs; [`build_folder`] keeps one submission from the next.
 

@@ -1,8 +1,8 @@
 //! Dates and times of day in UTC.
 //!
 //! The formulas are those of Howard Hinnant, "chrono-Compatible Low-Level Date Algorithms",
-//! `civil_from_days` and `days_from_civil`: years begin in March, so that a leap day is the last day
-//! of its year, and 400 years have 146,097 days.
+//! `civil_from_days` and `days_from_civil`: years begin in March, so that a leap day is the last
+//! day of its year, and 400 years have 146,097 days.
 
 /// The seconds of a day.
 const DAY: i64 = 24 * 60 * 60;

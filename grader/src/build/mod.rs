@@ -121,8 +121,8 @@ impl BuildRoot<'_> {
         }
     }
 
-    /// What was `built`, unless the compiler read files for it that are not the code's own: then this is
-    /// an error of the crate, and what the compiler said may contain them.
+    /// What was `built`, unless the compiler read files for it that are not the code's own: then
+    /// this is an error of the crate, and what the compiler said may contain them.
     fn without_foreign_files(
         &self,
         built: Result<PathBuf, CompileErrors>,

@@ -1,10 +1,10 @@
 //! Which files the compiler read for the code of a submission: those of a crate's own folder only.
 //!
 //! The compiler writes the names of all files that it reads for a crate (`include_str!`, `#[path]`)
-//! and of all variables of the environment to a file beside the crate, even if the crate has errors.
-//! No code of a submission runs meanwhile, so nobody but the compiler writes there. It closes a way
-//! that the scan of the code may have missed, and on machines that cannot close files to the compiler
-//! it is the only thing that does.
+//! and of all variables of the environment to a file beside the crate, even if the crate has
+//! errors. No code of a submission runs meanwhile, so nobody but the compiler writes there. It
+//! closes a way that the scan of the code may have missed, and on machines that cannot close files
+//! to the compiler it is the only thing that does.
 
 use base::GraderError;
 use std::collections::BTreeMap;
@@ -20,8 +20,8 @@ pub(super) struct ReadFiles {
 }
 
 impl ReadFiles {
-    /// Of the `crates` below the folder `root`, each with its folder there, which were compiled in the
-    /// target folder `target`.
+    /// Of the `crates` below the folder `root`, each with its folder there, which were compiled in
+    /// the target folder `target`.
     pub(super) fn of(
         root: &Path,
         target: &Path,

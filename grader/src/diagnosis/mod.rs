@@ -334,9 +334,9 @@ struct Named {
     hint: String,
 }
 
-/// What is said about `best` and those of `ranked` that cannot be distinguished from it. If they are
-/// too many, those that the robust cases make less likely are left out; `None` if they are still too
-/// many.
+/// What is said about `best` and those of `ranked` that cannot be distinguished from it. If they
+/// are too many, those that the robust cases make less likely are left out; `None` if they are
+/// still too many.
 fn with_twins(ranked: &[Ranked], best: &Ranked) -> Option<Named> {
     let as_likely = ranked
         .iter()

@@ -3,7 +3,8 @@
 //! A case gives points only if its main answers are right, such as hit or miss. Of tasks with
 //! several functions each is judged by itself ([`functions`]): the points of a case are shared
 //! equally by those that it judges. A function without the idea of its task gets a quarter of them
-//! (`idea` in `course.toml`), some cases count only with another (`only_with`), and robust points count from two thirds of the core points on.
+//! (`idea` in `course.toml`), some cases count only with another (`only_with`), and robust points
+//! count from two thirds of the core points on.
 
 pub mod functions;
 pub(crate) mod order;

@@ -1,6 +1,6 @@
-//! The grader's own code in a stage. A handout has the code that judges: the exact arithmetic and the
-//! walks that count tests decide what is right, so a stage that contains them gets points for code
-//! that is not the student's.
+//! The grader's own code in a stage. A handout has the code that judges: the exact arithmetic and
+//! the walks that count tests decide what is right, so a stage that contains them gets points for
+//! code that is not the student's.
 //!
 //! What counts is long passages of equal code, whatever the names in it are. Textbook code that a
 //! student and the grader both have is shorter.
@@ -15,11 +15,12 @@ use std::path::Path;
 /// The fewest tokens of a passage, some seven lines: a shorter run may be equal by chance.
 const PASSAGE: usize = 50;
 
-/// So many tokens of such passages, some 20 lines, are no chance: the correct versions of the course
-/// have less than half of it in common with the grader.
+/// So many tokens of such passages, some 20 lines, are no chance: the correct versions of the
+/// course have less than half of it in common with the grader.
 const MOST: usize = 150;
 
-/// Where the code lies that decides what is right: the exact arithmetic and the walks that count tests.
+/// Where the code lies that decides what is right: the exact arithmetic and the walks that count
+/// tests.
 const DECIDES: [&str; 3] = [
     "grader/oracle/src",
     "grader/judge/src/tools/truth",
@@ -37,8 +38,8 @@ impl GradersCode {
         Ok(GradersCode(Source::new(&files, &Known::default())))
     }
 
-    /// A sentence for each passage of it in the `files` of `stage`, if they are too long to be chance.
-    /// The course below `root` says what everybody has.
+    /// A sentence for each passage of it in the `files` of `stage`, if they are too long to be
+    /// chance. The course below `root` says what everybody has.
     pub(crate) fn found_in(
         &self,
         root: &Path,

@@ -86,7 +86,8 @@ fn steps() -> Vec<Triangle> {
     all
 }
 
-/// Walls on both sides, with a doorway on the left, a window on the right and an arch over the steps.
+/// Walls on both sides, with a doorway on the left, a window on the right and an arch over the
+/// steps.
 fn walls() -> Vec<Triangle> {
     let mut all = Vec::new();
     let mut wall = |min: [f64; 3], max: [f64; 3]| all.extend(block(min.into(), max.into()));

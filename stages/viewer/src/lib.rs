@@ -7,8 +7,9 @@
 //! [`view_picture`], [`view3d`] and [`pace`] (the ray-traced view), [`render_control`] (the picture),
 //! [`inspector`] (the replay of a pixel), [`truth`] (the exact answers), [`compare`] and
 //! [`picture_pair`] (A and B), [`features`] (what waits for a task), [`report`] (a report of the
-//! grader), [`ray_test`], [`remembered`] (from one start to the next). [`task`] runs work in the background and catches the holes of stages that
-//! are not written yet; [`project`] is the projection of lines, [`digits`] shortens numbers.
+//! grader), [`ray_test`], [`remembered`] (from one start to the next). [`task`] runs work in the
+//! background and catches the holes of stages that are not written yet; [`project`] is the
+//! projection of lines, [`digits`] shortens numbers.
 //!
 //! [`app`] draws it with egui. [`snapshot`] writes pictures of it without a display, with
 //! [`raster`], which draws egui's shapes without a GPU. [`mod@bench`] measures frames. [`cli`] has

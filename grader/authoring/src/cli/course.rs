@@ -184,8 +184,8 @@ fn run_diff(matches: &ArgMatches) -> Result<Exit, GraderError> {
     Ok(Exit::Passed)
 }
 
-/// The teacher's cases are compiled in. If this program was compiled before they changed, compiles it
-/// again and lets the new one check the course.
+/// The teacher's cases are compiled in. If this program was compiled before they changed, compiles
+/// it again and lets the new one check the course.
 fn check_with_own_cases(workspace: &Workspace) -> Result<Option<Exit>, GraderError> {
     let file = workspace.root().join(own_cases::FILE);
     let now = std::fs::read_to_string(&file).map_err(|e| GraderError::file("read", &file, e))?;

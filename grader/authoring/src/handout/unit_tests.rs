@@ -1,5 +1,5 @@
-//! Removes the unit tests of crates that students only use from a handout: they are an eighth of its
-//! source, and `cargo test` there runs the tests of the stages alone.
+//! Removes the unit tests of crates that students only use from a handout: they are an eighth of
+//! its source, and `cargo test` there runs the tests of the stages alone.
 
 use base::GraderError;
 use std::collections::BTreeSet;

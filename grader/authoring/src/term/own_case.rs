@@ -69,8 +69,8 @@ pub(super) fn judged(task: &str, name: &str, case: &OwnCase) -> own_cases::OwnCa
     }
 }
 
-/// The text of a file from which a teacher can start: the simplest question of the same kind as that
-/// of the case `spec`; where there is none, its first call or the whole.
+/// The text of a file from which a teacher can start: the simplest question of the same kind as
+/// that of the case `spec`; where there is none, its first call or the whole.
 pub fn template(spec: &Spec, tier: Tier) -> Result<String, GraderError> {
     let simplest = spec.simple().into_iter().next();
     let simplest = simplest.or_else(|| spec.only_call(0));

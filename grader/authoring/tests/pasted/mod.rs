@@ -426,8 +426,8 @@ fn all_attempts(task: &Task) -> Vec<Mutant> {
     all
 }
 
-/// Functions that may earn something, since they stand in the stub of a hole or are a small part of what
-/// the task is about: the task, the function, and why.
+/// Functions that may earn something, since they stand in the stub of a hole or are a small part of
+/// what the task is about: the task, the function, and why.
 const GIVEN: &[(&str, &str, &str)] = &[
     (
         "part2.task1",

@@ -1,7 +1,7 @@
 //! Cases that a teacher adds to tasks as data: a question of a kind of work that the task has.
 //!
-//! `grader course build` writes them to `own_cases.toml` in a term's copy of First Light, from where
-//! they are compiled in. The check of their kind judges them as it judges all others.
+//! `grader course build` writes them to `own_cases.toml` in a term's copy of First Light, from
+//! where they are compiled in. The check of their kind judges them as it judges all others.
 
 use crate::tasks;
 use crate::tools::Tier;

@@ -173,8 +173,8 @@ fn task_picture(rendered: &Rendered) -> String {
     )
 }
 
-/// The failed cases. Of several cases with the same wrong fields, only the first is shown in full; the
-/// others are folded below it.
+/// The failed cases. Of several cases with the same wrong fields, only the first is shown in full;
+/// the others are folded below it.
 fn cases(failed: &[&FailedCase]) -> String {
     let mut groups: Vec<(String, Vec<&FailedCase>)> = Vec::new();
     for case in failed {

@@ -1,7 +1,7 @@
 //! Source code as it is compared: what two texts have in common, whatever the names in them are.
 //!
-//! [`tokens`] reads code without comments, blanks and names, [`passages`] finds equal runs, [`source`]
-//! is the code of a stage.
+//! [`tokens`] reads code without comments, blanks and names, [`passages`] finds equal runs,
+//! [`source`] is the code of a stage.
 
 pub mod passages;
 pub mod source;
@@ -53,8 +53,8 @@ pub fn of_the_grader(root: &Path) -> Result<Files, GraderError> {
     in_folders(root, &GRADERS)
 }
 
-/// The Rust files in these `folders` below `root`, as a handout has them. A folder may be a file, or
-/// missing.
+/// The Rust files in these `folders` below `root`, as a handout has them. A folder may be a file,
+/// or missing.
 pub(crate) fn in_folders(root: &Path, folders: &[&str]) -> Result<Files, GraderError> {
     let mut files = Files::new();
     for folder in folders.iter().map(|folder| root.join(folder)) {

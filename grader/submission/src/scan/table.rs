@@ -1,22 +1,23 @@
-//! Finds what may be a table of answers in a stage: more numbers, strings and names than code needs.
+//! Finds what may be a table of answers in a stage: more numbers, strings and names than code
+//! needs.
 
 use super::{Scanner, Token};
 use crate::file_tree::Files;
 use std::collections::HashSet;
 
-/// More bytes of data than code of a stage needs: the correct versions have at most 540, most of them
-/// less than 100.
+/// More bytes of data than code of a stage needs: the correct versions have at most 540, most of
+/// them less than 100.
 const MOST_DATA: usize = 3000;
 
-/// More bytes of data and of different names together: macros make strings of names. The correct versions
-/// have at most 2,300.
+/// More bytes of data and of different names together: macros make strings of names. The correct
+/// versions have at most 2,300.
 const MOST_WITH_NAMES: usize = 2600;
 
 /// More words and marks than code of a stage needs: the correct versions have at most 4,700.
 const MOST_TOKENS: usize = 9000;
 
-/// A sentence if the files of `stage` contain so much data, or so much at all, that they may contain a
-/// table of answers. Honest code may, too: a person should look.
+/// A sentence if the files of `stage` contain so much data, or so much at all, that they may
+/// contain a table of answers. Honest code may, too: a person should look.
 pub fn table(stage: &str, files: &Files) -> Option<String> {
     let contents = Contents::of(files);
     let what = match contents {
@@ -38,7 +39,8 @@ pub fn table(stage: &str, files: &Files) -> Option<String> {
 /// How much the code of a stage contains, without its tests.
 #[derive(Clone, Copy, Debug, Default)]
 struct Contents {
-    /// The bytes of numbers, strings and characters, and of the comments that a macro gets as attributes.
+    /// The bytes of numbers, strings and characters, and of the comments that a macro gets as
+    /// attributes.
     data: usize,
     /// The bytes of all names, each counted once.
     names: usize,

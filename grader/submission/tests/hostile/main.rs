@@ -82,8 +82,9 @@ fn forbidden_code_that_is_not_scanned_does_not_compile() {
     assert_none(&wrong);
 }
 
-/// Where nothing keeps files from the compiler, code that read one is refused by the compiler's list of
-/// what it has read, and no message shows the file. `unscanned` says what stops it elsewhere.
+/// Where nothing keeps files from the compiler, code that read one is refused by the compiler's
+/// list of what it has read, and no message shows the file. `unscanned` says what stops it
+/// elsewhere.
 #[test]
 #[ignore = "builds each submission: minutes"]
 fn files_that_the_compiler_could_read_are_no_use() {

@@ -2,8 +2,8 @@
 //!
 //! Everything here works without a display. [`Session::apply`] executes a command;
 //! [`Session::update`] takes the results of background work. Reading order: this file, `state` (what
-//! is read of it), then `loading` (scenes), `cameras`, `kept_cameras`, `selecting` and `editing`, `tree`, `rendering`,
-//! `heat`, `comparison`, `pointer`, `reports`, `files` (what is written).
+//! is read of it), then `loading` (scenes), `cameras`, `kept_cameras`, `selecting` and `editing`,
+//! `tree`, `rendering`, `heat`, `comparison`, `pointer`, `reports`, `files` (what is written).
 
 mod cameras;
 mod comparison;

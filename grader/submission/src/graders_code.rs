@@ -89,34 +89,7 @@ impl GradersCode {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use base::Workspace;
-    use std::path::PathBuf;
-
-    const STAGES: [&str; 7] = [
-        "raygen",
-        "intersect",
-        "bbox",
-        "bvh",
-        "direct",
-        "global",
-        "adaptive",
-    ];
-
-    fn root() -> PathBuf {
-        let here = Path::new(env!("CARGO_MANIFEST_DIR"));
-        let workspace = Workspace::above(here).expect("this is the course");
-        workspace.root().to_path_buf()
-    }
-
-    /// The files below `folder`.
-    fn files(folder: &Path) -> Files {
-        let paths = grader::course::sources::below(folder).expect("it can be read");
-        let read = |path: PathBuf| {
-            let text = std::fs::read(&path).expect("it can be read");
-            (path.strip_prefix(folder).expect("it is below").into(), text)
-        };
-        paths.into_iter().map(read).collect()
-    }
+    use crate::correct_versions::{reference, stages, variants, workspace};
 
     /// How many tokens of long passages a version of a stage has in common with the grader.
     fn in_common(graders: &GradersCode, known: &Known, files: &Files) -> usize {
@@ -127,15 +100,14 @@ mod tests {
 
     #[test]
     fn no_correct_version_has_half_of_what_is_refused() {
-        let root = root();
-        let graders = GradersCode::read(&root).unwrap();
+        let workspace = workspace();
+        let root = workspace.root();
+        let graders = GradersCode::read(root).unwrap();
         let mut compared = 0;
-        for stage in STAGES {
-            let known = known_of_handout(&root, stage).unwrap();
-            let reference = files(&root.join("stages").join(stage).join("src"));
-            let variants = files(&root.join("grader/mutants/variants").join(stage));
-            let each = variants.into_iter().map(|file| Files::from([file]));
-            for version in each.chain([reference]) {
+        for stage in stages() {
+            let known = known_of_handout(root, &stage).unwrap();
+            let each = variants(&stage).into_iter().map(|file| Files::from([file]));
+            for version in each.chain([reference(&stage)]) {
                 let tokens = in_common(&graders, &known, &version);
                 assert!(2 * tokens < MOST, "{stage}, {:?}: {tokens}", version.keys());
                 compared += 1;
@@ -146,8 +118,9 @@ mod tests {
 
     #[test]
     fn code_of_the_grader_is_found_with_other_names_and_in_pieces() {
-        let root = root();
-        let graders = GradersCode::read(&root).unwrap();
+        let workspace = workspace();
+        let root = workspace.root();
+        let graders = GradersCode::read(root).unwrap();
         for (stage, path) in [
             ("intersect", "grader/oracle/src/triangle.rs"),
             ("intersect", "grader/oracle/src/sphere.rs"),
@@ -159,7 +132,7 @@ mod tests {
             let text = text.split("#[cfg(test)]").next().unwrap_or_default();
             let renamed = text.replace("ray", "line").replace("self.", "self . ");
             let pasted = Files::from([("walk.rs".into(), renamed.into_bytes())]);
-            let found = graders.found_in(&root, stage, &pasted).unwrap();
+            let found = graders.found_in(root, stage, &pasted).unwrap();
             let start = format!("stages/{stage}/src/walk.rs:");
             assert!(!found.is_empty(), "{path}");
             for sentence in found {

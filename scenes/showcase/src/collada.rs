@@ -246,3 +246,16 @@ const HEAD: &str = "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n\
 fn numbers([x, y, z]: [f64; 3]) -> String {
     format!("{x} {y} {z}")
 }
+
+/// What is read of a scene file that `write` has written; it is read without a warning.
+#[cfg(test)]
+pub(crate) fn read_again(
+    write: impl FnOnce(&mut std::fs::File) -> io::Result<()>,
+) -> scenes::Loaded {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("scene.dae");
+    write(&mut std::fs::File::create(&path).expect("a file")).expect("it is written");
+    let loaded = scenes::load(&path).expect("a scene");
+    assert_eq!(loaded.warnings.len(), 0);
+    loaded
+}

@@ -1,8 +1,7 @@
 //! A wider view of `scenes/dae/dusk.dae`: a terrace above a lake, and mountains behind it.
 
 use crate::collada::{Mesh, Paint, effect, material, node};
-use crate::shapes::square;
-use kit::sampler::mix;
+use crate::shapes::{random, square};
 use kit::{Triangle, Vec3};
 use std::io::{self, Write};
 
@@ -122,7 +121,7 @@ impl Range {
 
 /// Smooth noise in [0, 1] along a line.
 fn noise(seed: u64, x: f64) -> f64 {
-    let at = |i: f64| (mix(seed << 32 ^ i as u64) >> 11) as f64 / (1_u64 << 53) as f64;
+    let at = |i: f64| random(seed << 32 ^ i as u64);
     let (i, f) = (x.floor(), x - x.floor());
     let smooth = f * f * (3.0 - 2.0 * f);
     at(i) + smooth * (at(i + 1.0) - at(i))
@@ -131,14 +130,11 @@ fn noise(seed: u64, x: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::collada::read_again;
 
     #[test]
     fn the_scene_has_the_foreground_and_the_mountains() {
-        let folder = tempfile::tempdir().expect("a folder");
-        let path = folder.path().join("dusk.dae");
-        write(&mut std::fs::File::create(&path).expect("a file")).expect("it is written");
-        let wide = scenes::load(&path).expect("a scene");
-        assert_eq!(wide.warnings.len(), 0);
+        let wide = read_again(write);
         assert_eq!(wide.scene.spheres.len(), 6);
         assert_eq!(wide.scene.triangles.len(), 60 + 2 + 3 * 2 * 600);
         // Nothing of the lake is above the terrace.

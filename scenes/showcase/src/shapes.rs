@@ -1,8 +1,14 @@
 //! Simple shapes as triangles.
 
 use kit::math::sin_cos;
+use kit::sampler::mix;
 use kit::{Triangle, Vec3};
 use std::f64::consts::TAU;
+
+/// A random number in [0, 1) for each key.
+pub(crate) fn random(key: u64) -> f64 {
+    (mix(key) >> 11) as f64 / (1_u64 << 53) as f64
+}
 
 /// The surface of a box, with normals outwards.
 pub(crate) fn block(min: Vec3, max: Vec3) -> Vec<Triangle> {

@@ -1,7 +1,7 @@
 //! A street of steps in the sun: walls, a door, pots, a chair, a vine over the steps.
 
 use crate::collada::{Document, Mesh, Paint, Sun};
-use crate::shapes::{block, lathe};
+use crate::shapes::{block, lathe, random};
 use kit::math::sin_cos;
 use kit::sampler::mix;
 use kit::{Triangle, Vec3};
@@ -295,22 +295,18 @@ fn leaves(which: std::ops::Range<u64>, size: f64) -> Vec<Triangle> {
 
 /// A number in [0, 1) of thing `i`; another one for each `salt`.
 fn unit(i: u64, salt: u64) -> f64 {
-    (mix(i ^ mix(salt)) >> 11) as f64 / (1_u64 << 53) as f64
+    random(i ^ mix(salt))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::collada::read_again;
 
     #[test]
     fn the_street_can_be_read_again() {
         let document = document();
-        let folder = tempfile::tempdir().expect("a folder");
-        let path = folder.path().join("street.dae");
-        let mut file = std::fs::File::create(&path).expect("a file");
-        document.write(&mut file).expect("it is written");
-        let loaded = scenes::load(&path).expect("a scene");
-        assert_eq!(loaded.warnings.len(), 0);
+        let loaded = read_again(|file| document.write(file));
         let count: usize = document.meshes.iter().map(|m| m.triangles.len()).sum();
         assert_eq!(loaded.scene.triangles.len(), count);
         assert_eq!(loaded.scene.lights.len(), 2);

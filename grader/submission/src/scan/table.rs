@@ -130,6 +130,7 @@ impl Macros {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::correct_versions;
     use std::path::PathBuf;
 
     #[test]
@@ -217,38 +218,19 @@ mod tests {
     /// How far the correct versions of the course are from what is pointed out.
     #[test]
     fn no_correct_version_is_half_a_table() {
-        let here = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
-        let workspace = base::Workspace::above(here).expect("this is the course");
-        let files = |folder: &str| {
-            let paths = grader::course::sources::below(&workspace.root().join(folder));
-            let read = |path: PathBuf| {
-                let text = std::fs::read(&path).expect("it can be read");
-                (path, text)
-            };
-            paths.expect("it can be read").into_iter().map(read)
-        };
-        let variants = files("grader/mutants/variants");
-        assert!(variants.len() > 50, "{}", variants.len());
-        for (path, text) in variants {
-            let of = Contents::of(&Files::from([(path.clone(), text)]));
-            println!("{} {of:?}", path.display());
-            let is_far = 2 * of.data < MOST_DATA
-                && 2 * (of.data + of.names) < MOST_WITH_NAMES
-                && 2 * of.tokens < MOST_TOKENS;
-            assert!(is_far, "{}: {of:?}", path.display());
+        let mut compared = 0;
+        for stage in correct_versions::stages() {
+            for (path, text) in correct_versions::variants(&stage) {
+                let of = Contents::of(&Files::from([(path.clone(), text)]));
+                let is_far = 2 * of.data < MOST_DATA
+                    && 2 * (of.data + of.names) < MOST_WITH_NAMES
+                    && 2 * of.tokens < MOST_TOKENS;
+                assert!(is_far, "{stage}, {}: {of:?}", path.display());
+                compared += 1;
+            }
+            let reference = correct_versions::reference(&stage);
+            assert_eq!(table(&stage, &reference), None);
         }
-        for stage in [
-            "raygen",
-            "intersect",
-            "bbox",
-            "bvh",
-            "direct",
-            "global",
-            "adaptive",
-        ] {
-            let reference = files(&format!("stages/{stage}/src")).collect();
-            println!("{stage} {:?}", Contents::of(&reference));
-            assert_eq!(table(stage, &reference), None);
-        }
+        assert!(compared > 50, "{compared}");
     }
 }

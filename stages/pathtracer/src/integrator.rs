@@ -195,11 +195,12 @@ impl<'a, T: RayTracer> PathIntegrator<'a, T> {
     #[inline]
     pub(crate) fn roulette(&self, throughput: Spectrum, bounces: u32, u: f64) -> Option<Spectrum> {
         self.materials.count(Effect::Bounces);
-        if self.settings.roulette {
-            play_roulette(throughput, bounces, u)
-        } else {
-            Some(throughput)
+        if !self.settings.roulette {
+            return Some(throughput);
         }
+        let survivor = play_roulette(throughput, bounces, u);
+        self.tracer.roulette_played(throughput, survivor);
+        survivor
     }
 
     /// Emission and direct light at the first hit. Needs the stage `direct`, but not `global`.

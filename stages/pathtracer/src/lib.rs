@@ -5,7 +5,8 @@
 //! paths, and paths in packets of eight), `materials` (scattering), [`textures`], [`lens`] and
 //! [`environment_file`] (what flags add to a scene), [`trial`] (whether the stages for a picture are
 //! written), [`rendered`] (a job and its result),
-//! [`layers`] (albedo, normal, depth), [`progressive`] (rendering that can be stopped and resumed)
+//! [`layers`] (albedo, normal, depth), [`layer_file`] (any layers of a file), [`lobe`] (scattering at
+//! a point, for drawings), [`progressive`] (rendering that can be stopped and resumed)
 //! and [`passes`] (how many samples each pass takes), [`tone`], [`rate_picture`](mod@rate_picture), [`output`] and [`part_file`] (picture
 //! files), [`exact_sum`], [`sums_file`] and [`merge`](mod@merge) (parts of a picture), [`mitsuba`]
 //! (export for another renderer). The program is in `src/bin/pathtracer`.
@@ -15,9 +16,11 @@ pub mod args;
 pub mod environment_file;
 pub mod exact_sum;
 mod integrator;
+pub mod layer_file;
 pub mod layers;
 pub mod lens;
 pub mod lit;
+pub mod lobe;
 mod materials;
 pub mod merge;
 pub mod mitsuba;

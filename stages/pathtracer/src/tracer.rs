@@ -53,6 +53,13 @@ pub(crate) trait RayTracer {
         let _ = sensor;
     }
 
+    /// Called when roulette was played at the last hit of a path: with the throughput before and
+    /// after; `None` if the path ends.
+    #[inline]
+    fn roulette_played(&self, throughput: Spectrum, survivor: Option<Spectrum>) {
+        let _ = (throughput, survivor);
+    }
+
     /// Called with the radiance of a finished sample.
     #[inline]
     fn sample_ends(&self, radiance: Spectrum) {

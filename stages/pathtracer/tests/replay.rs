@@ -193,6 +193,53 @@ fn rays_form_a_tree_by_role() {
     }
 }
 
+/// A path that survives goes on from the surface where roulette was played, and one that ends does
+/// not.
+#[test]
+fn roulettes_stand_where_paths_go_on_or_end() {
+    let (scene, tree, _) = cornell();
+    let light = LightSettings {
+        max_depth: 12,
+        ..LightSettings::default()
+    };
+    let replay_with = |light| {
+        let picture = &scene.picture;
+        let job = job(&scene, 32);
+        replay_pixel(picture, &scene.textures, &tree, &job, &light, 1, (11, 4))
+    };
+    let (mut ended, mut weighted) = (0, 0);
+    for sample in &replay_with(light).samples {
+        for played in &sample.roulettes {
+            let goes_on = sample
+                .rays
+                .iter()
+                .any(|ray| ray.role == RayRole::Bounce && ray.parent == Some(played.ray));
+            assert_eq!(goes_on, played.survivor.is_some());
+            assert!(matches!(sample.rays[played.ray].outcome, Outcome::Hit(_)));
+            ended += usize::from(!goes_on);
+            weighted += usize::from(
+                played
+                    .survivor
+                    .is_some_and(|after| after != played.throughput),
+            );
+        }
+    }
+    assert!(
+        ended > 0 && weighted > 0,
+        "{ended} ended, {weighted} weighted"
+    );
+    let without = LightSettings {
+        roulette: false,
+        ..light
+    };
+    let none = replay_with(without);
+    assert!(
+        none.samples
+            .iter()
+            .all(|sample| sample.roulettes.is_empty())
+    );
+}
+
 #[test]
 fn recorded_tests_are_those_that_were_counted() {
     let (scene, tree, replay) = cornell();

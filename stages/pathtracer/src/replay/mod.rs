@@ -10,7 +10,9 @@ mod recorder;
 pub mod text;
 
 pub use heat::{HeatMap, heat_map};
-pub use record::{Outcome, PixelReplay, PrimAnswer, RayRecord, SampleRecord, Test, Visit};
+pub use record::{
+    Outcome, PixelReplay, PrimAnswer, RayRecord, Roulette, SampleRecord, Test, Visit,
+};
 pub use recorder::record_ray;
 
 use crate::integrator::PathIntegrator;

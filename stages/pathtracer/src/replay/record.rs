@@ -29,6 +29,32 @@ pub struct SampleRecord {
     /// Its rays, in the order in which they were traced. Empty beyond
     /// [`MAX_RECORDED_SAMPLES`](super::MAX_RECORDED_SAMPLES).
     pub rays: Vec<RayRecord>,
+    /// The roulettes that its path played, in order; none if roulette is switched off.
+    pub roulettes: Vec<Roulette>,
+}
+
+impl SampleRecord {
+    /// The index of the last ray of the path, not of its light.
+    pub fn last_of_path(&self) -> Option<usize> {
+        let is_path = |ray: &RayRecord| matches!(ray.role, RayRole::Camera | RayRole::Bounce);
+        self.rays.iter().rposition(is_path)
+    }
+
+    /// The roulette that was played where a ray hit.
+    pub fn roulette_after(&self, ray: usize) -> Option<&Roulette> {
+        self.roulettes.iter().find(|roulette| roulette.ray == ray)
+    }
+}
+
+/// Russian roulette, played before a path leaves a surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Roulette {
+    /// The index of the ray that hit the surface.
+    pub ray: usize,
+    /// The throughput before it.
+    pub throughput: Spectrum,
+    /// The throughput after it; `None` if the path ends.
+    pub survivor: Option<Spectrum>,
 }
 
 /// One ray and its tests.

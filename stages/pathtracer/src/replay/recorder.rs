@@ -1,7 +1,7 @@
 //! Traces rays and records every test.
 
 use super::MAX_RECORDED_SAMPLES;
-use super::record::{Outcome, PrimAnswer, RayRecord, SampleRecord, Test, Visit};
+use super::record::{Outcome, PrimAnswer, RayRecord, Roulette, SampleRecord, Test, Visit};
 use crate::tracer::{RayRole, RayTracer};
 use crate::{Accel, Counters, SceneWorld};
 use kit::{Aabb, Bvh, Hit, Interval, NodeKind, PrimId, Ray, Scene, Spectrum, Vec2, World};
@@ -60,8 +60,7 @@ impl<'a> Recorder<'a> {
         let Some(sample) = samples.last_mut().filter(|_| index <= MAX_RECORDED_SAMPLES) else {
             return;
         };
-        let is_path = |r: &RayRecord| matches!(r.role, RayRole::Camera | RayRole::Bounce);
-        let parent = sample.rays.iter().rposition(is_path);
+        let parent = sample.last_of_path();
         sample.rays.push(RayRecord {
             role,
             depth: parent.map_or(0, |parent| sample.rays[parent].depth + 1),
@@ -111,7 +110,22 @@ impl RayTracer for &Recorder<'_> {
             sensor,
             radiance: Spectrum::BLACK,
             rays: Vec::new(),
+            roulettes: Vec::new(),
         });
+    }
+
+    fn roulette_played(&self, throughput: Spectrum, survivor: Option<Spectrum>) {
+        let mut samples = self.samples.borrow_mut();
+        // Without recorded rays there is no surface that it belongs to.
+        if let Some(sample) = samples.last_mut()
+            && let Some(ray) = sample.last_of_path()
+        {
+            sample.roulettes.push(Roulette {
+                ray,
+                throughput,
+                survivor,
+            });
+        }
     }
 
     fn sample_ends(&self, radiance: Spectrum) {

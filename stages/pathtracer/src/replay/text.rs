@@ -1,6 +1,8 @@
 //! A replay as text, for `--pixel` and for the list of the window.
 
-use super::record::{Outcome, PixelReplay, PrimAnswer, RayRecord, SampleRecord, Test, Visit};
+use super::record::{
+    Outcome, PixelReplay, PrimAnswer, RayRecord, Roulette, SampleRecord, Test, Visit,
+};
 use crate::tone;
 use crate::tracer::RayRole;
 use kit::{FilmSize, PixelEstimate, PrimId, Ray, Scene, Vec3};
@@ -85,17 +87,33 @@ pub fn sample(scene: &Scene, film: FilmSize, index: usize, record: &SampleRecord
         record.sensor.y * f64::from(film.h),
         numbers(record.radiance.to_array())
     );
-    for record in &record.rays {
-        let indent = "  ".repeat(record.depth as usize + 1);
-        let _ = writeln!(text, "{indent}{}", ray(scene, record));
-        for line in surface(record) {
+    for (i, of) in record.rays.iter().enumerate() {
+        let indent = "  ".repeat(of.depth as usize + 1);
+        let _ = writeln!(text, "{indent}{}", ray(scene, of));
+        let played = record.roulette_after(i).map(roulette);
+        for line in surface(of).into_iter().chain(played) {
             let _ = writeln!(text, "{indent}  {line}");
         }
-        for found in &record.tests {
+        for found in &of.tests {
             let _ = writeln!(text, "{indent}  {}", test(scene, found));
         }
     }
     text
+}
+
+/// What a roulette did, in one line.
+pub fn roulette(played: &Roulette) -> String {
+    let before = numbers(played.throughput.to_array());
+    match played.survivor {
+        None => format!("roulette: throughput {before}: the path ends"),
+        Some(after) if after == played.throughput => {
+            format!("roulette: throughput {before}: the path goes on unchanged")
+        }
+        Some(after) => format!(
+            "roulette: throughput {before}: the path goes on with {}",
+            numbers(after.to_array())
+        ),
+    }
 }
 
 /// The name of a role.

@@ -27,6 +27,12 @@ pub enum Command {
     ResetView,
     /// Shows or hides the edges of triangles.
     ToggleEdges,
+    /// Cuts the scene of the view open across the next axis, or no longer.
+    NextCut,
+    /// Shows the other side of the cut.
+    FlipCut,
+    /// Moves the plane of the cut to a coordinate.
+    MoveCut(f64),
     /// Selects what is under the pointer, or nothing.
     Select,
     /// Selects the next vertex, edge or face, or the previous one.
@@ -82,6 +88,10 @@ pub enum Command {
     ToggleRate,
     /// Shows the heat map of box tests, then of primitive tests, then the picture.
     NextHeat,
+    /// Shows the luminance of the picture in false colours, or the picture.
+    ToggleFalseColor,
+    /// Shows a layer of the picture file, by its place, or its picture.
+    ShowLayer(Option<usize>),
     /// Inspects the pixel with the most tests.
     GoToCostliest,
     /// Keeps the picture, to compare later ones with it.
@@ -149,6 +159,8 @@ pub enum Command {
     LoadCamera(PathBuf),
     /// Asks which file to open.
     ChooseFile,
+    /// Opens the file whose path was typed.
+    OpenTyped,
     /// Opens a scene file.
     Open(PathBuf),
     /// Reads the scene file again.

@@ -1,5 +1,6 @@
 //! Two pictures side by side: how much they differ.
 
+use crate::picture_layer::Layer;
 use kit::{Film, FilmSize};
 use pathtracer::{SumsFile, tone};
 use pictures::Image;
@@ -16,6 +17,8 @@ pub struct Reference {
     pub bytes: Vec<[u8; 3]>,
     /// Linear values in the same order, if it has them.
     pub linear: Option<Vec<[f64; 3]>>,
+    /// The other layers of its file, if it is an `.exr`.
+    pub layers: Vec<Layer>,
 }
 
 impl Reference {
@@ -27,6 +30,7 @@ impl Reference {
             size: film.size(),
             bytes: pixels.clone().map(tone::to_bytes).collect(),
             linear: Some(pixels.map(|radiance| radiance.to_array()).collect()),
+            layers: Vec::new(),
         }
     }
 
@@ -34,10 +38,11 @@ impl Reference {
     /// sentence.
     pub fn load(path: &Path) -> Result<Reference, String> {
         let name = path.display();
-        if path
-            .extension()
-            .is_some_and(|end| end.eq_ignore_ascii_case("sums"))
-        {
+        let ends_in = |end: &str| {
+            path.extension()
+                .is_some_and(|e| e.eq_ignore_ascii_case(end))
+        };
+        if ends_in("sums") {
             let sums = SumsFile::read(path).map_err(|why| format!("{name} {why}"))?;
             return Ok(Reference::of_film(&name.to_string(), &sums.film()));
         }
@@ -73,6 +78,10 @@ impl Reference {
             size,
             bytes,
             linear,
+            layers: match ends_in("exr") {
+                true => Layer::load(path, size)?,
+                false => Vec::new(),
+            },
         })
     }
 

@@ -3,7 +3,7 @@
 use crate::scene_data::SceneData;
 use crate::task::{StageFailure, Task, Wake};
 use crate::truth::{PixelTruth, check_pixel};
-use kit::PixelEstimate;
+use kit::{PixelEstimate, Vec2};
 use pathtracer::replay::text::is_same;
 use pathtracer::replay::{PixelReplay, RayRecord, SampleRecord};
 use pathtracer::{Job, LightSettings, RayRole, replay_pixel};
@@ -17,6 +17,10 @@ pub struct Inspected {
     pub scene: Arc<SceneData>,
     /// The job of the picture.
     pub job: Job,
+    /// Its light transport.
+    pub light: LightSettings,
+    /// The passes of the picture, each with all samples of the job.
+    pub passes: u32,
     /// The replay.
     pub replay: PixelReplay,
     /// The pixel of the picture, if it was rendered.
@@ -30,6 +34,21 @@ impl Inspected {
     pub fn agrees(&self) -> Option<bool> {
         let rendered = self.rendered?;
         Some(is_same(rendered, self.replay.estimate))
+    }
+
+    /// The most samples that the pixel can take.
+    pub fn most_samples(&self) -> usize {
+        self.job.samples as usize * self.passes as usize
+    }
+
+    /// Where the samples are in the pixel, in [0, 1]² from the bottom left.
+    pub fn positions(&self) -> impl Iterator<Item = Vec2> {
+        let (x, y) = self.replay.pixel;
+        let corner = Vec2::new(f64::from(x), f64::from(y));
+        let film = self.job.film;
+        let size = Vec2::new(f64::from(film.w), f64::from(film.h));
+        let samples = self.replay.samples.iter();
+        samples.map(move |sample| sample.sensor * size - corner)
     }
 }
 
@@ -46,6 +65,8 @@ pub struct RayFilter {
     pub depth: Option<u32>,
     /// Only the selected sample.
     pub one_sample: bool,
+    /// The scattering where the selected ray hits.
+    pub lobe: bool,
 }
 
 impl Default for RayFilter {
@@ -56,6 +77,7 @@ impl Default for RayFilter {
             light: true,
             depth: None,
             one_sample: true,
+            lobe: true,
         }
     }
 }
@@ -121,6 +143,8 @@ impl Inspector {
             Inspected {
                 scene,
                 job,
+                light: settings,
+                passes,
                 replay,
                 rendered,
                 truth,

@@ -90,6 +90,7 @@ pub fn command(mode: Mode, key: Key, modifiers: Modifiers) -> Option<Command> {
 
 const ALL: &[Mode] = &[];
 const CAMERA: &[Mode] = &[Mode::Edit, Mode::Bvh];
+const VIEWS: &[Mode] = &[Mode::Edit, Mode::Bvh, Mode::Render];
 const BVH: &[Mode] = &[Mode::Bvh];
 const TREE: &[Mode] = &[Mode::Bvh, Mode::Report];
 const EDIT: &[Mode] = &[Mode::Edit];
@@ -160,6 +161,14 @@ pub fn bindings() -> Vec<Binding> {
         any(Key::PageUp, "Page Up", ALL, C::Zoom(1.0), "nearer"),
         any(Key::PageDown, "Page Down", ALL, C::Zoom(-1.0), "farther"),
         any(Key::W, "W", CAMERA, C::ToggleEdges, "edges of triangles"),
+        only(
+            Key::Num5,
+            "5",
+            VIEWS,
+            C::NextCut,
+            "cut open at x, y, z; Shift: other side",
+        ),
+        shift(Key::Num5, "", VIEWS, C::FlipCut, ""),
         only(
             Key::Z,
             "Z",
@@ -271,6 +280,13 @@ pub fn bindings() -> Vec<Binding> {
             RENDER,
             C::NextHeat,
             "heat map: boxes, primitives, off",
+        ),
+        any(
+            Key::Num6,
+            "6",
+            RENDER,
+            C::ToggleFalseColor,
+            "false colours: the luminance",
         ),
         any(
             Key::G,

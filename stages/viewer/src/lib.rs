@@ -4,9 +4,10 @@
 //! [`command`] (what a key, a click or a drag does, as a value), [`keys`] (the one list of keys),
 //! [`session`] (the state, and what commands do to it). What the state consists of: [`scene_data`],
 //! [`settings`], [`orbit`] (the camera), [`topology`] (vertices and edges), [`element_walk`], [`tree_walk`],
-//! [`view_picture`], [`view3d`] and [`pace`] (the ray-traced view), [`render_control`] (the picture),
-//! [`inspector`] (the replay of a pixel), [`truth`] (the exact answers), [`compare`] and
-//! [`picture_pair`] (A and B), [`features`] (what waits for a task), [`report`] (a report of the
+//! [`view_picture`], [`view3d`], [`cut`] and [`pace`] (the ray-traced view), [`render_control`] (the picture),
+//! [`inspector`] (the replay of a pixel) with [`lobe`] and [`convergence`], [`truth`] (the exact answers), [`compare`] and
+//! [`picture_pair`] (A and B), [`luminance`] (false colours), [`picture_layer`] (layers of a file),
+//! [`features`] (what waits for a task), [`report`] (a report of the
 //! grader), [`ray_test`], [`remembered`] (from one start to the next). [`task`] runs work in the
 //! background and catches the holes of stages that are not written yet; [`project`] is the
 //! projection of lines, [`digits`] shortens numbers.
@@ -20,13 +21,18 @@ pub mod bench;
 pub mod cli;
 pub mod command;
 pub mod compare;
+pub mod convergence;
+pub mod cut;
 pub mod digits;
 pub mod element_walk;
 pub mod features;
 pub mod inspector;
 pub mod keys;
+pub mod lobe;
+pub mod luminance;
 pub mod orbit;
 pub mod pace;
+pub mod picture_layer;
 pub mod picture_pair;
 pub mod project;
 pub mod raster;

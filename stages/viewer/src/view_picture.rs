@@ -1,5 +1,6 @@
 //! The picture of the 3D view: ray-traced, at the resolution that the time allows.
 
+use crate::cut::Cut;
 use crate::project::Projection;
 use crate::scene_data::SceneData;
 use crate::tree_walk;
@@ -31,6 +32,8 @@ pub struct ViewRequest {
     pub size: (u32, u32),
     /// The look of surfaces.
     pub style: ViewStyle,
+    /// The plane that cuts it open.
+    pub cut: Option<Cut>,
 }
 
 /// What one ray of the view hit.
@@ -65,6 +68,21 @@ impl ViewPicture {
         let inside = (0.0..w).contains(&x) && (0.0..h).contains(&y);
         let hit = inside.then(|| self.hits[y as usize * self.size.0 as usize + x as usize])?;
         hit.t.is_finite().then_some(hit)
+    }
+
+    /// Where a primitive is visible: runs of pixels, as the row from the top and the columns from
+    /// the first one to the one behind the last.
+    pub fn runs_of(&self, prim: u32) -> impl Iterator<Item = (usize, std::ops::Range<usize>)> {
+        let rows = self.hits.chunks(self.size.0.max(1) as usize).enumerate();
+        rows.flat_map(move |(row, hits)| {
+            let mut at = 0;
+            let runs = hits.chunk_by(|a, b| a.prim == b.prim);
+            runs.filter_map(move |run| {
+                let columns = at..at + run.len();
+                at = columns.end;
+                (run[0].prim == prim).then_some((row, columns))
+            })
+        })
     }
 
     /// Whether a point at this position and distance is hidden by a surface.
@@ -124,6 +142,7 @@ struct Surfaces<'a> {
     /// The tree that rays traverse; that of the scene, or of a node.
     node: Option<NodeColors>,
     edges: bool,
+    cut: Option<Cut>,
     projection: Projection,
     /// Width and height in pixels.
     size: Vec2,
@@ -165,6 +184,7 @@ impl<'a> Surfaces<'a> {
                 ViewStyle::Materials { edges } => edges,
                 ViewStyle::Node(_) => true,
             },
+            cut: request.cut,
             projection: Projection::new(&request.camera),
             size: Vec2::new(f64::from(size.0), f64::from(size.1)),
             pixel_at_one: 2.0 * half_tan(request.camera.v_fov) / f64::from(size.1),
@@ -172,7 +192,11 @@ impl<'a> Surfaces<'a> {
     }
 
     fn pixel(&self, sensor: Vec2) -> ([u8; 4], ViewHit) {
-        let mut ray = generate_ray(&self.camera, sensor);
+        let whole = generate_ray(&self.camera, sensor);
+        let limited = self.cut.map_or(Some(whole), |cut| cut.limit(&whole));
+        let Some(mut ray) = limited else {
+            return MISS;
+        };
         let scene = self.data.scene();
         let accel = match &self.node {
             Some(node) => &node.tree,

@@ -165,21 +165,6 @@ pub(super) fn dot(ui: &mut Ui, color: Color32) {
     ui.painter().circle_filled(rect.center(), 4.0, color);
 }
 
-/// A value from 0 to 1 as a colour from black over blue, red and yellow to white.
-pub(super) fn heat(value: f64) -> [u8; 3] {
-    const STOPS: [[f64; 3]; 5] = [
-        [0.0, 0.0, 0.0],
-        [30.0, 40.0, 150.0],
-        [210.0, 40.0, 70.0],
-        [250.0, 200.0, 50.0],
-        [255.0, 255.0, 255.0],
-    ];
-    let at = value.clamp(0.0, 1.0) * (STOPS.len() - 1) as f64;
-    let i = (at as usize).min(STOPS.len() - 2);
-    let share = at - i as f64;
-    [0, 1, 2].map(|c| (STOPS[i][c] + share * (STOPS[i + 1][c] - STOPS[i][c])).round() as u8)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

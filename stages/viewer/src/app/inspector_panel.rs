@@ -2,7 +2,7 @@
 
 use super::side_panel::facts;
 use super::text::{SMALL, short};
-use super::{colors, lines};
+use super::{colors, lines, sample_plots};
 use crate::command::Command;
 use crate::digits;
 use crate::inspector::{Inspected, Inspector};
@@ -63,6 +63,8 @@ pub(super) fn show(ui: &mut Ui, session: &mut Session, commands: &mut Vec<Comman
         ui.checkbox(&mut filter.bounce, "bounce");
         ui.checkbox(&mut filter.light, "light");
         ui.checkbox(&mut filter.one_sample, "this sample only");
+        ui.checkbox(&mut filter.lobe, "lobe")
+            .on_hover_text("How the surface scatters where the selected ray hits: the density of directions, and the sampled ones");
         let mut depth = filter.depth.map_or(-1, i64::from);
         let any = |value: f64, _: std::ops::RangeInclusive<usize>| match value < 0.0 {
             true => "any".to_owned(),
@@ -77,6 +79,7 @@ pub(super) fn show(ui: &mut Ui, session: &mut Session, commands: &mut Vec<Comman
         }
     });
     rays(ui, inspector, commands);
+    sample_plots::show(ui, inspector);
     tests(ui, inspector, commands);
     session.inspector.filter = filter;
     ui.separator();
@@ -179,6 +182,15 @@ fn rays(ui: &mut Ui, inspector: &Inspector, commands: &mut Vec<Command>) {
                 let is_wrong = wrong.is_some_and(|(_, r, _)| *r == i);
                 if ray_line(ui, inspected.scene.scene(), of, i == ray, is_wrong) {
                     commands.push(Command::SelectRay(i));
+                }
+                // Paths that go on unchanged are most of them.
+                let played = record.roulette_after(i);
+                let played = played.filter(|played| played.survivor != Some(played.throughput));
+                if let Some(played) = played {
+                    ui.horizontal(|ui| {
+                        ui.add_space(8.0 * of.depth as f32 + 30.0);
+                        short(ui, &text::roulette(played), SMALL);
+                    });
                 }
             }
         });

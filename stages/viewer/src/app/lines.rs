@@ -187,6 +187,15 @@ impl<'a> Lines<'a> {
         }
     }
 
+    /// A triangle of the scene: what is in front of its edges hides them.
+    pub(super) fn face(&self, points: [Vec3; 3], fill: Color32, stroke: Stroke) {
+        self.triangle(points, fill, Stroke::NONE);
+        let [a, b, c] = points;
+        for (from, to) in [(a, b), (b, c), (c, a)] {
+            self.line(from, to, stroke, Hidden::Faint);
+        }
+    }
+
     /// A filled triangle. Its edges are lines of their own: an outline would have long spikes at sharp
     /// corners.
     pub(super) fn triangle(&self, points: [Vec3; 3], fill: Color32, stroke: Stroke) {
@@ -201,6 +210,24 @@ impl<'a> Lines<'a> {
                 self.line(from, to, stroke, Hidden::Shown);
             }
         }
+    }
+
+    /// A tint over the visible part of a primitive. Returns whether the picture knows it.
+    pub(super) fn tint(&self, prim: u32, color: Color32) -> bool {
+        let Some(picture) = self.picture else {
+            return false;
+        };
+        let pixel = self.rect.size() / Vector::new(picture.size.0 as f32, picture.size.1 as f32);
+        let mut mesh = egui::Mesh::default();
+        for (row, columns) in picture.runs_of(prim) {
+            let corner = |column: usize, row: usize| {
+                self.rect.min + Vector::new(column as f32, row as f32) * pixel
+            };
+            let ends = [corner(columns.start, row), corner(columns.end, row + 1)];
+            mesh.add_colored_rect(Rect::from_min_max(ends[0], ends[1]), color);
+        }
+        self.painter.add(mesh);
+        true
     }
 
     /// The outline of a sphere: a circle around its centre, facing the camera.

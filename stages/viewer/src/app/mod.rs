@@ -4,8 +4,9 @@
 //! its mouse), `lines` with `scene_lines` and `ray_lines` (grid, boxes, rays), `picture_panel` with
 //! `zoom` and `single_picture` (the picture and its mouse), `pair_view` (two pictures), `divider`
 //! (between them and the view), `case_panel` with `case_lines` (a case of a report), `side_panel`
-//! with `settings_panel`, `compare_panel`, `tree_panel`, `inspector_panel` and `report_panel`,
-//! `text` (short numbers), `problem_panel` (a scene that is not loaded), `sheets` (help,
+//! with `settings_panel`, `compare_panel`, `tree_panel`, `inspector_panel` (with
+//! `sample_plots`) and `report_panel`,
+//! `text` (short numbers), `scale` (legends and the histogram), `problem_panel` (a scene that is not loaded), `sheets` (help,
 //! questions), `file_dialog`.
 
 mod case_lines;
@@ -22,6 +23,8 @@ mod picture_panel;
 mod problem_panel;
 mod ray_lines;
 mod report_panel;
+mod sample_plots;
+mod scale;
 mod scene_lines;
 mod settings_panel;
 mod sheets;

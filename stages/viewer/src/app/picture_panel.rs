@@ -3,15 +3,17 @@
 use super::colors;
 use super::compare_panel::NAMES;
 use super::pair_view::{self, PairTextures, dragged_wipe};
-use super::single_picture::{SinglePicture, image_of};
+use super::single_picture::{Look, SinglePicture, image_of};
 use super::zoom::Zoom;
 use crate::command::Command;
+use crate::luminance;
 use crate::session::Session;
 use egui::{
     Align2, Color32, FontId, Pos2, Rect, Response, Sense, Stroke, TextureHandle, TextureOptions, Ui,
 };
 use kit::film::Cell;
-use kit::{Film, FilmSize};
+use kit::{Film, FilmSize, Spectrum};
+use pathtracer::rate_picture::viridis;
 use pathtracer::tone::Tone;
 
 /// The picture and its textures.
@@ -34,6 +36,7 @@ struct ShownKey {
     heat: Option<(bool, u64)>,
     render: u64,
     tone: Tone,
+    false_color: bool,
 }
 
 impl PicturePanel {
@@ -52,12 +55,12 @@ impl PicturePanel {
         if self.compare(ui, rect, &response, session) {
             return self.zoom_button(ui, rect);
         }
-        if let Some(picture) = SinglePicture::of(session) {
+        if let Some(picture) = session.single_picture().cloned() {
             self.zoom.mouse(ui, &response, rect, picture.size, true);
             let area = self
                 .zoom
                 .area(rect, picture.size, ui.ctx().pixels_per_point());
-            self.single.paint(ui, area, &picture, session.tone);
+            self.single.paint(ui, area, &picture, Look::of(session));
             let hovered = response.hover_pos();
             session.point_at_pixel(hovered.and_then(|at| pixel_at(area, picture.size, at)));
             return self.zoom_button(ui, rect);
@@ -182,6 +185,7 @@ impl PicturePanel {
             }),
             render: render.number(),
             tone: session.tone,
+            false_color: session.false_color(),
         };
         if self.shown.as_ref().is_some_and(|(of, _)| *of == key) {
             return;
@@ -199,17 +203,22 @@ impl PicturePanel {
                     .max(1);
                 image_of(film.size(), |x, y| {
                     let share = kind.of(&map.get(x, y)) as f64 / most as f64;
-                    Some(colors::heat(share))
+                    Some(viridis(share))
                 })
             }
             None if session.shows_rate() => {
                 let most = render.job().samples * shown.pass;
                 image_of(film.size(), |x, y| {
-                    Some(rate_bytes(film.get(x, y).samples, most))
+                    let samples = film.get(x, y).samples;
+                    Some(viridis(f64::from(samples) / f64::from(most.max(1))))
                 })
             }
             None => image_of(film.size(), |x, y| {
-                pixel_bytes(film, shown.preview.as_ref(), cell, session.tone, (x, y))
+                let radiance = shown_radiance(film, shown.preview.as_ref(), cell, (x, y))?;
+                Some(match session.false_color() {
+                    true => luminance::false_color(radiance, session.tone.exposure),
+                    false => session.tone.to_bytes(radiance),
+                })
             }),
         };
         let options = TextureOptions::NEAREST;
@@ -260,23 +269,16 @@ impl PicturePanel {
     }
 }
 
-/// The bytes of the colour of a pixel with `samples` of at most `most` samples.
-fn rate_bytes(samples: u32, most: u32) -> [u8; 3] {
-    let color = pathtracer::rate_colour(samples, most).to_array();
-    color.map(|c| (255.0 * c).round() as u8)
-}
-
-/// The bytes of a pixel: of the film, else of the preview; `None` before both.
-fn pixel_bytes(
+/// The radiance of a pixel: of the film, else of the preview; `None` before both.
+fn shown_radiance(
     film: &Film,
     preview: Option<&Film>,
     cell: Cell,
-    tone: Tone,
     (x, y): (u32, u32),
-) -> Option<[u8; 3]> {
+) -> Option<Spectrum> {
     let pixel = film.get(x, y);
     if pixel.samples > 0 {
-        return Some(tone.to_bytes(pixel.radiance));
+        return Some(pixel.radiance);
     }
     // The pixels of the preview are larger than those of the cell: some reach beyond it.
     let is_in_cell = (cell.x0..cell.x1).contains(&x) && (cell.y0..cell.y1).contains(&y);
@@ -285,7 +287,7 @@ fn pixel_bytes(
     let scaled =
         |at: u32, from: u32, to: u32| (u64::from(at) * u64::from(to) / u64::from(from)) as u32;
     let pixel = preview.get(scaled(x, size.w, small.w), scaled(y, size.h, small.h));
-    (pixel.samples > 0).then(|| tone.to_bytes(pixel.radiance))
+    (pixel.samples > 0).then_some(pixel.radiance)
 }
 
 /// The pixel of the film at a point of the window.
@@ -333,7 +335,7 @@ pub(super) fn hint(ui: &Ui, rect: Rect, text: &str) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use kit::{PixelEstimate, Spectrum};
+    use kit::PixelEstimate;
 
     /// A preview of 2 by 2 pixels covers more than a cell of 3 by 3 of 8 by 8 pixels.
     #[test]
@@ -351,8 +353,7 @@ mod tests {
             x1: 3,
             y1: 3,
         };
-        let tone = Tone::default();
-        let shown = |x, y| pixel_bytes(&film, Some(&preview), cell, tone, (x, y)).is_some();
+        let shown = |x, y| shown_radiance(&film, Some(&preview), cell, (x, y)).is_some();
         assert!(shown(0, 0) && shown(2, 2));
         assert!(!shown(3, 2) && !shown(2, 3));
     }

@@ -2,14 +2,15 @@
 
 use super::colors::{self, Pattern, pattern};
 use super::lines::{Hidden, Lines};
-use crate::inspector::Inspector;
+use crate::inspector::{Inspected, Inspector};
+use crate::lobe::Lobe;
 use crate::session::Session;
 use crate::task::guarded;
 use crate::topology::corners;
 use egui::{Color32, Stroke, Ui};
-use kit::{Camera, FilmSize, Vec2};
+use kit::{Camera, FilmSize, Vec2, Vec3};
 use pathtracer::RayRole;
-use pathtracer::replay::{Outcome, RayRecord, Test, Visit};
+use pathtracer::replay::{MAX_RECORDED_SAMPLES, Outcome, RayRecord, Test, Visit};
 use raygen::generate_ray;
 
 /// A camera: its pyramid of view up to `depth`, and the grid of its pixels if there are few. Its
@@ -81,11 +82,86 @@ pub(super) fn replay(lines: &Lines<'_>, inspector: &Inspector) {
     if let Some(record) = inspector.ray() {
         draw_walk(lines, record, step, inspected.scene.scene());
     }
+    sample_positions(lines, inspected, sample);
+    roulettes(lines, inspector);
+    if let Some(record) = inspector.ray().filter(|_| inspector.filter.lobe) {
+        // Until a stage is written there is no lobe.
+        let picture = &inspected.scene.prepared.picture;
+        let of_ray = guarded(|| Lobe::of(picture, &inspected.replay, record));
+        if let (Ok(Some(lobe)), Outcome::Hit(hit)) = (of_ray, record.outcome) {
+            draw_lobe(lines, &lobe, hit.p, LOBE_SIZE * size);
+        }
+    }
     if let Some((s, r, truth)) = &inspected.truth.first_wrong
         && (*s, *r) == (sample, ray)
         && let (Some((_, t)), Some(record)) = (truth.right, inspector.ray())
     {
         lines.ring(record.ray.at(t), lines.palette.right);
+    }
+}
+
+/// The length of a lobe, relative to the size of the scene.
+const LOBE_SIZE: f64 = 0.12;
+/// The distance of the film from the camera, relative to the size of the scene.
+pub(super) const FILM_DISTANCE: f64 = 0.12;
+
+/// Where the samples of the replay cross the film.
+fn sample_positions(lines: &Lines<'_>, inspected: &Inspected, selected: usize) {
+    let camera = inspected.job.camera;
+    let depth = FILM_DISTANCE * inspected.scene.bounds.extent().length();
+    let samples = inspected.replay.samples.iter();
+    let _ = guarded(|| {
+        for (i, sample) in samples.enumerate().take(MAX_RECORDED_SAMPLES) {
+            let ray = generate_ray(&camera, sample.sensor);
+            let at = ray.at(depth / ray.d.dot(-camera.c2w.z_axis));
+            let (radius, color) = match i == selected {
+                true => (3.0, lines.palette.selected),
+                false => (1.2, lines.palette.ray(RayRole::Camera)),
+            };
+            lines.disc(at, radius, color);
+        }
+    });
+}
+
+/// What roulette did along the path of the selected sample: where it ends, or how much more the
+/// rest counts.
+fn roulettes(lines: &Lines<'_>, inspector: &Inspector) {
+    let Some(sample) = inspector.sample() else {
+        return;
+    };
+    for played in &sample.roulettes {
+        let Some(Outcome::Hit(hit)) = sample.rays.get(played.ray).map(|ray| ray.outcome) else {
+            continue;
+        };
+        match played.survivor {
+            None => {
+                lines.cross(hit.p, lines.palette.attention);
+                lines.name_at(hit.p, lines.palette.attention, "roulette ends it");
+            }
+            Some(after) if after != played.throughput => {
+                let factor = after.max_channel() / played.throughput.max_channel();
+                let name = format!("roulette: x {factor:.2}");
+                lines.name_at(hit.p, lines.palette.attention, &name);
+            }
+            Some(_) => {}
+        }
+    }
+}
+
+/// The density of directions as curves, mirrors as arrows, sampled directions as dots.
+fn draw_lobe(lines: &Lines<'_>, lobe: &Lobe, p: Vec3, size: f64) {
+    let color = lines.palette.ray(RayRole::Bounce);
+    let thin = Stroke::new(1.0, color.gamma_multiply(0.7));
+    for curve in &lobe.curves {
+        for pair in curve.windows(2) {
+            lines.line(p + size * pair[0], p + size * pair[1], thin, Hidden::Faint);
+        }
+    }
+    for arrow in &lobe.arrows {
+        lines.arrow(p, *arrow, size, color, "");
+    }
+    for sample in &lobe.samples {
+        lines.disc(p + size * *sample, 2.0, lines.palette.ray(RayRole::Light));
     }
 }
 

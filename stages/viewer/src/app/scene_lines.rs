@@ -1,8 +1,8 @@
 //! The lines of each mode over the traced picture: grid, selection, boxes, the scene as wires.
 
-use super::colors;
+use super::colors::{self, Pattern};
 use super::lines::{Hidden, Lines};
-use super::ray_lines::{camera_rays, frustum, replay};
+use super::ray_lines::{FILM_DISTANCE, camera_rays, frustum, replay};
 use crate::session::{Mode, Session};
 use crate::topology::{Element, corners};
 use crate::tree_walk;
@@ -65,11 +65,18 @@ fn selection(lines: &Lines<'_>, session: &Session) {
             }
             Element::Edge(a, b) => {
                 let ends = (topology.position(a), topology.position(b));
-                lines.line(ends.0, ends.1, stroke, Hidden::Shown);
+                lines.line(ends.0, ends.1, stroke, Hidden::Faint);
             }
             Element::Face(t) => {
                 let points = topology.vertices_of(t).map(|v| topology.position(v));
-                lines.triangle(points, color.gamma_multiply(0.35), Stroke::new(1.5, color));
+                let fill = color.gamma_multiply(0.35);
+                let is_tinted = lines.tint(t, fill);
+                let fill = if is_tinted {
+                    Color32::TRANSPARENT
+                } else {
+                    fill
+                };
+                lines.face(points, fill, Stroke::new(1.5, color));
             }
             Element::Sphere(s) => {
                 if let (Some(sphere), Some(orbit)) =
@@ -157,6 +164,14 @@ pub(super) fn of_session(ui: &Ui, rect: Rect, session: &Session) {
     if session.mode() != Mode::Render {
         axes_and_grid(&lines, ui);
     }
+    if let (Some(cut), Some(scene)) = (session.cut(), session.scene()) {
+        let corners = cut.corners(&scene.bounds);
+        let stroke = Stroke::new(1.5, lines.palette.attention);
+        for (i, corner) in corners.iter().enumerate() {
+            let next = corners[(i + 1) % corners.len()];
+            lines.patterned(*corner, next, stroke, Hidden::Faint, Pattern::Dashed);
+        }
+    }
     match session.mode() {
         Mode::Edit => selection(&lines, session),
         Mode::Bvh => tree_boxes(&lines, session),
@@ -165,7 +180,7 @@ pub(super) fn of_session(ui: &Ui, rect: Rect, session: &Session) {
     if let Some(inspected) = session.inspector.inspected() {
         let job = &inspected.job;
         if session.mode() == Mode::Render || camera.pos != job.camera.pos {
-            let depth = 0.12 * inspected.scene.bounds.extent().length();
+            let depth = FILM_DISTANCE * inspected.scene.bounds.extent().length();
             let pixel = Some(inspected.replay.pixel);
             frustum(
                 &lines,

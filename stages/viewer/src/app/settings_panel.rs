@@ -1,9 +1,9 @@
 //! The settings of renders, and the progress of the one that runs.
 
 use super::side_panel::{self, facts};
-use super::single_picture::{self, SinglePicture};
+use super::single_picture::Look;
 use super::text::SMALL;
-use super::{compare_panel, key_button};
+use super::{compare_panel, key_button, scale};
 use crate::command::Command;
 use crate::compare::Reference;
 use crate::features::{Feature, MissingFeatures};
@@ -14,6 +14,7 @@ use egui::{ComboBox, DragValue, Key, ProgressBar, RichText, Ui};
 use pathtracer::DirectSampling;
 use pathtracer::args::{AccelName, SamplerName};
 use pathtracer::tone::{Tone, ToneCurve};
+use std::collections::BTreeMap;
 
 /// The settings of the next render.
 pub(super) fn settings(ui: &mut Ui, session: &mut Session, commands: &mut Vec<Command>) {
@@ -257,8 +258,8 @@ pub(super) fn progress(ui: &mut Ui, session: &mut Session, commands: &mut Vec<Co
     ui.heading("Render");
     let Some(render) = session.render() else {
         ui.weak("R renders the picture.");
-        if let Some(picture) = SinglePicture::of(session) {
-            of_file(ui, session, &picture);
+        if let Some(picture) = session.single_picture().cloned() {
+            of_file(ui, session, &picture, commands);
         }
         return compare_panel::show(ui, session, commands);
     };
@@ -341,17 +342,99 @@ pub(super) fn progress(ui: &mut Ui, session: &mut Session, commands: &mut Vec<Co
         if toggle_alone(ui, session.heat().kind.is_some(), heat) {
             commands.push(Command::NextHeat);
         }
+        if toggle_alone(ui, session.false_color(), "False colour (6)") {
+            commands.push(Command::ToggleFalseColor);
+        }
         if ui.button("Costliest pixel (G)").clicked() {
             commands.push(Command::GoToCostliest);
         }
     });
+    legends(ui, session);
     under_pointer(ui, session);
     compare_panel::show(ui, session, commands);
 }
 
-/// The pixel of a file under the mouse.
-fn of_file(ui: &mut Ui, session: &mut Session, picture: &Reference) {
-    egui::Grid::new("tone of a file").show(ui, |ui| tone(ui, &mut session.tone));
+/// What the colours of the picture mean, if they are not its own, and its histogram.
+fn legends(ui: &mut Ui, session: &mut Session) {
+    if session.comparison().is_none() {
+        if session.heat().is_counting() {
+            ui.horizontal(|ui| {
+                ui.spinner();
+                ui.label("Counting the tests of every pixel");
+            });
+        } else if let (Some(kind), Some(map)) = (session.heat().kind, session.heat().map()) {
+            let most = map.pixels.iter().map(|c| kind.of(c)).max().unwrap_or(0);
+            let marks = [(0.0, "0 tests".to_owned()), (1.0, format!("{most} tests"))];
+            scale::legend(ui, &marks);
+        } else if session.shows_rate() {
+            rate_legend(ui, session);
+        }
+    }
+    histogram(ui, session);
+}
+
+/// How many pixels stopped after how many samples.
+fn rate_legend(ui: &mut Ui, session: &Session) {
+    let Some(render) = session.render() else {
+        return;
+    };
+    let shown = render.shown();
+    let most = render.job().samples * shown.pass;
+    let mut stopped = BTreeMap::new();
+    for pixel in shown.film.pixels().iter().filter(|pixel| pixel.samples > 0) {
+        *stopped.entry(pixel.samples).or_insert(0) += 1;
+    }
+    let counts: Vec<(f64, usize)> = stopped
+        .iter()
+        .map(|(samples, n)| (f64::from(*samples) / f64::from(most.max(1)), *n))
+        .collect();
+    let marks = [(0.0, "0 samples".to_owned()), (1.0, most.to_string())];
+    scale::counts(ui, &counts, &marks);
+    let all: usize = stopped.values().sum();
+    let early = all - stopped.get(&most).copied().unwrap_or(0);
+    let share = 100.0 * early as f64 / all.max(1) as f64;
+    let text = match render.settings().adaptive {
+        Some((batch, _)) => {
+            format!("{share:.1} % of the pixels stopped early, after batches of {batch}")
+        }
+        None => "Every pixel takes all samples: A switches adaptive sampling on".to_owned(),
+    };
+    ui.label(RichText::new(text).size(SMALL));
+}
+
+/// The luminances of the picture: always with false colours, as their legend.
+fn histogram(ui: &mut Ui, session: &mut Session) {
+    let open = session.false_color().then_some(true);
+    egui::CollapsingHeader::new("Histogram of luminances")
+        .open(open)
+        .show(ui, |ui| match session.histogram() {
+            Some(histogram) => scale::histogram(ui, &histogram),
+            None => {
+                ui.weak("The file has bytes and no luminances.");
+            }
+        });
+}
+
+/// The layers of a file, and its pixel under the mouse.
+fn of_file(ui: &mut Ui, session: &mut Session, picture: &Reference, commands: &mut Vec<Command>) {
+    egui::Grid::new("tone of a file").show(ui, |ui| {
+        tone(ui, &mut session.tone);
+        layers(ui, session, picture, commands);
+    });
+    if picture.linear.is_some() {
+        let button = egui::Button::selectable(session.false_color(), "False colour (6)");
+        if ui.add_enabled(session.layer().is_none(), button).clicked() {
+            commands.push(Command::ToggleFalseColor);
+        }
+    }
+    match session.layer().and_then(|(_, layer)| layer.range()) {
+        Some([least, greatest]) => {
+            let marks = [(0.0, least.to_string()), (1.0, greatest.to_string())];
+            scale::legend(ui, &marks);
+        }
+        None => histogram(ui, session),
+    }
+    let look = Look::of(session);
     let mut rows = vec![("size", format!("{} x {}", picture.size.w, picture.size.h))];
     if let Some((x, y)) = session.pixel_under_pointer()
         && x < picture.size.w
@@ -361,10 +444,39 @@ fn of_file(ui: &mut Ui, session: &mut Session, picture: &Reference) {
         if let Some(radiance) = picture.radiance(x, y) {
             rows.push(("linear", radiance.map(|c| format!("{c:.5}")).join(" ")));
         }
-        let [r, g, b] = single_picture::bytes(picture, session.tone, x, y);
+        if let Some((_, layer)) = session.layer() {
+            let values = layer.get(x, y).into_iter().map(|value| value.to_string());
+            let values: Vec<String> = values.collect();
+            rows.push((
+                "layer",
+                format!("{}: {}", layer.channels.join(" "), values.join(" ")),
+            ));
+        }
+        let [r, g, b] = look.bytes(picture, x, y);
         rows.push(("8 bit", format!("{r} {g} {b}")));
     }
     facts(ui, "file", &rows);
+}
+
+/// Which layer of the file is shown, if it has several.
+fn layers(ui: &mut Ui, session: &Session, picture: &Reference, commands: &mut Vec<Command>) {
+    if picture.layers.is_empty() {
+        return;
+    }
+    let names = picture.layers.iter().map(|layer| layer.name.as_str());
+    let choices: Vec<(Option<usize>, &str)> = std::iter::once((None, "the picture"))
+        .chain(names.enumerate().map(|(place, name)| (Some(place), name)))
+        .collect();
+    let shown = session.layer().map(|(place, _)| place);
+    let mut wanted = shown;
+    let choices: Vec<Choice<'_, Option<usize>>> = choices
+        .into_iter()
+        .map(|(place, name)| (place, name, None))
+        .collect();
+    choice(ui, "layer", &mut wanted, &choices);
+    if wanted != shown {
+        commands.push(Command::ShowLayer(wanted));
+    }
 }
 
 /// The pixel under the mouse.

@@ -1,9 +1,10 @@
 //! Windows over everything: the list of keys, and the question before a render is lost.
 
+use super::text;
 use crate::command::Command;
 use crate::keys::{self, Binding};
 use crate::session::{Mode, Session};
-use egui::{Context, Grid, Id, Modal, RichText, ScrollArea, Ui};
+use egui::{Context, Grid, Id, Key, Modal, RichText, ScrollArea, TextEdit, Ui};
 
 pub(super) fn show(ctx: &Context, session: &mut Session, commands: &mut Vec<Command>) {
     if session.asks_to_quit() {
@@ -23,6 +24,8 @@ pub(super) fn show(ctx: &Context, session: &mut Session, commands: &mut Vec<Comm
                 }
             });
         });
+    } else if let Some(text) = session.typed_path().map(str::to_owned) {
+        path_sheet(ctx, session, text, commands);
     } else if session.help() {
         let modal = Modal::new(Id::unique("keys")).show(ctx, |ui| {
             ui.horizontal(|ui| {
@@ -44,10 +47,48 @@ pub(super) fn show(ctx: &Context, session: &mut Session, commands: &mut Vec<Comm
     }
 }
 
+/// Asks for the path of a file, and offers those that are known.
+fn path_sheet(ctx: &Context, session: &mut Session, mut text: String, commands: &mut Vec<Command>) {
+    let modal = Modal::new(Id::unique("path")).show(ctx, |ui| {
+        ui.set_max_width(ctx.content_rect().width().min(560.0) - 60.0);
+        ui.heading("Open a file");
+        ui.label("This desktop has no dialog for files (xdg-desktop-portal, or zenity). Type a path, or drop a file into the window: a scene (.dae), a picture, a camera (.txt).");
+        let field = TextEdit::singleline(&mut text).desired_width(f32::INFINITY);
+        let field = ui.add(field.hint_text("scenes/dae/cornell_whale.dae"));
+        if !field.has_focus() && !field.lost_focus() {
+            field.request_focus();
+        }
+        let is_entered = field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
+        ui.horizontal(|ui| {
+            if ui.button("Open (Enter)").clicked() || is_entered {
+                commands.push(Command::OpenTyped);
+            }
+            if ui.button("Close (Esc)").clicked() {
+                commands.push(Command::Escape);
+            }
+        });
+        ui.label(RichText::new(session.message()).size(text::SMALL));
+        let known = session.recent().iter().chain(session.course_scenes());
+        ScrollArea::vertical().max_height(180.0).show(ui, |ui| {
+            for path in known {
+                if ui.link(path.display().to_string()).clicked() {
+                    commands.extend([Command::Escape, Command::Open(path.clone())]);
+                }
+            }
+        });
+    });
+    session.type_path(text);
+    if modal.should_close() && commands.is_empty() {
+        commands.push(Command::Escape);
+    }
+}
+
 /// The width of a column of keys, in points.
 const COLUMN: f32 = 400.0;
 
 fn help(ui: &mut Ui) {
+    // Nothing in it can be pressed, so its lines may be close to each other.
+    ui.spacing_mut().interact_size.y = 0.0;
     mouse(ui);
     ui.separator();
     // Keys that differ only in their direction have one line.
@@ -56,14 +97,14 @@ fn help(ui: &mut Ui) {
         .filter(|binding| !binding.label.is_empty())
         .collect();
     // As many columns as are visible side by side.
-    let columns = ((ui.available_width() / COLUMN) as usize).clamp(1, 2);
+    let columns = ((ui.available_width() / COLUMN) as usize).clamp(1, 3);
     let half = bindings.len().div_ceil(columns);
     ui.horizontal_top(|ui| {
         ui.spacing_mut().item_spacing.x = 28.0;
         for (i, column) in bindings.chunks(half).enumerate() {
             Grid::new(("keys", i))
                 .num_columns(3)
-                .spacing([10.0, 3.0])
+                .spacing([10.0, 1.0])
                 .show(ui, |ui| {
                     for binding in column {
                         ui.label(RichText::new(binding.label).monospace().strong());

@@ -2,6 +2,7 @@
 
 use super::{inspector_panel, report_panel, settings_panel, text, tree_panel};
 use crate::command::Command;
+use crate::cut::Cut;
 use crate::digits;
 use crate::session::{Mode, Session};
 use egui::{Grid, RichText, ScrollArea, Ui};
@@ -25,6 +26,9 @@ pub(super) fn show(ui: &mut Ui, session: &mut Session, commands: &mut Vec<Comman
         }
         if !replay_first {
             inspector_panel::show(ui, session, commands);
+        }
+        if session.mode() != Mode::Render || session.inspector.inspected().is_some() {
+            cut(ui, session, commands);
         }
         if session.scene().is_some() {
             ui.separator();
@@ -62,6 +66,34 @@ fn selection(ui: &mut Ui, session: &Session) {
             ("material", info.material),
         ],
     );
+}
+
+/// The plane that cuts the scene open.
+fn cut(ui: &mut Ui, session: &Session, commands: &mut Vec<Command>) {
+    if session.scene().is_none() {
+        return;
+    }
+    ui.horizontal(|ui| {
+        let name = match session.cut() {
+            Some(cut) => format!("Cut: {} (5)", Cut::AXES[cut.axis]),
+            None => "Cut open (5)".to_owned(),
+        };
+        let button = egui::Button::selectable(session.cut().is_some(), name);
+        let label = ui.add(button);
+        if label.clicked() {
+            commands.push(Command::NextCut);
+        }
+        if let (Some(cut), Some([least, greatest])) = (session.cut(), session.cut_range()) {
+            let mut at = cut.at;
+            let slider = egui::Slider::new(&mut at, least..=greatest).max_decimals(4);
+            if ui.add(slider).labelled_by(label.id).changed() {
+                commands.push(Command::MoveCut(at));
+            }
+            if ui.small_button("flip").clicked() {
+                commands.push(Command::FlipCut);
+            }
+        }
+    });
 }
 
 /// The scene: counts, warnings, files that were open.

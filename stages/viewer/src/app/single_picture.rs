@@ -1,6 +1,7 @@
 //! A picture file that is shown alone: without a render, and without another file to compare with.
 
 use crate::compare::Reference;
+use crate::luminance;
 use crate::session::Session;
 use egui::{Color32, ColorImage, Pos2, Rect, TextureHandle, TextureOptions, Ui};
 use kit::FilmSize;
@@ -10,35 +11,54 @@ use std::sync::Arc;
 /// The texture of the picture, and what it is of.
 #[derive(Default)]
 pub(super) struct SinglePicture {
-    shown: Option<(Arc<Reference>, Tone, TextureHandle)>,
+    shown: Option<(Arc<Reference>, Look, TextureHandle)>,
 }
 
-/// The bytes of a pixel: with this tone if the file has radiance.
-pub(super) fn bytes(picture: &Reference, tone: Tone, x: u32, y: u32) -> [u8; 3] {
-    match picture.radiance(x, y) {
-        Some(radiance) => tone.to_bytes(radiance.into()),
-        None => picture.get(x, y),
+/// How a picture file is shown.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Look {
+    tone: Tone,
+    false_color: bool,
+    /// The place of the layer; `None` for the picture itself.
+    layer: Option<usize>,
+}
+
+impl Look {
+    pub(super) fn of(session: &Session) -> Look {
+        Look {
+            tone: session.tone,
+            false_color: session.false_color(),
+            layer: session.layer().map(|(place, _)| place),
+        }
+    }
+
+    /// The bytes of a pixel: with tone and false colours if the file has radiance.
+    pub(super) fn bytes(self, picture: &Reference, x: u32, y: u32) -> [u8; 3] {
+        if let Some(layer) = self.layer.and_then(|place| picture.layers.get(place)) {
+            return layer.bytes(x, y, self.tone);
+        }
+        match picture.radiance(x, y) {
+            Some(radiance) if self.false_color => {
+                luminance::false_color(radiance.into(), self.tone.exposure)
+            }
+            Some(radiance) => self.tone.to_bytes(radiance.into()),
+            None => picture.get(x, y),
+        }
     }
 }
 
 impl SinglePicture {
-    /// The picture that is shown alone, if there is one.
-    pub(super) fn of(session: &Session) -> Option<Arc<Reference>> {
-        let is_alone = session.render().is_none() && session.first_picture().is_none();
-        session.kept().last().filter(|_| is_alone).cloned()
-    }
-
     /// Paints the picture.
-    pub(super) fn paint(&mut self, ui: &Ui, area: Rect, picture: &Arc<Reference>, tone: Tone) {
-        let is_shown = |shown: &(Arc<Reference>, Tone, TextureHandle)| {
-            Arc::ptr_eq(&shown.0, picture) && shown.1 == tone
+    pub(super) fn paint(&mut self, ui: &Ui, area: Rect, picture: &Arc<Reference>, look: Look) {
+        let is_shown = |shown: &(Arc<Reference>, Look, TextureHandle)| {
+            Arc::ptr_eq(&shown.0, picture) && shown.1 == look
         };
         if !self.shown.as_ref().is_some_and(is_shown) {
-            let image = image_of(picture.size, |x, y| Some(bytes(picture, tone, x, y)));
+            let image = image_of(picture.size, |x, y| Some(look.bytes(picture, x, y)));
             let texture = ui
                 .ctx()
                 .load_texture("file", image, TextureOptions::NEAREST);
-            self.shown = Some((Arc::clone(picture), tone, texture));
+            self.shown = Some((Arc::clone(picture), look, texture));
         }
         if let Some((.., texture)) = &self.shown {
             let whole = Rect::from_min_max(Pos2::ZERO, Pos2::new(1.0, 1.0));

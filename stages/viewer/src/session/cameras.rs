@@ -47,6 +47,7 @@ impl Session {
                 }
                 _ => ViewStyle::Materials { edges: self.edges },
             },
+            cut: self.cut,
         })
     }
 

@@ -84,6 +84,7 @@ impl Session {
 
     fn compare_with(&mut self, reference: Reference) {
         self.kept.push(Arc::new(reference));
+        self.show_layer(None);
         let newest = self.kept.len() - 1;
         match &mut self.comparison {
             Some(comparison) => comparison.second = newest,

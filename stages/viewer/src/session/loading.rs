@@ -122,6 +122,7 @@ impl Session {
         if !is_same_file {
             self.orbit = Some(Orbit::new(opened.view));
             self.walk = TreeWalk::default();
+            self.cut = None;
         }
         self.settings = Some(settings);
         self.spy = None;

@@ -7,11 +7,13 @@
 
 mod cameras;
 mod comparison;
+mod cutting;
 mod editing;
 mod files;
 mod heat;
 mod kept_cameras;
 mod loading;
+mod luminance;
 mod pointer;
 pub mod progress;
 mod rendering;
@@ -19,6 +21,7 @@ mod reports;
 mod selecting;
 mod state;
 mod tree;
+mod typed_path;
 
 pub use comparison::{Compared, Comparison};
 pub use files::Saved;
@@ -29,6 +32,7 @@ use rendering::CameraRays;
 
 use crate::command::Command;
 use crate::compare::Reference;
+use crate::cut::Cut;
 use crate::features::MissingFeatures;
 use crate::inspector::Inspector;
 use crate::orbit::Orbit;
@@ -44,6 +48,7 @@ use crate::tree_walk::{NodeStatistics, TreeWalk};
 use crate::view3d::{Patience, View3d};
 use editing::{Edit, FoundTopology};
 use kit::Vec2;
+use luminance::LuminanceView;
 use pathtracer::args::Args;
 use pathtracer::tone::Tone;
 use std::path::PathBuf;
@@ -101,6 +106,7 @@ pub struct Session {
     spy: Option<Orbit>,
     settings: Option<RenderSettings>,
     edges: bool,
+    cut: Option<Cut>,
     topology: Option<FoundTopology>,
     selection: Option<Element>,
     edit: Edit,
@@ -112,6 +118,7 @@ pub struct Session {
     cell_mode: bool,
     show_rate: bool,
     heat: Heat,
+    luminance: LuminanceView,
     comparison: Option<Comparison>,
     /// The pictures to compare with.
     kept: Vec<Arc<Reference>>,
@@ -134,6 +141,8 @@ pub struct Session {
     saved: Vec<Saved>,
     kept_cameras: Vec<KeptCamera>,
     asks_for_file: bool,
+    /// The path that is being typed.
+    typed_path: Option<String>,
     overlay: bool,
     help: bool,
     dark: bool,
@@ -161,6 +170,7 @@ impl Session {
             spy: None,
             settings: None,
             edges: true,
+            cut: None,
             topology: None,
             selection: None,
             edit: Edit::default(),
@@ -172,6 +182,7 @@ impl Session {
             cell_mode: false,
             show_rate: false,
             heat: Heat::default(),
+            luminance: LuminanceView::default(),
             comparison: None,
             kept: Vec::new(),
             comparisons: 0,
@@ -188,6 +199,7 @@ impl Session {
             saved: Vec::new(),
             kept_cameras: Vec::new(),
             asks_for_file: false,
+            typed_path: None,
             overlay: true,
             help: false,
             dark: true,
@@ -217,6 +229,9 @@ impl Session {
             Command::Zoom(steps) => self.with_camera(|orbit| orbit.zoom(steps)),
             Command::ResetView => self.with_camera(Orbit::reset),
             Command::ToggleEdges => self.edges = !self.edges,
+            Command::NextCut => self.next_cut(),
+            Command::FlipCut => self.flip_cut(),
+            Command::MoveCut(at) => self.move_cut(at),
             Command::Select => self.select(),
             Command::SelectNext { kind, forward } => self.select_next(kind, forward),
             Command::MoveVertex(by) => self.move_vertex(by),
@@ -251,6 +266,8 @@ impl Session {
             Command::AddSamples => self.add_samples(),
             Command::ToggleRate => self.toggle_rate(),
             Command::NextHeat => self.next_heat(),
+            Command::ToggleFalseColor => self.toggle_false_color(),
+            Command::ShowLayer(place) => self.show_layer(place),
             Command::GoToCostliest => self.go_to_costliest(),
             Command::KeepForComparison => self.keep_for_comparison(),
             Command::CompareWith(path) => self.compare_with_file(&path),
@@ -287,6 +304,7 @@ impl Session {
             Command::ForgetCamera(place) => self.forget_camera(place),
             Command::LoadCamera(path) => self.load_camera(&path),
             Command::ChooseFile => self.asks_for_file = true,
+            Command::OpenTyped => self.open_typed(),
             Command::Open(path) => self.open(path),
             Command::Reload => self.reload(),
             Command::CloseProblem => self.problem = None,
@@ -359,7 +377,9 @@ impl Session {
     /// Closes what is open; asks before a render in progress is lost.
     fn escape(&mut self) {
         let is_rendering = self.render.as_ref().is_some_and(RenderControl::is_running);
-        if self.help {
+        if self.typed_path.is_some() {
+            self.typed_path = None;
+        } else if self.help {
             self.help = false;
         } else if is_rendering && !self.asks_to_quit {
             self.asks_to_quit = true;

@@ -5,7 +5,8 @@ use egui::Key;
 use egui_kittest::kittest::Queryable;
 use kit::FilmSize;
 use pathtracer::args::Args;
-use pathtracer::{Picture, PreparedScene, ProgressiveRender, Textures};
+use pathtracer::layers::{Channel, Values};
+use pathtracer::{Output, Picture, PreparedScene, ProgressiveRender, Textures};
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
@@ -273,4 +274,64 @@ fn a_scene_without_light_says_that_normals_are_shown() {
         let shown = window.harness.query_by_label(text).is_some();
         assert_eq!(shown, has_no_light, "{name}");
     }
+}
+
+/// A file with the layers that `--layers` writes.
+fn layered_file(folder: &Path) -> PathBuf {
+    let path = folder.join("layers.exr");
+    let channel = |name, values: [f32; 4]| Channel {
+        name,
+        values: Values::Float(values.to_vec()),
+    };
+    let channels = vec![
+        channel("R", [0.5; 4]),
+        channel("G", [0.25; 4]),
+        channel("B", [1.0, 0.5, 0.25, 0.0]),
+        channel("depth.Z", [1.0, 2.0, 3.0, 4.0]),
+    ];
+    Output::create(&path)
+        .and_then(|output| output.write_channels(channels, 2, 2))
+        .expect("a file");
+    path
+}
+
+#[test]
+fn the_layers_of_a_file_are_shown_with_their_values() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut window = Window::open("", "");
+    let path = layered_file(folder.path());
+    window.session().apply(Command::for_file(path));
+    window.settle();
+    assert!(window.session().layer().is_none(), "first the picture");
+    window.session().apply(Command::ShowLayer(Some(0)));
+    window.settle();
+    let (_, layer) = window.session().layer().expect("a layer");
+    assert_eq!(
+        (layer.name.as_str(), layer.range()),
+        ("depth", Some([1.0, 4.0]))
+    );
+    assert_eq!(layer.get(1, 1), [2.0]);
+    // Another file starts with its picture.
+    let again = layered_file(&folder.path().join("."));
+    window.session().apply(Command::EndComparison);
+    window.session().apply(Command::CompareWith(again));
+    assert!(window.session().layer().is_none());
+}
+
+#[test]
+fn false_colors_and_the_histogram_are_of_the_picture_that_is_shown() {
+    let mut window = Window::open("-r 16 12 -s 1", "cornell_spheres.dae");
+    assert!(window.session().histogram().is_none(), "no picture");
+    window.press(Key::R);
+    let first = window.session().histogram().expect("a picture");
+    assert_eq!(first.pixels, 16 * 12);
+    window.session().tone.exposure = -6.0;
+    let darker = window.session().histogram().expect("a picture");
+    assert!(darker.above_one < first.above_one);
+    window.press(Key::Num6);
+    assert!(window.session().false_color());
+    // A and B keep their colours.
+    window.press(Key::K);
+    window.press(Key::Num6);
+    assert!(window.session().message().contains("end the comparison"));
 }

@@ -15,3 +15,4 @@ mod pictures;
 mod replays;
 mod reports;
 mod sessions;
+mod views;

@@ -94,8 +94,35 @@ fn the_dialog_opens_what_is_chosen_and_says_if_nothing_is() {
         window.settle();
         let name = window.session().scene().expect("a scene").name();
         assert_eq!(name == "gallery.dae", is_opened, "{name}");
-        assert_eq!(window.session().message().contains("No file"), !is_opened);
+        // A dialog that is over at once was none: the window asks for a path.
+        assert_eq!(window.session().typed_path().is_some(), !is_opened);
     }
+}
+
+#[test]
+fn without_a_dialog_a_path_is_typed() {
+    let mut window = Window::open("", NAME);
+    window.press_with(Modifiers::CTRL, Key::O);
+    window
+        .harness
+        .event(egui::Event::Text("no_such.dae".to_owned()));
+    window.press(Key::Enter);
+    let message = window.session().message().to_owned();
+    assert!(message.contains("no file no_such.dae"), "{message}");
+    assert_eq!(window.session().typed_path(), Some("no_such.dae"));
+    let path = scene("gallery.dae").display().to_string();
+    window.session().type_path(path);
+    window.press(Key::Enter);
+    window.settle();
+    assert_eq!(
+        window.session().scene().expect("a scene").name(),
+        "gallery.dae"
+    );
+    assert_eq!(window.session().typed_path(), None);
+    // Esc closes the sheet and not the window.
+    window.press_with(Modifiers::CTRL, Key::O);
+    window.press(Key::Escape);
+    assert!(window.session().typed_path().is_none() && !window.session().quits());
 }
 
 #[test]

@@ -46,7 +46,7 @@ fn figure(name: &str, title: &str, scores: Vec<f64>, max: f64) -> Markup {
         figure {
             (bar_chart(&bars, name))
             figcaption {
-                strong { (name) } " " (title) ": mean " (format!("{mean:.1}")) " of " (points(max))
+                strong { (name) } @if !title.is_empty() { " " (title) } ": mean " (format!("{mean:.1}")) " of " (points(max))
             }
         }
     }

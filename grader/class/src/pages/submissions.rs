@@ -45,10 +45,10 @@ fn line(class: &Class, row: &Row, page: &str) -> Markup {
             td.status { (row.status.label()) }
             @match &row.score {
                 Some(score) => {
-                    td.number { (points(score.core)) }
-                    td.number { (points(score.extra)) }
+                    td.number data-name="points" { (points(score.core)) }
+                    td.number data-name="extra" { (points(score.extra)) }
                     @for task in tasks {
-                        td.number { (points(score.tasks.get(&task.key).map_or(0.0, |[core, _]| *core))) }
+                        td.number data-name=(task.key) { (points(score.tasks.get(&task.key).map_or(0.0, |[core, _]| *core))) }
                     }
                 }
                 None => @for _ in 0..2 + tasks.len() { td.number {} },

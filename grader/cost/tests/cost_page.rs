@@ -356,7 +356,7 @@ fn headings_say_what_was_found() {
     for text in [
         "Woop never leaks and takes 1.5 times the textbook&#39;s time",
         "Only Woop f64 is never wrong",
-        "Exact hits cost 25 % more time than Woop in f32, which loses 33,000 in a million",
+        "In the same tree, exact hits cost 25 % more time than Woop in f32, which loses 33,000 in a million",
         "SAH is worth its build from 100,000 rays on",
         "Samples: stratified reaches the same error as independent 4.0 times as fast",
     ] {
@@ -416,7 +416,16 @@ fn exactness_is_drawn_at_its_speed_and_its_losses() {
     let mut report = report(rows(0.0, 0.0), None);
     report.families.clear();
     let file = plot(&report).expect("drawn").expect("trees are measured");
-    assert!(file.contains("Exact hits cost 25 % more time than Woop in f32"));
+    assert!(file.contains("In the same tree, exact hits cost 25 % more time than Woop in f32"));
+    // The legend names what the markers stand for, and the other trees only if there are some.
+    let has_text = |file: &str, text: &str| file.contains(&format!("\n{text}\n"));
+    let trees = report.bvh.as_ref().expect("trees");
+    let others = trees
+        .by_precision
+        .iter()
+        .any(|row| row.split != trees.by_precision[0].split);
+    assert!(has_text(&file, "f64") && has_text(&file, "f32"));
+    assert_eq!(has_text(&file, "another tree"), others);
     let file = roxmltree::Document::parse(&file).expect("a whole SVG file");
     let points: Vec<(f64, f64, String)> = file
         .descendants()

@@ -10,11 +10,14 @@ use plots::figure::{Figure, heads};
 use plots::labels::Labels;
 use plots::numbers::{figures, grouped};
 use plots::plot::{Axis, Plot};
-use plots::style::{Marker, SeriesStyle};
+use plots::style::{self, Marker, SeriesStyle};
 
 /// Sizes in points: the plot, and the plot on a telephone.
-const BROAD: [f64; 2] = [860.0, 400.0];
-const NARROW: [f64; 2] = [300.0, 400.0];
+const BROAD: [f64; 2] = [860.0, 400.0 + KEY];
+const NARROW: [f64; 2] = [300.0, 400.0 + KEY];
+
+/// Height of the legend below the plot, in points.
+const KEY: f64 = 24.0;
 
 /// Area of the markers in square points.
 const AREA: f64 = 60.0;
@@ -138,7 +141,7 @@ fn finding(rows: &[ExactnessRow]) -> Option<String> {
         )
     } else {
         format!(
-            "Exact hits cost {} % more time than {name}, which loses {lost} in a million",
+            "In the same tree, exact hits cost {} % more time than {name}, which loses {lost} in a million",
             figures(100.0 * (times - 1.0))
         )
     })
@@ -149,7 +152,7 @@ fn draw(canvas: &Canvas, size: [f64; 2], title: &str, rows: &[ExactnessRow]) -> 
     let x = Axis::around("millions of rays per second", rates, figures);
     let lost = rows.iter().map(ExactnessRow::lost_per_million);
     let y = Axis::log_and_zero("lost hits in a million rays", lost, grouped);
-    let plot = Plot::new(canvas, title, (0.0, 0.0), size, x, y)?;
+    let plot = Plot::new(canvas, title, (0.0, 0.0), [size[0], size[1] - KEY], x, y)?;
     let is_first = |row: &ExactnessRow| rows.first().is_some_and(|first| row.split == first.split);
     let mut labels = Labels::new(plot.inner());
     if let Some(y) = plot.separator() {
@@ -183,6 +186,30 @@ fn draw(canvas: &Canvas, size: [f64; 2], title: &str, rows: &[ExactnessRow]) -> 
             false => format!("{test}\n{}", row.split),
         };
         labels.place(canvas, &text, place(row), label.bold())?;
+    }
+    key(canvas, size, rows, is_first)
+}
+
+/// Draws the legend of the markers below the plot: of those that it has.
+fn key(
+    canvas: &Canvas,
+    size: [f64; 2],
+    rows: &[ExactnessRow],
+    is_first: impl Fn(&ExactnessRow) -> bool,
+) -> DrawResult {
+    let single = |row: &&ExactnessRow| row.precision != Precision::F64;
+    let entries = [
+        (rows.iter().find(|row| is_first(row) && !single(row)), "f64"),
+        (rows.iter().find(|row| is_first(row) && single(row)), "f32"),
+        (rows.iter().find(|row| !is_first(row)), "another tree"),
+    ];
+    let (mut x, y) = (48.0, size[1] - 0.5 * KEY);
+    for (row, text) in entries {
+        let Some(row) = row else { continue };
+        style::marker(canvas, style_of(row, is_first(row)), (x, y), AREA)?;
+        let label = Label::left(NAME);
+        canvas.text(text, (x + 14.0, y), label)?;
+        x += 36.0 + label.width(text);
     }
     Ok(())
 }

@@ -29,6 +29,9 @@ const SURELY_NO_CHANCE: usize = 50;
 /// the move, such as a distance that counts as infinite, changes less.
 const MOST: f64 = 0.5;
 
+/// So much of them is no evidence that takes points, but a person should look.
+const NEARLY_ALL: f64 = 0.9;
+
 /// Whether a task gets no points because its code answers the questions of [`KNOWN_SEED`] only:
 /// `drawn` is its result with another seed, `known` that with this one.
 pub fn accuses(drawn: &TaskResult, known: &TaskResult) -> bool {
@@ -94,16 +97,45 @@ pub(crate) fn why_learned(
 /// whose questions are only moved, and fails those that the seed draws. Code can undo a move before
 /// it looks into the table.
 fn has_answers_from_a_table(drawn: &[CaseResult]) -> bool {
-    let core = |fresh: bool| {
-        let cases = drawn.iter().filter(|case| case.tier == Tier::Core);
-        cases.filter(move |case| case.name.starts_with(FRESH) == fresh)
+    // A function that is not written yet has no answer in the other cases, either.
+    let is_written = core(drawn, false).all(is_attempted);
+    // Who does not know the answer may as well crash or wait, or say that it is not written.
+    let has_none = |case: &CaseResult| match case.status {
+        Status::Crashed(_) => true,
+        _ => is_written && !is_attempted(case),
     };
-    let (earned, all) = core(false).fold((0.0, 0.0), |(earned, all), case| {
-        (earned + case.earned, all + case.max_score)
+    core(drawn, true).any(|case| fails_often(case) || has_none(case))
+        && share_of_moved(drawn) >= MOST
+}
+
+/// A sentence for the instructor if the code of a task is nearly always right where questions are
+/// only moved, and seldom where the seed draws them, but there is no more evidence: a small table
+/// needs no more numbers than code. An unusual mistake has this effect, too.
+pub(crate) fn is_to_check(drawn: &TaskResult) -> Option<String> {
+    let is_seldom_right = |case: &CaseResult| {
+        !is_answered(case) || case.calls >= FEWEST_CALLS && 2 * wrong_calls(case) >= case.calls
+    };
+    let (task, drawn) = (&drawn.key, &drawn.cases);
+    let is_found = core(drawn, true).any(is_seldom_right) && share_of_moved(drawn) >= NEARLY_ALL;
+    is_found.then(|| {
+        format!(
+            "{task}: its answers are right in the cases that students have, and wrong in those whose numbers the seed draws, so they may come from a table"
+        )
+    })
+}
+
+/// The core cases whose numbers the seed draws, or the others.
+fn core(drawn: &[CaseResult], fresh: bool) -> impl Iterator<Item = &CaseResult> {
+    let cases = drawn.iter().filter(|case| case.tier == Tier::Core);
+    cases.filter(move |case| case.name.starts_with(FRESH) == fresh)
+}
+
+/// The share of the core points that is earned in the cases whose questions are only moved.
+fn share_of_moved(drawn: &[CaseResult]) -> f64 {
+    let (earned, all) = core(drawn, false).fold((0.0, 0.0), |(earned, all), case| {
+        (earned + case.earned * case.max_score, all + case.max_score)
     });
-    // Who does not know the answer may as well crash or wait.
-    let crashes = |case: &CaseResult| matches!(case.status, Status::Crashed(_));
-    core(true).any(|case| fails_often(case) || crashes(case)) && earned >= MOST * all
+    earned / all
 }
 
 fn fails_often(case: &CaseResult) -> bool {
@@ -123,6 +155,10 @@ fn wrong_calls(case: &CaseResult) -> usize {
 
 fn is_answered(case: &CaseResult) -> bool {
     matches!(case.status, Status::Passed | Status::Failed)
+}
+
+fn is_attempted(case: &CaseResult) -> bool {
+    !matches!(case.status, Status::NotAttempted | Status::Needs(_))
 }
 
 #[cfg(test)]
@@ -160,6 +196,21 @@ mod tests {
             with_neighbours: false,
             calls: 60,
             crash: None,
+        }
+    }
+
+    fn task_result(cases: Vec<CaseResult>) -> TaskResult {
+        TaskResult {
+            key: "part1.task3".into(),
+            title: String::new(),
+            score: 0.0,
+            max_score: 3.0,
+            robust_score: 0.0,
+            robust_max_score: 0.0,
+            status: Status::Failed,
+            stage: "intersect".into(),
+            functions: Vec::new(),
+            cases,
         }
     }
 
@@ -226,12 +277,63 @@ mod tests {
             [1.0, 1.0, 0.0]
         )));
         assert!(!has_answers_from_a_table(&result([0; 3], [1.0; 3])));
-        let mut crashed = result([0; 3], [1.0, 1.0, 0.0]);
-        crashed[2].status = Status::Crashed("panicked".into());
-        assert!(has_answers_from_a_table(&crashed));
-        crashed[2].status = Status::NotAttempted;
-        assert!(!has_answers_from_a_table(&crashed));
         assert!(!has_answers_from_a_table(&result([30; 3], [0.0; 3])));
+        // Whatever the points of the cases are.
+        let mut costly = result([0, 0, 30], [1.0, 1.0, 0.0]);
+        costly[0].max_score = 5.0;
+        assert!(has_answers_from_a_table(&costly));
+        costly[0].earned = 0.0;
+        assert!(!has_answers_from_a_table(&costly));
+    }
+
+    #[test]
+    fn who_has_no_answer_to_fresh_questions_has_the_others_from_a_table() {
+        let with = |status: Status| {
+            let mut cases = ["a", "b", "fresh_rays"].map(|name| case(name, 0));
+            cases[0].earned = 1.0;
+            cases[1].earned = 1.0;
+            cases[2].status = status;
+            cases
+        };
+        let needs = || Status::Needs("part1.task1".into());
+        for status in [
+            Status::Crashed("panicked".into()),
+            Status::NotAttempted,
+            needs(),
+        ] {
+            assert!(
+                has_answers_from_a_table(&with(status.clone())),
+                "{status:?}"
+            );
+            // A function that is not written has no answer in another case, either.
+            let mut unwritten = with(status.clone());
+            unwritten[1].status = status.clone();
+            unwritten[1].earned = 0.0;
+            let crashes = matches!(status, Status::Crashed(_));
+            assert_eq!(has_answers_from_a_table(&unwritten), crashes, "{status:?}");
+        }
+        assert!(!has_answers_from_a_table(&with(Status::Passed)));
+    }
+
+    #[test]
+    fn a_person_should_look_at_answers_that_only_moved_questions_have() {
+        let result = |wrong: [u32; 3], status: Status| {
+            let names = ["a", "b", "fresh_rays"].into_iter().zip(wrong);
+            let cases = names.map(|(name, wrong)| CaseResult {
+                earned: if wrong == 0 { 1.0 } else { 0.0 },
+                ..case(name, wrong)
+            });
+            let mut cases: Vec<CaseResult> = cases.collect();
+            cases[2].status = status;
+            task_result(cases)
+        };
+        let is_to_check = |result| is_to_check(&result).is_some();
+        assert!(is_to_check(result([0, 0, 30], Status::Failed)));
+        assert!(is_to_check(result([0, 0, 0], Status::NotAttempted)));
+        // A mistake: seldom wrong, or wrong in the others, too.
+        assert!(!is_to_check(result([0, 0, 29], Status::Failed)));
+        assert!(!is_to_check(result([0, 60, 60], Status::Failed)));
+        assert!(!is_to_check(result([0, 0, 0], Status::Passed)));
     }
 
     #[test]

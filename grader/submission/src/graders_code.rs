@@ -2,22 +2,25 @@
 //! the walks that count tests decide what is right, so a stage that contains them gets points for
 //! code that is not the student's.
 //!
-//! What counts is long passages of equal code, whatever the names in it are. Textbook code that a
-//! student and the grader both have is shorter.
+//! What counts is runs of equal code, whatever the names in it are, and whatever was added that
+//! changes no program ([`plain`](crate::code::plain)). Textbook code that a student and the grader
+//! both have has few of them.
 
-use crate::code::passages::{Known, Passage, Text};
-use crate::code::source::Source;
-use crate::code::{self, known_of_handout};
+use crate::code::plain::{self, Run};
+use crate::code::{given, in_folders};
 use crate::file_tree::Files;
+use crate::untrusted::Untrusted;
 use base::GraderError;
-use std::path::Path;
+use std::collections::{HashMap, HashSet};
+use std::ops::Range;
+use std::path::{Path, PathBuf};
 
-/// The fewest tokens of a passage, some seven lines: a shorter run may be equal by chance.
-const PASSAGE: usize = 50;
+/// The tokens of a run, some three lines.
+const RUN: usize = 20;
 
-/// So many tokens of such passages, some 20 lines, are no chance: the correct versions of the
+/// So many different runs, some 20 lines in a row, are no chance: the correct versions of the
 /// course have less than half of it in common with the grader.
-const MOST: usize = 150;
+const MOST: usize = 120;
 
 /// Where the code lies that decides what is right: the exact arithmetic and the walks that count
 /// tests.
@@ -27,15 +30,29 @@ const DECIDES: [&str; 3] = [
     "grader/review/src/box_walk.rs",
 ];
 
-/// The code of the grader that decides, as a handout has it.
+/// The code of the grader that decides, as a handout has it: where each run of it starts.
 #[derive(Debug)]
-pub(crate) struct GradersCode(Source);
+pub(crate) struct GradersCode(HashMap<u64, (PathBuf, usize)>);
+
+/// Lines that a file has in common with the grader.
+#[derive(Debug)]
+struct Passage {
+    lines: Range<usize>,
+    /// The hash of its first run.
+    first: u64,
+}
 
 impl GradersCode {
     /// That of the course below `root`.
     pub(crate) fn read(root: &Path) -> Result<GradersCode, GraderError> {
-        let files = code::in_folders(root, &DECIDES)?;
-        Ok(GradersCode(Source::new(&files, &Known::default())))
+        let mut starts = HashMap::new();
+        for (path, text) in in_folders(root, &DECIDES)? {
+            for run in plain::runs(&text, RUN) {
+                let start = || (path.clone(), run.lines.start);
+                starts.entry(run.hash).or_insert_with(start);
+            }
+        }
+        Ok(GradersCode(starts))
     }
 
     /// A sentence for each passage of it in the `files` of `stage`, if they are too long to be
@@ -46,44 +63,63 @@ impl GradersCode {
         stage: &str,
         files: &Files,
     ) -> Result<Vec<String>, GraderError> {
-        if self.0.text.own() == 0 {
+        if self.0.is_empty() {
             return Ok(Vec::new()); // a folder without a grader
         }
-        let known = known_of_handout(root, stage)?;
-        let (mut tokens, mut sentences) = (0, Vec::new());
+        let known = known_runs(root, stage)?;
+        let (mut different, mut sentences) = (HashSet::new(), Vec::new());
         // One at a time: the tokens of a file take a hundred times its memory.
         for (path, text) in files {
-            let file = Files::from([(path.clone(), text.clone())]);
-            let own = Source::new(&file, &known);
-            for passage in self.passages(&own.text) {
-                tokens += passage.length;
-                let [start, graders] = passage.starts;
-                let (at, graders) = (
-                    own.excerpt(start, passage.length),
-                    self.0.excerpt(graders, passage.length),
-                );
+            let common = self.common(text, &known);
+            different.extend(common.iter().map(|run| run.hash));
+            let file = Untrusted::new(path.to_string_lossy());
+            for Passage { lines, first } in joined(&common) {
+                let (graders, line) = &self.0[&first];
                 sentences.push(format!(
-                    "stages/{stage}/src/{}:{}: {} lines of the grader's own code ({}:{}). A stage contains the student's own",
-                    at.path.line(),
-                    at.lines.start,
-                    at.lines.len(),
-                    graders.path.line(),
-                    graders.lines.start,
+                    "stages/{stage}/src/{}:{}: {} lines of the grader's own code ({}:{line}). A stage contains the student's own",
+                    file.line(),
+                    lines.start,
+                    lines.len(),
+                    graders.display(),
                 ));
             }
         }
-        Ok(match tokens < MOST {
+        Ok(match different.len() < MOST {
             true => Vec::new(),
             false => sentences,
         })
     }
 
-    /// The long passages that it has in common with `text`.
-    fn passages(&self, text: &Text) -> Vec<Passage> {
-        let mut passages = text.common(&self.0.text);
-        passages.retain(|passage| passage.length >= PASSAGE);
-        passages
+    /// The runs of a text that it has in common with the grader, without what is `known`.
+    fn common(&self, text: &[u8], known: &HashSet<u64>) -> Vec<Run> {
+        let mut runs = plain::runs(text, RUN);
+        runs.retain(|run| self.0.contains_key(&run.hash) && !known.contains(&run.hash));
+        runs
     }
+}
+
+/// The runs that all students of a stage have.
+fn known_runs(root: &Path, stage: &str) -> Result<HashSet<u64>, GraderError> {
+    let files = given(root, stage)?.into_values();
+    let runs = files.flat_map(|text| plain::runs(&text, RUN));
+    Ok(runs.map(|run| run.hash).collect())
+}
+
+/// The passages of runs that have lines in common.
+fn joined(runs: &[Run]) -> Vec<Passage> {
+    let mut passages: Vec<Passage> = Vec::new();
+    for Run { hash, lines } in runs {
+        match passages.last_mut() {
+            Some(last) if lines.start < last.lines.end => {
+                last.lines.end = last.lines.end.max(lines.end);
+            }
+            _ => passages.push(Passage {
+                lines: lines.clone(),
+                first: *hash,
+            }),
+        }
+    }
+    passages
 }
 
 #[cfg(test)]
@@ -91,11 +127,10 @@ mod tests {
     use super::*;
     use crate::correct_versions::{reference, stages, variants, workspace};
 
-    /// How many tokens of long passages a version of a stage has in common with the grader.
-    fn in_common(graders: &GradersCode, known: &Known, files: &Files) -> usize {
-        let text = Source::new(files, known).text;
-        let passages = graders.passages(&text);
-        passages.iter().map(|passage| passage.length).sum()
+    /// How many different runs a version of a stage has in common with the grader.
+    fn in_common(graders: &GradersCode, known: &HashSet<u64>, files: &Files) -> usize {
+        let runs = files.values().flat_map(|text| graders.common(text, known));
+        runs.map(|run| run.hash).collect::<HashSet<u64>>().len()
     }
 
     #[test]
@@ -105,11 +140,11 @@ mod tests {
         let graders = GradersCode::read(root).unwrap();
         let mut compared = 0;
         for stage in stages() {
-            let known = known_of_handout(root, &stage).unwrap();
+            let known = known_runs(root, &stage).unwrap();
             let each = variants(&stage).into_iter().map(|file| Files::from([file]));
             for version in each.chain([reference(&stage)]) {
-                let tokens = in_common(&graders, &known, &version);
-                assert!(2 * tokens < MOST, "{stage}, {:?}: {tokens}", version.keys());
+                let runs = in_common(&graders, &known, &version);
+                assert!(2 * runs < MOST, "{stage}, {:?}: {runs}", version.keys());
                 compared += 1;
             }
         }
@@ -117,7 +152,7 @@ mod tests {
     }
 
     #[test]
-    fn code_of_the_grader_is_found_with_other_names_and_in_pieces() {
+    fn code_of_the_grader_is_found_with_other_names_and_with_words_that_change_nothing() {
         let workspace = workspace();
         let root = workspace.root();
         let graders = GradersCode::read(root).unwrap();
@@ -130,14 +165,18 @@ mod tests {
         ] {
             let text = std::fs::read_to_string(root.join(path)).unwrap();
             let text = text.split("#[cfg(test)]").next().unwrap_or_default();
-            let renamed = text.replace("ray", "line").replace("self.", "self . ");
-            let pasted = Files::from([("walk.rs".into(), renamed.into_bytes())]);
-            let found = graders.found_in(root, stage, &pasted).unwrap();
-            let start = format!("stages/{stage}/src/walk.rs:");
-            assert!(!found.is_empty(), "{path}");
-            for sentence in found {
-                assert!(sentence.starts_with(&start), "{sentence}");
-                assert!(sentence.contains(path), "{sentence}");
+            let renamed = text.replace("ray", "line").replace("self.", "(self) . ");
+            let longer = renamed
+                .replace("Some(", "Option::Some(")
+                .replace("f64", "core::primitive::f64")
+                .replace(";\n        ", ";\n        let _ = ();\n        ");
+            for text in [renamed, longer] {
+                let pasted = Files::from([("walk.rs".into(), text.into_bytes())]);
+                let found = graders.found_in(root, stage, &pasted).unwrap();
+                let start = format!("stages/{stage}/src/walk.rs:");
+                assert!(!found.is_empty(), "{path}");
+                assert!(found.iter().all(|sentence| sentence.starts_with(&start)));
+                assert!(found.iter().any(|sentence| sentence.contains(path)));
             }
         }
     }

@@ -173,6 +173,10 @@ impl SubmissionReport {
                         grade::scores_at(&course, tasks, by_heart::KNOWN_SEED, &build_root)
                     })?;
                 report.by_heart.extend(said);
+                let learned = judged.iter().map(|task| &task.result);
+                report
+                    .to_check
+                    .extend(learned.filter_map(by_heart::is_to_check));
             }
             results.extend(judged);
             graded_tasks.extend(of_stage);

@@ -64,8 +64,9 @@ const WORDS: [(&str, &str); 5] = [
 ];
 
 /// Words that are forbidden in attributes.
-const ATTRIBUTES: [(&str, &str); 14] = [
+const ATTRIBUTES: [(&str, &str); 15] = [
     ("path", OTHER_FILE),
+    ("debugger_visualizer", READS_FILES),
     ("crate_type", LINKS),
     ("export_name", LINKS),
     ("global_allocator", LINKS),
@@ -178,6 +179,7 @@ fn tokens(code: &str) -> Vec<Token> {
     tokens
 }
 
+#[derive(Clone)]
 struct Scanner<'a> {
     rest: &'a str,
     line: usize,

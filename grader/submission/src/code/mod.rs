@@ -1,9 +1,10 @@
 //! Source code as it is compared: what two texts have in common, whatever the names in them are.
 //!
 //! [`tokens`] reads code without comments, blanks and names, [`passages`] finds equal runs,
-//! [`source`] is the code of a stage.
+//! [`source`] is the code of a stage. [`plain`] leaves out more, for code that somebody hides.
 
 pub mod passages;
+pub mod plain;
 pub mod source;
 pub mod tokens;
 
@@ -16,18 +17,12 @@ use std::path::{Path, PathBuf};
 /// What all students of a stage have or may have: the text around its solutions, and the correct
 /// variants that the course knows.
 pub fn known(root: &Path, stage: &str) -> Result<Known, GraderError> {
-    let mut known = known_of_handout(root, stage)?;
-    for text in variants(root, stage)? {
-        known.add_text(&text);
-    }
-    Ok(known)
-}
-
-/// What all students of a stage have: the text around its solutions.
-pub fn known_of_handout(root: &Path, stage: &str) -> Result<Known, GraderError> {
     let mut known = Known::default();
     for text in given(root, stage)?.values() {
         known.add_text(text);
+    }
+    for text in variants(root, stage)? {
+        known.add_text(&text);
     }
     Ok(known)
 }

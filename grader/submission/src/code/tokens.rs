@@ -22,6 +22,16 @@ impl Token {
         exact: 0,
         line: 0,
     };
+
+    /// Whether it is this word or mark.
+    pub(super) fn is(&self, text: &str) -> bool {
+        self.exact == hash(text.bytes().map(u64::from))
+    }
+
+    /// Whether it is a name.
+    pub(super) fn is_name(&self) -> bool {
+        self.form == hash(NAME.bytes().map(u64::from))
+    }
 }
 
 /// The form that every name has, so that renaming changes no form.

@@ -16,6 +16,19 @@ const MOST_WITH_NAMES: usize = 2600;
 /// More words and marks than code of a stage needs: the correct versions have at most 4,700.
 const MOST_TOKENS: usize = 9000;
 
+/// More blanks and comments, for each byte of code, than code needs that can read where it stands:
+/// what lies between two places is a number.
+const MOST_AROUND: usize = 4;
+
+/// Words of code that reads its own line or column, a mark for those that are macros.
+const READS_PLACES: [(&str, &str); 5] = [
+    ("caller", ""),
+    ("column", "!"),
+    ("line", "!"),
+    ("set_hook", ""),
+    ("track_caller", ""),
+];
+
 /// A sentence if the files of `stage` contain so much data, or so much at all, that they may
 /// contain a table of answers. Honest code may, too: a person should look.
 pub fn table(stage: &str, files: &Files) -> Option<String> {
@@ -29,6 +42,14 @@ pub fn table(stage: &str, files: &Files) -> Option<String> {
             )
         }
         Contents { tokens, .. } if tokens > MOST_TOKENS => format!("{tokens} words and marks"),
+        Contents {
+            around,
+            code,
+            reads_places: true,
+            ..
+        } if around > MOST_AROUND * code => {
+            format!("{around} bytes of blanks and comments whose places it reads")
+        }
         _ => return None,
     };
     Some(format!(
@@ -46,6 +67,12 @@ struct Contents {
     names: usize,
     /// The number of words and marks.
     tokens: usize,
+    /// Their bytes, with those of strings.
+    code: usize,
+    /// The bytes of blanks and comments.
+    around: usize,
+    /// Whether the code can read in which line or column something of it stands.
+    reads_places: bool,
 }
 
 impl Contents {
@@ -62,16 +89,20 @@ impl Contents {
     /// Adds a file, but for its names, which are added to `names`.
     fn add(&mut self, code: &str, names: &mut HashSet<String>) {
         let mut scanner = Scanner::new(code);
-        let mut tests = 0;
+        let (mut words, mut tests, mut quoted_in_tests) = (0, 0, 0);
         let mut attribute = TEST_ATTRIBUTE.iter();
         let mut macros = Macros::default();
         while let Some(token) = scanner.next() {
             self.tokens += 1;
+            words += token.text.len();
             let is_word = token.text.starts_with(super::is_part_of_word);
             self.data += macros.add(&token, is_word, scanner.documented);
             if token.text.starts_with(|c: char| c.is_ascii_digit()) {
                 self.data += token.text.len();
-            } else if is_word {
+            } else if is_word || token.text.starts_with('\'') {
+                self.reads_places |= READS_PLACES.iter().any(|(word, mark)| {
+                    *word == token.text && scanner.rest.trim_start().starts_with(mark)
+                });
                 names.insert(token.text.clone());
             }
             if attribute.as_slice().first() == Some(&token.text.as_str()) {
@@ -79,14 +110,41 @@ impl Contents {
             } else {
                 attribute = TEST_ATTRIBUTE.iter();
             }
-            if attribute.len() == 0 {
-                let before = scanner.quoted;
+            // A macro gets all tokens of its arguments, whatever attributes they have.
+            if attribute.len() == 0 && macros.depth == 0 && is_before_module(&scanner) {
+                let before = (scanner.rest.len(), scanner.quoted);
                 scanner.skip_item();
-                tests += scanner.quoted - before;
+                tests += before.0 - scanner.rest.len();
+                quoted_in_tests += scanner.quoted - before.1;
             }
         }
-        self.data += scanner.quoted - tests;
+        let quoted = scanner.quoted - quoted_in_tests;
+        self.data += quoted;
+        self.code += words + quoted;
+        self.around += code.len().saturating_sub(tests + words + quoted);
     }
+}
+
+/// Whether a module with its contents is next, perhaps after more attributes. An attribute of
+/// something else, such as an element of an array, ends with that.
+fn is_before_module(scanner: &Scanner<'_>) -> bool {
+    let mut scanner = scanner.clone();
+    let mut next = || scanner.next().map_or(String::new(), |token| token.text);
+    let mut word = next();
+    while word == "#" {
+        let mut depth = 0_usize;
+        loop {
+            match next().as_str() {
+                "[" => depth += 1,
+                "]" if depth > 1 => depth -= 1,
+                "]" | "" => break,
+                _ => {}
+            }
+        }
+        word = next();
+    }
+    let name = next();
+    word == "mod" && name.starts_with(super::is_part_of_word) && next() == "{"
 }
 
 /// The tokens of the attribute of code that is compiled for tests only.
@@ -166,6 +224,17 @@ mod tests {
             None
         );
         assert_eq!(about("fn f() { g(a, b) }\n".repeat(600)), None);
+        // What is for tests only ends where it ends, and is no such thing in a macro.
+        let elements = "0.25, ".repeat(2000);
+        for table in [
+            format!("const T: [f64; 2000] = [#[cfg(test)] 0.5, {elements}];"),
+            format!("t! {{ #[cfg(test)] mod t {{ {elements} }} }}"),
+        ] {
+            assert!(about(table).is_some());
+        }
+        let allowed = tests.replace("]\n", "]\n#[allow(unused)]\n");
+        assert_ne!(allowed, tests);
+        assert_eq!(about(allowed), None);
     }
 
     /// A table without a number and without a string.
@@ -201,6 +270,19 @@ mod tests {
                 repeated("/** 3f77a90c 1e */ ", 300)
             ),
             repeated("fn f(x: f64) -> f64 { if g(x) { return A; } B }", 500),
+            // In the name of a lifetime, and between the signs of a list.
+            format!(
+                "const T: &str = stringify!('{});",
+                repeated("x3f77a90c", 300)
+            ),
+            format!(
+                "#[track_caller] fn neg(s: S) -> u32 {{ Location::caller().column() }} const T: [u32; 99] = [{}];",
+                repeated(&format!("{}-S, ", " ".repeat(50)), 99)
+            ),
+            format!(
+                "const T: [u32; 99] = [{}];",
+                repeated(&format!("/*{}*/ column!(), ", "x".repeat(60)), 99)
+            ),
         ] {
             assert!(about(&code).is_some(), "{}", &code[..60]);
         }
@@ -210,6 +292,12 @@ mod tests {
             format!("m! {{ {} }}", repeated("// a comment\n", 300)),
             repeated("let t = [a, b, c, d]; f(a, &[b, -c], (d, e));\n", 200),
             repeated("match a { A => b, B => c, C => d }\n", 200),
+            // Few comments of code that reads places, many of code that does not.
+            repeated(
+                "// Traces it.\nfn f() { assert!(a == b, \"{}\", line!()); }\n",
+                9,
+            ),
+            repeated("// Traces the ray to the nearest hit.\nfn line() {}\n", 300),
         ] {
             assert_eq!(about(&code), None, "{}", &code[..40]);
         }

@@ -29,6 +29,9 @@ const SURELY_NO_CHANCE: usize = 50;
 /// the move, such as a distance that counts as infinite, changes less.
 const MOST: f64 = 0.5;
 
+/// Code with so many of them has no function that is not written yet.
+const MOST_WRITTEN: f64 = 0.75;
+
 /// So much of them is no evidence that takes points, but a person should look.
 const NEARLY_ALL: f64 = 0.9;
 
@@ -97,15 +100,14 @@ pub(crate) fn why_learned(
 /// whose questions are only moved, and fails those that the seed draws. Code can undo a move before
 /// it looks into the table.
 fn has_answers_from_a_table(drawn: &[CaseResult]) -> bool {
-    // A function that is not written yet has no answer in the other cases, either.
-    let is_written = core(drawn, false).all(is_attempted);
-    // Who does not know the answer may as well crash or wait, or say that it is not written.
+    let share = share_of_moved(drawn);
+    // Who does not know the answer may as well crash or wait, or say that it is not written. A
+    // function that is not written yet has no answers in the other cases, either.
     let has_none = |case: &CaseResult| match case.status {
-        Status::Crashed(_) => true,
-        _ => is_written && !is_attempted(case),
+        Status::NotAttempted | Status::Needs(_) => share >= MOST_WRITTEN,
+        _ => matches!(case.status, Status::Crashed(_)),
     };
-    core(drawn, true).any(|case| fails_often(case) || has_none(case))
-        && share_of_moved(drawn) >= MOST
+    share >= MOST && core(drawn, true).any(|case| fails_often(case) || has_none(case))
 }
 
 /// A sentence for the instructor if the code of a task is nearly always right where questions are
@@ -155,10 +157,6 @@ fn wrong_calls(case: &CaseResult) -> usize {
 
 fn is_answered(case: &CaseResult) -> bool {
     matches!(case.status, Status::Passed | Status::Failed)
-}
-
-fn is_attempted(case: &CaseResult) -> bool {
-    !matches!(case.status, Status::NotAttempted | Status::Needs(_))
 }
 
 #[cfg(test)]

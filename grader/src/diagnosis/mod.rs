@@ -10,9 +10,10 @@ pub mod simplest;
 use crate::score::{CaseResult, Status};
 use crate::signature::{Agreement, Alone, Signature, stored};
 use base::{GraderError, Workspace, write_whole};
+use judge::tally::Aspect;
 use serde::Serialize;
 use std::cmp::Ordering;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 /// A known mistake: its names, texts and signature.
@@ -95,6 +96,9 @@ const FEWEST_CALLS: usize = 2;
 /// More guesses than these are no help: then no mistake is named.
 const MOST_GUESSES: usize = 3;
 
+/// What is said first where only extra credit is lost.
+const EXTRA_CREDIT: &str = "this is extra credit, which correct textbook code loses, too; ";
+
 /// From this likeness on, the report says that the answers look like those of the mistake.
 const LIKELY: f64 = 0.7;
 
@@ -166,17 +170,28 @@ pub fn candidates(known: &[Known], student: &Signature) -> Vec<(Vec<String>, f64
     all
 }
 
-/// Leaves out of the known mistakes the cases of which nothing is written yet: a mistake in the
+/// Leaves out of the known mistakes the cases of which nothing is written yet, and of other cases
+/// the aspects that only answers of functions have which are not written yet: a mistake in the
 /// function that is written does not show there.
-pub(crate) fn leave_out_unwritten(known: &mut [Known], cases: &[CaseResult]) {
+pub fn leave_out_unwritten(known: &mut [Known], cases: &[CaseResult]) {
     let is_unwritten = |case: &&CaseResult| case.status == Status::NotAttempted;
     let unwritten = cases.iter().filter(is_unwritten);
     let unwritten: BTreeSet<&str> = unwritten.map(|case| case.name.as_str()).collect();
-    if unwritten.is_empty() {
+    let judged_in_part: BTreeMap<&str, BTreeSet<Aspect>> = cases
+        .iter()
+        .filter(|case| case.has_hole())
+        .map(|case| {
+            let findings = case.findings.iter();
+            let aspects = findings.map(|finding| finding.aspect);
+            (case.name.as_str(), aspects.collect())
+        })
+        .collect();
+    if unwritten.is_empty() && judged_in_part.is_empty() {
         return;
     }
     for known in known {
-        known.signature = known.signature.without(&unwritten);
+        let signature = known.signature.without(&unwritten);
+        known.signature = signature.in_aspects(&judged_in_part);
     }
 }
 
@@ -194,6 +209,7 @@ pub fn diagnose(known: &[Known], student: &Signature) -> Option<Diagnosis> {
     let likeliest = *ranked.first()?;
     let likeness = likeliest.agreement.likeness();
     if likeness < SURE
+        && student.has_core_faults()
         && let Some(pair) = two_at_once(&ranked, student, likeness)
     {
         return Some(pair);
@@ -210,8 +226,10 @@ pub fn diagnose(known: &[Known], student: &Signature) -> Option<Diagnosis> {
     } = with_twins(&ranked, &best)?;
     let best = best.known;
     let (equal, of) = student.calls_alike(&best.signature);
-    // One call of extra credit is no mistake: correct code fails single calls there, too.
-    if of < FEWEST_CALLS && !student.has_core_faults() {
+    // Correct textbook code loses extra credit, too, in many ways: there, only a mistake that has
+    // the same answers everywhere has a name, and one call is no mistake.
+    let is_extra = !student.has_core_faults();
+    if is_extra && (of < FEWEST_CALLS || equal < of) {
         return None;
     }
     // A case that disagrees throughout makes a name uncertain. It does not veto it: tried on 199
@@ -224,12 +242,17 @@ pub fn diagnose(known: &[Known], student: &Signature) -> Option<Diagnosis> {
     let verb = match certainty {
         Certainty::Likely if equal == of => "equal",
         Certainty::Likely => "nearly equal",
+        Certainty::Perhaps if is_extra => "equal",
         Certainty::Perhaps => "look most like",
+    };
+    let preface = match is_extra {
+        true => EXTRA_CREDIT,
+        false => "",
     };
     Some(Diagnosis {
         mistakes,
         says: format!(
-            "your answers {verb} those of code that {says}: on {equal} of {of} calls{others}"
+            "{preface}your answers {verb} those of code that {says}: on {equal} of {of} calls{others}"
         ),
         description: says,
         hint,
@@ -556,10 +579,13 @@ mod tests {
         let diagnosis = diagnose(&all, &student).expect("the mistake is known");
         assert_eq!(diagnosis.certainty, Certainty::Perhaps);
         assert!(
-            diagnosis.says.contains("look most like"),
+            diagnosis.says.starts_with(EXTRA_CREDIT),
             "{}",
             diagnosis.says
         );
+        // Textbook code that differs from the mistake in one call is not compared with it.
+        let textbook = signature(&[("case decision", "9*a 1*b")]).into_robust();
+        assert_eq!(diagnose(&all, &textbook), None);
     }
 
     #[test]

@@ -200,8 +200,12 @@ impl CaseResult {
 
     /// Whether its answers are right and complete, and only the idea of the task is missing.
     pub(crate) fn lacks_only_the_idea(&self) -> bool {
-        let has_hole = self.shares.iter().any(FunctionShare::is_hole);
-        self.is_only_reduced() && !has_hole
+        self.is_only_reduced() && !self.has_hole()
+    }
+
+    /// Whether a function that the case judges is not written yet.
+    pub(crate) fn has_hole(&self) -> bool {
+        self.shares.iter().any(FunctionShare::is_hole)
     }
 
     /// The first finding that has a worst answer, with that answer.

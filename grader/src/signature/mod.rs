@@ -132,15 +132,29 @@ impl Signature {
 
     /// The signature without these cases.
     pub fn without(&self, cases: &BTreeSet<&str>) -> Signature {
-        let kept = |tier: &Cases| -> Cases {
-            let sides = tier.iter();
-            let kept = sides.filter(|(key, _)| !cases.contains(key.case.as_str()));
-            kept.map(|(key, codes)| (key.clone(), codes.clone()))
-                .collect()
+        self.keys(|key| !cases.contains(key.case.as_str()))
+    }
+
+    /// The signature with, of each of these cases, these aspects alone.
+    pub fn in_aspects(&self, cases: &BTreeMap<&str, BTreeSet<Aspect>>) -> Signature {
+        self.keys(
+            |key| match (cases.get(key.case.as_str()), key.side.place()) {
+                (Some(aspects), Some((aspect, _))) => aspects.contains(&aspect),
+                _ => true,
+            },
+        )
+    }
+
+    /// The part of the signature whose keys satisfy `is_kept`.
+    fn keys(&self, is_kept: impl Fn(&SignatureKey) -> bool) -> Signature {
+        let of = |cases: &Cases| {
+            let mut cases = cases.clone();
+            cases.retain(|key, _| is_kept(key));
+            cases
         };
         Signature {
-            core: kept(&self.core),
-            robust: kept(&self.robust),
+            core: of(&self.core),
+            robust: of(&self.robust),
         }
     }
 
@@ -232,27 +246,18 @@ impl Signature {
 
     /// The part of the signature that would remain if only these functions made the mistake.
     pub fn within(&self, functions: &BTreeSet<&str>) -> Signature {
-        self.sides(|function| function.is_none_or(|function| functions.contains(function)))
-    }
-
-    /// The sides whose function, where cases call several, satisfies `is_kept`.
-    fn sides(&self, is_kept: impl Fn(Option<&str>) -> bool) -> Signature {
-        let of = |cases: &Cases| {
-            let mut cases = cases.clone();
-            cases.retain(|key, _| is_kept(key.side.function()));
-            cases
-        };
-        Signature {
-            core: of(&self.core),
-            robust: of(&self.robust),
-        }
+        self.keys(|key| {
+            let function = key.side.function();
+            function.is_none_or(|function| functions.contains(function))
+        })
     }
 
     /// The signature without the functions whose faults are those of `base`: code that was made
     /// from `base` by an edit, and has the same faults there, does not make its mistake there.
     pub fn changed_from(&self, base: &Signature) -> Signature {
-        let faults_in =
-            |signature: &Signature, function: &str| signature.sides(|of| of == Some(function));
+        let faults_in = |signature: &Signature, function: &str| {
+            signature.keys(|key| key.side.function() == Some(function))
+        };
         let sides = self.core.keys().chain(self.robust.keys());
         let functions = sides.filter_map(|key| key.side.function());
         let changed = functions
@@ -273,7 +278,7 @@ impl Signature {
             }
             let codes: BTreeSet<u16> = codes.0.iter().copied().filter(|code| *code != 0).collect();
             // The position of the mean of many directions also identifies a mistake.
-            let is_spread = side.place() == Some((Aspect::Spread, None));
+            let is_spread = matches!(side.place(), Some((Aspect::Spread, _)));
             let telling = |code| is_spread || TELLING_KINDS.contains(code);
             if !codes.iter().all(telling) {
                 return None;
@@ -433,6 +438,15 @@ pub(crate) mod tests {
         let wrong_t = of(&["one t@glass"]);
         assert!(of(&["one decision@refract"]).contradicts(&wrong_t));
         assert!(!of(&["one decision@glass"]).contradicts(&wrong_t));
+    }
+
+    #[test]
+    fn aspects_that_a_case_does_not_judge_are_left_out() {
+        let whole = signature(&[("one t", "3*a"), ("one position", "3*b"), ("two t", "3*a")]);
+        let judged = BTreeMap::from([("one", BTreeSet::from([Aspect::T]))]);
+        let rest = signature(&[("one t", "3*a"), ("two t", "3*a")]);
+        assert_eq!(whole.in_aspects(&judged), rest);
+        assert_eq!(whole.in_aspects(&BTreeMap::new()), whole);
     }
 
     #[test]

@@ -269,7 +269,9 @@ fn show_unlisted(task: &str, graded: &[run::Graded], known: &[Known]) {
             "SURVIVES".to_string()
         };
         let signature = Signature::of(&result.cases);
-        let diagnosis = diagnosis::diagnose(known, &signature);
+        let mut known = known.to_vec();
+        diagnosis::leave_out_unwritten(&mut known, &result.cases);
+        let diagnosis = diagnosis::diagnose(&known, &signature);
         let says = match &diagnosis {
             Some(diagnosis) => format!("{}: {}", diagnosis.certainty.label(), diagnosis.says),
             None => "no mistake is named".to_string(),
@@ -280,7 +282,7 @@ fn show_unlisted(task: &str, graded: &[run::Graded], known: &[Known]) {
                 outln!("    - {sentence}");
             }
         }
-        let nearest = diagnosis::candidates(known, &signature);
+        let nearest = diagnosis::candidates(&known, &signature);
         for (mistakes, likeness, contradicted) in nearest.into_iter().take(NEAREST) {
             let but = if contradicted { ", contradicted" } else { "" };
             outln!("      {likeness:.2} {}{but}", mistakes.join(" + "));

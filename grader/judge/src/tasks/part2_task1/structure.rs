@@ -65,7 +65,7 @@ pub(super) fn walk(tree: &Tree, primitives: usize) -> Result<Walk, Fault> {
                     next.push(child);
                 }
             }
-            NodeKind::Leaf { first, count } => take_run(&mut leaf_of, at, first, count)?,
+            NodeKind::Leaf { first, count } => take_run(&mut leaf_of, tree, at, first, count)?,
         }
     }
     if let Some(lost) = reached.iter().position(|reached| !reached) {
@@ -87,13 +87,37 @@ pub(super) fn walk(tree: &Tree, primitives: usize) -> Result<Walk, Fault> {
     Ok(walk)
 }
 
+/// The class of a leaf that starts at `first` and ends behind the end of `order`.
+fn beyond_order(tree: &Tree, first: usize) -> &'static str {
+    let counts = tree.nodes.iter().map(|node| match node.kind {
+        NodeKind::Leaf { count, .. } => count as usize,
+        NodeKind::Interior { .. } => 0,
+    });
+    let entries = tree.order.len();
+    if entries == 0 {
+        "no order"
+    } else if counts.sum::<usize>() > entries {
+        "counts too large"
+    } else if first >= entries {
+        "begins beyond order"
+    } else {
+        "beyond order"
+    }
+}
+
 /// Records that the leaf `at` holds `order[first .. first + count]`.
-fn take_run(leaf_of: &mut [Option<usize>], at: usize, first: u32, count: u32) -> Result<(), Fault> {
+fn take_run(
+    leaf_of: &mut [Option<usize>],
+    tree: &Tree,
+    at: usize,
+    first: u32,
+    count: u32,
+) -> Result<(), Fault> {
     let (first, count) = (first as usize, count as usize);
     let length = leaf_of.len();
     let run = leaf_of.get_mut(first..first + count).ok_or_else(|| {
         Fault::new(
-            "beyond order",
+            beyond_order(tree, first),
             format!(
                 "leaf {at} holds order[{first} .. {}], but order has {length} entries",
                 first + count
@@ -150,5 +174,37 @@ fn each_once(order: &[u32], primitives: usize) -> Result<(), Fault> {
                 ),
             ))
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use wire::work::Node;
+
+    /// The class of the fault of a tree with a root and these leaves.
+    fn class(leaves: &[(u32, u32)], order: u32) -> Option<&'static str> {
+        let node = |kind| Node {
+            bounds: [[0.0; 3], [1.0; 3]],
+            kind,
+        };
+        let interior = NodeKind::Interior { left: 1, right: 2 };
+        let leaves = leaves
+            .iter()
+            .map(|&(first, count)| node(NodeKind::Leaf { first, count }));
+        let tree = Tree {
+            nodes: std::iter::once(node(interior)).chain(leaves).collect(),
+            order: (0..order).collect(),
+        };
+        walk(&tree, 5).err().map(|fault| fault.name)
+    }
+
+    #[test]
+    fn leaves_beyond_the_order_are_distinguished_by_what_is_wrong_about_them() {
+        assert_eq!(class(&[(0, 2), (2, 3)], 5), None);
+        assert_eq!(class(&[(0, 2), (2, 3)], 0), Some("no order"));
+        assert_eq!(class(&[(0, 3), (2, 4)], 5), Some("counts too large"));
+        assert_eq!(class(&[(2, 2), (5, 3)], 5), Some("begins beyond order"));
+        assert_eq!(class(&[(1, 2), (3, 3)], 5), Some("beyond order"));
     }
 }

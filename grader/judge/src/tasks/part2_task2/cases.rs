@@ -357,6 +357,14 @@ fn clipped() -> Vec<(Aabb, Ray)> {
         ] {
             probes.push(clipped_to(ray, min_t, max_t));
         }
+        // A ray that starts on the face through which it leaves, and one that ends where it starts,
+        // on the face through which it enters: t = 0, which is 0 with every relative widening, is
+        // all that they have in common with the box.
+        let half = 0.5 * ROUND.extent().min_element();
+        let leaving = Ray::new(ROUND.centroid() + half * corner, corner);
+        let entering = Ray::new(ROUND.centroid() - half * corner, corner);
+        probes.push(clipped_to(leaving, 0.0, 20.0));
+        probes.push(clipped_to(entering, 0.0, 0.0));
     }
     probes
 }

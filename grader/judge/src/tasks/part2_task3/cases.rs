@@ -62,13 +62,21 @@ fn hand_written() -> Vec<Spec> {
         vec![block(0.0, 1.0), block(3.0, 4.0), block(6.0, 7.0)],
         &leaf(&[0, 1, 2]),
     );
+    let in_a_row = vec![
+        block(0.0, 1.0),
+        Cross::new(Vec3::new(4.0, 0.25, -1.0), Vec3::new(5.0, 2.0, 1.0)),
+        block(8.0, 9.0),
+    ];
     let siblings = CrossScene::new(
-        vec![
-            block(0.0, 1.0),
-            Cross::new(Vec3::new(4.0, 0.25, -1.0), Vec3::new(5.0, 2.0, 1.0)),
-            block(8.0, 9.0),
-        ],
+        in_a_row.clone(),
         &TreePlan::split(TreePlan::split(leaf(&[0]), leaf(&[1])), leaf(&[2])),
+    );
+    let before_a_wall = CrossScene::new(
+        [in_a_row, vec![block(WALL, WALL)]].concat(),
+        &TreePlan::split(
+            TreePlan::split(TreePlan::split(leaf(&[0]), leaf(&[1])), leaf(&[2])),
+            leaf(&[3]),
+        ),
     );
     let box_in_box = CrossScene::new(
         vec![
@@ -147,8 +155,9 @@ fn hand_written() -> Vec<Spec> {
         ),
         case(
             "clipped_rays_any_hit",
-            "The same rays, traced for any hit.",
-            siblings.any(&clipped()),
+            "The same rays, traced for any hit, and ranges that start or end exactly at a hit: both \
+             ends count.",
+            before_a_wall.any(&[clipped(), up_to_a_hit()].concat()),
         ),
         case(
             "range_ends",
@@ -186,6 +195,28 @@ fn clipped() -> Vec<Ray> {
         ..ray
     })
     .collect()
+}
+
+/// Where a flat box stands in the world of rays for any hit.
+const WALL: f64 = 12.0;
+
+/// Ranges around a single hit, of the wall or of a plate inside its box, that include both sides of
+/// it, that end with it, and that start with it.
+fn up_to_a_hit() -> Vec<Ray> {
+    let mut rays = Vec::new();
+    for (x, step) in [(-10.0, 1.0), (-10.0, 2.0), (30.0, -1.0), (30.0, -0.5)] {
+        for hit in [WALL, 0.5] {
+            let t = (hit - x) / step;
+            for (min_t, max_t) in [(t - 0.75, t + 0.75), (t - 0.75, t), (t, t + 0.75)] {
+                rays.push(Ray {
+                    min_t,
+                    max_t,
+                    ..along(0, step, Vec3::new(x, 0.5, 0.25))
+                });
+            }
+        }
+    }
+    rays
 }
 
 fn range_ends() -> Vec<Ray> {

@@ -70,6 +70,7 @@ fn one(tally: &mut Tally, call: usize, probe: &LambertProbe, answer: &LambertAns
     let (right_f, right_pdf) = right(probe);
     if tally.is_written("lambert_f", &[Aspect::Bsdf]) {
         tally.count_for("lambert_f");
+        tally.answers_of("lambert_f");
         numbers::colour(tally, Aspect::Bsdf, call, answer.f, right_f, BOUND, || {
             format!(
                 "lambert_f: reflectance = {:?}, {}",
@@ -80,6 +81,7 @@ fn one(tally: &mut Tally, call: usize, probe: &LambertProbe, answer: &LambertAns
     }
     if tally.is_written("lambert_pdf", &[Aspect::Pdf]) {
         tally.count_for("lambert_pdf");
+        tally.answers_of("lambert_pdf");
         let (aspect, pdf) = (Aspect::Pdf, answer.pdf);
         numbers::number(tally, aspect, call, pdf, right_pdf, BOUND, || {
             format!("lambert_pdf: {}", input())
@@ -94,6 +96,7 @@ fn one(tally: &mut Tally, call: usize, probe: &LambertProbe, answer: &LambertAns
         return;
     }
     tally.count_for("lambert_sample");
+    tally.answers_of("lambert_sample");
     let sample_input = || format!("lambert_sample: wo = {}, u = {:?}", show(wo), probe.u);
     let Some(sample) = answer.sample else {
         let class = (wo.z != 0.0).then_some(Class::FalseMiss);

@@ -339,6 +339,8 @@ impl Call<'_> {
         let class = wrong_unless(agrees || is_right(after), || {
             if after.to_bits() == self.ray.max_t.to_bits() {
                 Class::Named("max_t as before")
+            } else if hit_t.is_none() {
+                Class::Named("max_t changed by a miss")
             } else if after < returned {
                 Class::Named("max_t too near")
             } else if after > returned {

@@ -159,8 +159,10 @@ pub enum Command {
     LoadCamera(PathBuf),
     /// Asks which file to open.
     ChooseFile,
-    /// Opens the file whose path was typed.
-    OpenTyped,
+    /// Opens the file whose path was typed, or saves the scene to it.
+    UseTypedPath,
+    /// Asks for a path to save the scene to.
+    SaveScene,
     /// Opens a scene file.
     Open(PathBuf),
     /// Reads the scene file again.

@@ -404,6 +404,14 @@ pub fn bindings() -> Vec<Binding> {
             C::ChooseFile,
             "open a scene, a picture, a camera",
         ),
+        bind(
+            Key::S,
+            Held::Ctrl,
+            "Ctrl S",
+            ALL,
+            C::SaveScene,
+            "save the scene as another file",
+        ),
         any(
             Key::D,
             "D",

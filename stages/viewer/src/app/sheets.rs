@@ -3,7 +3,7 @@
 use super::text;
 use crate::command::Command;
 use crate::keys::{self, Binding};
-use crate::session::{Mode, Session};
+use crate::session::{Mode, PathUse, Session};
 use egui::{Context, Grid, Id, Key, Modal, RichText, ScrollArea, TextEdit, Ui};
 
 pub(super) fn show(ctx: &Context, session: &mut Session, commands: &mut Vec<Command>) {
@@ -24,8 +24,9 @@ pub(super) fn show(ctx: &Context, session: &mut Session, commands: &mut Vec<Comm
                 }
             });
         });
-    } else if let Some(text) = session.typed_path().map(str::to_owned) {
-        path_sheet(ctx, session, text, commands);
+    } else if let Some((path_use, text)) = session.typed_path() {
+        let text = text.to_owned();
+        path_sheet(ctx, session, path_use, text, commands);
     } else if session.help() {
         let modal = Modal::new(Id::unique("keys")).show(ctx, |ui| {
             ui.horizontal(|ui| {
@@ -47,12 +48,30 @@ pub(super) fn show(ctx: &Context, session: &mut Session, commands: &mut Vec<Comm
     }
 }
 
-/// Asks for the path of a file, and offers those that are known.
-fn path_sheet(ctx: &Context, session: &mut Session, mut text: String, commands: &mut Vec<Command>) {
+/// Asks for the path of a file; to open one, it offers those that are known.
+fn path_sheet(
+    ctx: &Context,
+    session: &mut Session,
+    path_use: PathUse,
+    mut text: String,
+    commands: &mut Vec<Command>,
+) {
+    let (heading, about, button) = match path_use {
+        PathUse::Open => (
+            "Open a file",
+            "This desktop has no dialog for files (xdg-desktop-portal, or zenity). Type a path, or drop a file into the window: a scene (.dae), a picture, a camera (.txt).",
+            "Open (Enter)",
+        ),
+        PathUse::SaveScene => (
+            "Save the scene as",
+            "Moved vertices and the camera are written as COLLADA, in world space. An existing file is replaced.",
+            "Save (Enter)",
+        ),
+    };
     let modal = Modal::new(Id::unique("path")).show(ctx, |ui| {
         ui.set_max_width(ctx.content_rect().width().min(560.0) - 60.0);
-        ui.heading("Open a file");
-        ui.label("This desktop has no dialog for files (xdg-desktop-portal, or zenity). Type a path, or drop a file into the window: a scene (.dae), a picture, a camera (.txt).");
+        ui.heading(heading);
+        ui.label(about);
         let field = TextEdit::singleline(&mut text).desired_width(f32::INFINITY);
         let field = ui.add(field.hint_text("scenes/dae/cornell_whale.dae"));
         if !field.has_focus() && !field.lost_focus() {
@@ -60,22 +79,24 @@ fn path_sheet(ctx: &Context, session: &mut Session, mut text: String, commands: 
         }
         let is_entered = field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
         ui.horizontal(|ui| {
-            if ui.button("Open (Enter)").clicked() || is_entered {
-                commands.push(Command::OpenTyped);
+            if ui.button(button).clicked() || is_entered {
+                commands.push(Command::UseTypedPath);
             }
             if ui.button("Close (Esc)").clicked() {
                 commands.push(Command::Escape);
             }
         });
         ui.label(RichText::new(session.message()).size(text::SMALL));
-        let known = session.recent().iter().chain(session.course_scenes());
-        ScrollArea::vertical().max_height(180.0).show(ui, |ui| {
-            for path in known {
-                if ui.link(path.display().to_string()).clicked() {
-                    commands.extend([Command::Escape, Command::Open(path.clone())]);
+        if path_use == PathUse::Open {
+            let known = session.recent().iter().chain(session.course_scenes());
+            ScrollArea::vertical().max_height(180.0).show(ui, |ui| {
+                for path in known {
+                    if ui.link(path.display().to_string()).clicked() {
+                        commands.extend([Command::Escape, Command::Open(path.clone())]);
+                    }
                 }
-            }
-        });
+            });
+        }
     });
     session.type_path(text);
     if modal.should_close() && commands.is_empty() {

@@ -3,10 +3,10 @@
 use super::{Mode, Session};
 use crate::ray_test;
 use base::utc::Utc;
-use kit::Film;
 use kit::film::Cell;
+use kit::{Film, Scene};
 use pathtracer::{Output, PartFile};
-use scenes::CameraFile;
+use scenes::{CameraFile, SceneFile};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::time::{SystemTime, UNIX_EPOCH};
@@ -77,6 +77,36 @@ impl Session {
         let name = format!("{}_cam_settings.txt", self.stem());
         let path = self.output_folder.join(name);
         self.write_text(&path, &file.to_string());
+    }
+
+    /// Writes the scene, as it was edited and with the camera of the window. Returns whether it was
+    /// written.
+    pub(super) fn save_scene(&mut self, path: &Path) -> bool {
+        let is_scene = path
+            .extension()
+            .is_some_and(|end| end.eq_ignore_ascii_case("dae"));
+        let Some(data) = self.scene.clone().filter(|_| is_scene) else {
+            self.say(format!("{}: use a name that ends in .dae", path.display()));
+            return false;
+        };
+        if self.edit.is_rebuilding() {
+            self.say("The last move is not done yet: save again");
+            return false;
+        }
+        let mut scene = Scene::clone(&data.file_scene);
+        scene.camera = self.render_camera().or(scene.camera);
+        // Files of textures are relative to the folder of the scene that names them.
+        if path.parent() != data.source.path.parent()
+            && let Some(folder) = data.source.path.parent()
+            && let Ok(folder) = std::path::absolute(folder)
+        {
+            for file in &mut scene.textures.files {
+                *file = folder.join(&*file).display().to_string();
+            }
+        }
+        let before = self.saved.len();
+        self.write_text(path, &SceneFile(&scene).to_string());
+        self.saved.len() > before
     }
 
     /// Writes the selected ray of the replay as a Rust test.

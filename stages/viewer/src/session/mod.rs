@@ -29,6 +29,7 @@ pub use heat::{Heat, HeatKind};
 pub use loading::Loading;
 
 use rendering::CameraRays;
+pub use typed_path::PathUse;
 
 use crate::command::Command;
 use crate::compare::Reference;
@@ -142,7 +143,7 @@ pub struct Session {
     kept_cameras: Vec<KeptCamera>,
     asks_for_file: bool,
     /// The path that is being typed.
-    typed_path: Option<String>,
+    typed_path: Option<(PathUse, String)>,
     overlay: bool,
     help: bool,
     dark: bool,
@@ -304,7 +305,8 @@ impl Session {
             Command::ForgetCamera(place) => self.forget_camera(place),
             Command::LoadCamera(path) => self.load_camera(&path),
             Command::ChooseFile => self.asks_for_file = true,
-            Command::OpenTyped => self.open_typed(),
+            Command::UseTypedPath => self.use_typed_path(),
+            Command::SaveScene => self.ask_where_to_save(),
             Command::Open(path) => self.open(path),
             Command::Reload => self.reload(),
             Command::CloseProblem => self.problem = None,

@@ -9,6 +9,7 @@ use std::path::PathBuf;
 use viewer::app::App;
 use viewer::command::Command;
 use viewer::remembered::Remembered;
+use viewer::session::PathUse;
 
 const NAME: &str = "spheres.dae";
 
@@ -109,7 +110,8 @@ fn without_a_dialog_a_path_is_typed() {
     window.press(Key::Enter);
     let message = window.session().message().to_owned();
     assert!(message.contains("no file no_such.dae"), "{message}");
-    assert_eq!(window.session().typed_path(), Some("no_such.dae"));
+    let typed = window.session().typed_path();
+    assert_eq!(typed, Some((PathUse::Open, "no_such.dae")));
     let path = scene("gallery.dae").display().to_string();
     window.session().type_path(path);
     window.press(Key::Enter);
@@ -209,4 +211,45 @@ fn every_control_has_a_name() {
         }
         assert!(controls > 10, "{controls} in {key:?}");
     }
+}
+
+#[test]
+fn a_scene_is_saved_as_it_was_edited_and_read_again() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut window = Window::open("-r 40 30", "cornell_spheres.dae");
+    window.press(Key::Num1);
+    let held = Modifiers::SHIFT.plus(Modifiers::ALT);
+    window.press_with(held, Key::ArrowUp);
+    window.settle();
+    let moved = window
+        .session()
+        .selected_vertex_position()
+        .expect("a vertex");
+    let camera = window.session().orbit().expect("a camera").camera();
+    window.press_with(Modifiers::CTRL, Key::S);
+    let (path_use, proposed) = window.session().typed_path().expect("a question");
+    assert_eq!(path_use, PathUse::SaveScene);
+    assert!(
+        proposed.ends_with("cornell_spheres_edited.dae"),
+        "{proposed}"
+    );
+    let none = folder.path().join("scene.txt").display().to_string();
+    window.session().type_path(none);
+    window.session().apply(Command::UseTypedPath);
+    assert!(window.session().message().contains(".dae"));
+    assert!(window.session().typed_path().is_some(), "to be corrected");
+    let path = folder.path().join("saved.dae");
+    window.session().type_path(path.display().to_string());
+    window.session().apply(Command::UseTypedPath);
+    assert!(window.session().typed_path().is_none());
+    let read = scenes::load(&path).expect("a scene");
+    assert_eq!(read.warnings.len(), 0);
+    let triangles = read.scene.triangles.iter();
+    let mut vertices = triangles.flat_map(|t| [t.p0, t.p1, t.p2]);
+    assert!(
+        vertices.any(|p| p == moved),
+        "the vertex is where it was moved"
+    );
+    let saved = read.scene.camera.expect("a camera");
+    assert!(saved.pos == camera.pos && saved.h_fov == camera.h_fov);
 }

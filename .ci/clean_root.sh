@@ -13,7 +13,7 @@ need_clean_root() {
     fi
     [ ! -e "$clean_debian/etc/debian_version" ] || return 0
     rm -rf "$clean_debian.new"
-    if ! debootstrap --variant=minbase --include=ca-certificates,gcc,libc6-dev,git,python3-minimal \
+    if ! debootstrap --variant=minbase --include=ca-certificates,gcc,libc6-dev,git,python3 \
         bookworm "$clean_debian.new" > "$clean_debian.log"; then
         echo "debootstrap failed (no network?): $clean_debian.log" >&2
         exit 77

@@ -98,7 +98,10 @@ const MAY_DEPEND_ON: &[(&str, &[&str])] = &[
     ("progress", &["base"]),
     ("submission", &["base", "grader", "judge", "sandbox"]),
     ("formats", &["base", "grader", "judge", "submission"]),
-    ("export", &["base", "grader", "judge", "submission"]),
+    (
+        "export",
+        &["authoring", "base", "grader", "judge", "submission"],
+    ),
     (
         "review",
         &[

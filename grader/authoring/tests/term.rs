@@ -4,11 +4,12 @@ use authoring::check::book;
 use authoring::handout::Handout;
 use authoring::term::build::build;
 use authoring::term::new::new;
-use authoring::term::own_case;
 use authoring::term::update::Update;
+use authoring::term::{own_case, own_mistakes};
 use base::Workspace;
 use base::term::COPY;
 use grader::course::{Course, consistency};
+use grader::diagnosis;
 use judge::{Tier, own_cases};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -182,9 +183,63 @@ fn settings_that_mean_nothing_are_told() {
         let error = error_with(&root, settings);
         assert!(error.contains(expected), "{settings}{error}");
     }
-    fs::create_dir(root.join("mistakes")).expect("a folder");
+    fs::create_dir(root.join("stages")).expect("a folder");
     let error = error_with(&root, "\nleave_out = []\n");
-    assert!(error.contains("a term cannot have own mistakes"), "{error}");
+    assert!(error.contains("a term cannot have own stages"), "{error}");
+}
+
+#[test]
+fn a_mistake_of_the_teacher_is_listed_and_what_was_learnt_of_it_is_known() {
+    let (_folder, root) = term();
+    let list = root.join("mistakes/part1.task3.txt");
+    fs::create_dir(root.join("mistakes")).expect("a folder");
+    let text = "mistake our_culling: misses back faces\n  hint: Both faces are hit.\n  reference: a ~> b\n";
+    fs::write(&list, text).expect("it is writable");
+    build(&copy_as_it_is(&root), &root).expect("it is right");
+    let workspace = copy_of(&root);
+    let read = |path: &str| fs::read_to_string(workspace.root().join(path)).expect("a file");
+    let of_task = "grader/mutants/part1.task3.txt";
+    assert!(
+        read(of_task)
+            .contains("\nmistake our_culling: misses back faces (a mistake of this course)\n")
+    );
+    let before = diagnosis::known(&workspace, "part1.task3").expect("signatures");
+
+    // As a check stores what it learnt.
+    let mut ours = before[0].clone();
+    ours.mistakes = vec!["our_culling".into()];
+    let learnt = own_mistakes::learnt(text, &[ours]).expect("it is packed");
+    fs::write(list.with_extension("bin"), &learnt).expect("it is writable");
+    build(&copy_as_it_is(&root), &root).expect("it is right");
+    let after = diagnosis::known(&workspace, "part1.task3").expect("signatures");
+    assert_eq!(after.len(), before.len() + 1);
+    assert_eq!(after.last().expect("ours").mistakes, ["our_culling"]);
+
+    // What was learnt of another list does not count.
+    fs::write(&list, text.replace("back", "front")).expect("it is writable");
+    build(&copy_as_it_is(&root), &root).expect("it is right");
+    let known = diagnosis::known(&workspace, "part1.task3").expect("signatures");
+    assert_eq!(known, before);
+
+    for (name, text, expected) in [
+        ("part1.task3.txt", "mistake", "line 1: expected"),
+        (
+            "part1.task3.txt",
+            "mistake culled: culls\n",
+            "needs `mistake culled: what the code does`",
+        ),
+        ("part9.task1.txt", text, "First Light has no such task"),
+        ("part1.task3.md", text, "expected mistakes/TASK.txt"),
+    ] {
+        fs::remove_dir_all(root.join("mistakes")).expect("it is removable");
+        fs::create_dir(root.join("mistakes")).expect("a folder");
+        fs::write(root.join("mistakes").join(name), text).expect("it is writable");
+        let error = build(&copy_as_it_is(&root), &root).expect_err("it is wrong");
+        assert!(error.to_string().contains(expected), "{error}");
+    }
+    fs::remove_dir_all(root.join("mistakes")).expect("it is removable");
+    build(&copy_as_it_is(&root), &root).expect("it is right");
+    assert!(!read(of_task).contains("our_culling"));
 }
 
 #[test]

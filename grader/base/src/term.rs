@@ -23,11 +23,16 @@ pub const SCENES: &str = "scenes";
 /// The folder of the teacher's cases: in it a folder for each task.
 pub const CASES: &str = "cases";
 
+/// The folder of the teacher's mistakes: for each task a list, and what the grader learnt of it.
+pub const MISTAKES: &str = "mistakes";
+
 /// The teacher's files in `folder`, by their paths in it.
 pub fn inputs(folder: &Path) -> Result<BTreeMap<PathBuf, Vec<u8>>, GraderError> {
     let mut found = BTreeMap::new();
     let mut paths: Vec<PathBuf> = FILES.iter().map(PathBuf::from).collect();
-    paths.extend(inside(folder, Path::new(SCENES))?);
+    for files in [SCENES, MISTAKES] {
+        paths.extend(inside(folder, Path::new(files))?);
+    }
     for task in inside(folder, Path::new(CASES))? {
         paths.extend(inside(folder, &task)?);
     }

@@ -19,6 +19,8 @@ pub struct Choices {
     pub seed: Option<u64>,
     /// Whether to grade where code cannot be contained.
     pub unsandboxed: bool,
+    /// Whether the image of PrairieLearn contains no solutions.
+    pub public: bool,
     /// The repository of the handout on GitHub, `OWNER/NAME`.
     pub course: Option<String>,
     /// The branch or tag of that repository.

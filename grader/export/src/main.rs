@@ -74,6 +74,13 @@ fn command() -> Command {
                 .help("Grade where the container has neither seccomp nor bubblewrap, too: code can read the solutions then"),
         )
         .arg(
+            Arg::new("public")
+                .long("public")
+                .action(ArgAction::SetTrue)
+                .conflicts_with_all(["seed", "unsandboxed"])
+                .help("For prairielearn: an image without solutions, which grades as a handout does, for feedback"),
+        )
+        .arg(
             Arg::new("course")
                 .long("course")
                 .value_name("OWNER/NAME")
@@ -141,6 +148,7 @@ fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
         add_extra: matches.get_flag("add-extra"),
         seed: matches.get_one("seed").copied(),
         unsandboxed: matches.get_flag("unsandboxed"),
+        public: matches.get_flag("public"),
         course: text("course"),
         reference: text("ref").unwrap_or_default(),
     };
@@ -171,7 +179,7 @@ fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     for flag in system.unused_flags().iter().filter(is_given) {
         errln!("note: no effect: --{flag}: {name} does not use it");
     }
-    outln!("{}", system.next_step());
+    outln!("{}", system.next_step(&choices));
     Ok(Exit::Passed)
 }
 

@@ -3,6 +3,7 @@
 use crate::choices::Choices;
 use crate::course_files;
 use crate::templates::{self, Template};
+use authoring::handout::Handout;
 use base::{GraderError, Workspace};
 use grader::course::Course;
 use std::path::PathBuf;
@@ -59,14 +60,14 @@ impl System {
     /// The flags of the command that change nothing in its files.
     pub fn unused_flags(self) -> &'static [&'static str] {
         match self {
-            System::Gradescope => &["course", "ref"],
+            System::Gradescope => &["course", "public", "ref"],
             System::PrairieLearn => &["course", "ref", "visibility"],
-            System::Classroom50 | System::Actions => &["unsandboxed", "visibility"],
+            System::Classroom50 | System::Actions => &["public", "unsandboxed", "visibility"],
         }
     }
 
     /// What to do with the exported files.
-    pub fn next_step(self) -> &'static str {
+    pub fn next_step(self, choices: &Choices) -> &'static str {
         match self {
             System::Gradescope => {
                 "Upload the zip under `Configure Autograder`. It contains the solutions: do not give it to students."
@@ -77,18 +78,27 @@ impl System {
             System::Actions => {
                 "Copy first-light.yml to .github/workflows/ of the repository that students start from."
             }
+            System::PrairieLearn if choices.public => {
+                "Build and push image/Dockerfile, write the image's name into info.json, and copy `questions` to your course. The image contains no solutions, so anybody may read it. It grades outside the sandbox and with seed 0, and a student's code can write its result: it is for feedback. Grade with `cargo grader class`."
+            }
             System::PrairieLearn => {
-                "Build and push image/Dockerfile, write the image's name into info.json, and copy `questions` to your course. The image contains the solutions: keep it private. PrairieLearn's own servers ask for a public image, so use it only where you host PrairieLearn; elsewhere, grade with `cargo grader class`."
+                "Build and push image/Dockerfile, write the image's name into info.json, and copy `questions` to your course. The image contains the solutions: keep it private. PrairieLearn's own servers ask for a public image: `--public` makes one without solutions, for feedback."
             }
         }
     }
 
-    fn templates(self) -> &'static [Template] {
+    fn templates(self, choices: &Choices) -> Vec<Template> {
         match self {
-            System::Gradescope => &templates::GRADESCOPE,
-            System::Classroom50 => &templates::CLASSROOM50,
-            System::Actions => &templates::ACTIONS,
-            System::PrairieLearn => &templates::PRAIRIELEARN,
+            System::Gradescope => templates::GRADESCOPE.into(),
+            System::Classroom50 => templates::CLASSROOM50.into(),
+            System::Actions => templates::ACTIONS.into(),
+            System::PrairieLearn => {
+                let image = match choices.public {
+                    true => templates::PRAIRIELEARN_PUBLIC_IMAGE,
+                    false => templates::PRAIRIELEARN_IMAGE,
+                };
+                [image, templates::PRAIRIELEARN_QUESTION].concat()
+            }
         }
     }
 
@@ -111,7 +121,11 @@ impl System {
         let mut exported = Vec::new();
         let mut programs = Vec::new();
         if let Some(folder) = self.course_folder() {
-            let files = course_files::of(workspace)?;
+            // The handout of Part 1 is the one that contains no solution of any part.
+            let files = match choices.public && self == System::PrairieLearn {
+                true => Handout::carve(workspace, 1)?.files,
+                false => course_files::of(workspace)?,
+            };
             programs = course_files::programs(&files);
             exported.extend(files.into_iter().map(|(path, contents)| ExportedFile {
                 path: PathBuf::from(folder).join(path),
@@ -120,7 +134,7 @@ impl System {
             }));
         }
         let values = self.values(&course, choices, &programs)?;
-        exported.extend(self.templates().iter().map(|template| ExportedFile {
+        exported.extend(self.templates(choices).iter().map(|template| ExportedFile {
             path: templates::fill(template.path, &values).into(),
             contents: templates::fill(template.text, &values).into_bytes(),
             is_executable: template.is_executable,
@@ -142,7 +156,7 @@ impl System {
             true => " --unsandboxed",
             false => "",
         };
-        if self.course_folder().is_some() {
+        if self.course_folder().is_some() && !choices.public {
             options.push_str(unsandboxed);
         }
         if self == System::Gradescope {

@@ -46,8 +46,8 @@ pub const ACTIONS: [Template; 1] = [Template {
     is_executable: false,
 }];
 
-/// The image and the question of PrairieLearn. The question's folder is named after the part.
-pub const PRAIRIELEARN: [Template; 4] = [
+/// The image of PrairieLearn.
+pub const PRAIRIELEARN_IMAGE: [Template; 2] = [
     Template {
         path: "image/Dockerfile",
         text: include_str!("../templates/prairielearn/Dockerfile"),
@@ -58,6 +58,24 @@ pub const PRAIRIELEARN: [Template; 4] = [
         text: include_str!("../templates/prairielearn/grade.sh"),
         is_executable: true,
     },
+];
+
+/// The image of PrairieLearn without solutions.
+pub const PRAIRIELEARN_PUBLIC_IMAGE: [Template; 2] = [
+    Template {
+        path: "image/Dockerfile",
+        text: include_str!("../templates/prairielearn/public/Dockerfile"),
+        is_executable: false,
+    },
+    Template {
+        path: "image/grade.sh",
+        text: include_str!("../templates/prairielearn/public/grade.sh"),
+        is_executable: true,
+    },
+];
+
+/// The question of PrairieLearn. Its folder is named after the part.
+pub const PRAIRIELEARN_QUESTION: [Template; 2] = [
     Template {
         path: "questions/first_light_{what}/info.json",
         text: include_str!("../templates/prairielearn/info.json"),

@@ -23,6 +23,7 @@ fn choices() -> Choices {
         add_extra: true,
         seed: Some(7),
         unsandboxed: true,
+        public: false,
         course: Some("cs184/first-light".into()),
         reference: "v1".into(),
     }
@@ -128,6 +129,33 @@ fn only_systems_that_grade_in_a_container_get_solutions() {
         });
         assert_eq!(has_solution, !system.needs_handout(), "{system:?}");
     }
+}
+
+#[test]
+fn a_public_image_has_no_solutions_and_all_that_students_have() {
+    let choices = Choices {
+        unsandboxed: false,
+        public: true,
+        ..choices()
+    };
+    let files = System::PrairieLearn
+        .files(&workspace(), &choices)
+        .expect("it is exported");
+    for file in &files {
+        let text = String::from_utf8_lossy(&file.contents);
+        assert!(
+            !text.contains("// BEGIN SOLUTION(part"),
+            "{}",
+            file.path.display()
+        );
+    }
+    // A handout's goldens and signatures are packed.
+    let has = |path: &str| files.iter().any(|file| file.path == Path::new(path));
+    assert!(has("image/course/golden/part2.task1.pack"));
+    assert!(!has("image/course/golden/Cargo.toml"));
+    let grade = text(&files, "image/grade.sh");
+    assert_eq!(unfilled(grade), [""; 0]);
+    assert!(!grade.contains("--submission"), "{grade}");
 }
 
 #[test]
@@ -280,7 +308,10 @@ fn a_stage_that_is_missing_stays_that_of_the_handout() {
 #[test]
 fn flags_that_a_system_does_not_use_change_none_of_its_files() {
     for system in [System::Actions, System::Classroom50] {
-        assert_eq!(system.unused_flags(), ["unsandboxed", "visibility"]);
+        assert_eq!(
+            system.unused_flags(),
+            ["public", "unsandboxed", "visibility"]
+        );
         let others = Choices {
             unsandboxed: false,
             visibility: "hidden".into(),

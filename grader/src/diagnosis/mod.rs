@@ -131,7 +131,7 @@ pub fn known(workspace: &Workspace, task: &str) -> Result<Vec<Known>, GraderErro
         return Ok(Vec::new());
     }
     let bytes = std::fs::read(&path).map_err(|e| GraderError::file("read", &path, e))?;
-    stored::read(&bytes).map_err(|why| {
+    from_bytes(&bytes).map_err(|why| {
         let why = format!(
             "it is damaged: {why}. Restore it, from your handout or with `git checkout`; \
              authors make it with `cargo grader mutants {task} --bless`"
@@ -145,14 +145,28 @@ pub fn store(workspace: &Workspace, task: &str, known: &[Known]) -> Result<(), G
     let path = path(workspace, task);
     let folder = path.parent().unwrap_or(Path::new("."));
     std::fs::create_dir_all(folder).map_err(|e| GraderError::file("make", folder, e))?;
-    let bytes = stored::write(known).map_err(|why| GraderError::file("write", &path, why))?;
+    let bytes = to_bytes(known).map_err(|why| GraderError::file("write", &path, why))?;
     write_whole(&path, &bytes)
+}
+
+/// Packs known mistakes, as they are stored. The error says what is too large.
+pub fn to_bytes(known: &[Known]) -> Result<Vec<u8>, String> {
+    stored::write(known)
+}
+
+/// Unpacks what [`to_bytes`] packed. The error says what is wrong with the bytes.
+pub fn from_bytes(bytes: &[u8]) -> Result<Vec<Known>, String> {
+    stored::read(bytes)
+}
+
+/// The file of a task's signatures, below the root folder of the workspace.
+pub fn file_of(task: &str) -> PathBuf {
+    format!("golden/signatures/{task}.bin").into()
 }
 
 /// Where the signatures of a task are stored.
 fn path(workspace: &Workspace, task: &str) -> PathBuf {
-    let file = format!("golden/signatures/{task}.bin");
-    workspace.root().join(file)
+    workspace.root().join(file_of(task))
 }
 
 /// The known mistakes that are most like `student`, best first: their names, the likeness, and

@@ -4,7 +4,7 @@
 
 use authoring::handout::output_folder;
 use authoring::term::update::Update;
-use authoring::term::{self, build, new, own_case};
+use authoring::term::{self, build, new, own_case, own_mistakes};
 use authoring::{check, diff};
 use base::program::Exit;
 use base::{GraderError, Workspace, errln, out, outln};
@@ -204,17 +204,24 @@ fn check_with_own_cases(workspace: &Workspace) -> Result<Option<Exit>, GraderErr
 
 fn run_check(matches: &ArgMatches) -> Result<Exit, GraderError> {
     let quick = matches.get_flag("quick");
-    if let Some(folder) = term::above(Path::new("."))? {
-        build::build(&Workspace::above_as_it_is(Path::new("."))?, &folder)?;
-    }
+    let term = term::above(Path::new("."))?;
+    let apply =
+        |folder: &PathBuf| build::build(&Workspace::above_as_it_is(Path::new("."))?, folder);
+    term.as_ref().map(apply).transpose()?;
     let workspace = Workspace::above(Path::new("."))?;
     if let Some(exit) = check_with_own_cases(&workspace)? {
         return Ok(exit);
     }
+    let mut problems = Vec::new();
+    if let Some(folder) = &term {
+        problems = own_mistakes::learn(&workspace, folder)?;
+        // What was learnt is applied.
+        apply(folder)?;
+    }
     let start = Instant::now();
     let print = |step: &str| errln!("[{:4} s] {step}", start.elapsed().as_secs());
     let (sender, receiver) = mpsc::channel();
-    let problems = thread::scope(|scope| {
+    problems.extend(thread::scope(|scope| {
         scope.spawn(move || {
             while let Err(RecvTimeoutError::Timeout) = receiver.recv_timeout(MAX_SILENCE) {
                 print("  ... still running");
@@ -224,7 +231,7 @@ fn run_check(matches: &ArgMatches) -> Result<Exit, GraderError> {
         // The other thread ends when the last sender is dropped.
         drop::<Sender<()>>(sender);
         problems
-    })?;
+    })?);
     for problem in &problems {
         outln!("{problem}");
     }

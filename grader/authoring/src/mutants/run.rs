@@ -14,7 +14,7 @@ use grader::workers::runner::Worker;
 use grader::workers::stage_workers::StageWorkers;
 use judge::cases::{self, Spec};
 use rayon::prelude::*;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use tempfile::TempPath;
 
@@ -71,18 +71,35 @@ pub fn unlisted(
     task: &Task,
     mutants: Vec<Mutant>,
 ) -> Result<Vec<Graded>, GraderError> {
+    let none = BTreeSet::new();
+    let (graded, broken) = those_that_compile(workspace, course, task, mutants, &none)?;
+    if !broken.is_empty() {
+        errln!("These do not compile:\n  {}", broken.join("\n  "));
+    }
+    Ok(graded)
+}
+
+/// Grades mutants, and the correct versions with the names `correct`. Returns with them the names
+/// of mutants that do not compile.
+pub fn those_that_compile(
+    workspace: &Workspace,
+    course: &Course,
+    task: &Task,
+    mutants: Vec<Mutant>,
+    correct: &BTreeSet<String>,
+) -> Result<(Vec<Graded>, Vec<String>), GraderError> {
     let (kinds, versions) = versions(workspace, task, mutants)?;
-    let is_wrong = |kind: &Kind| matches!(kind, Kind::Mutant(_));
-    let wrong = (0..kinds.len()).filter(|&i| is_wrong(&kinds[i].1));
     let (program, broken) =
         versions_crate::worker_of_those_that_compile(workspace, &task.stage, &versions)?;
-    let wrong: Vec<usize> = wrong.filter(|i| !broken.contains(i)).collect();
-    if !broken.is_empty() {
-        let names: Vec<&str> = broken.iter().map(|i| kinds[*i].0.as_str()).collect();
-        errln!("These do not compile:\n  {}", names.join("\n  "));
-    }
+    let is_wanted = |i: &usize| match &kinds[*i] {
+        (name, Kind::Correct) => correct.contains(name),
+        (_, Kind::Mutant(_)) => !broken.contains(i),
+    };
+    let wanted: Vec<usize> = (0..kinds.len()).filter(is_wanted).collect();
+    let broken = broken.iter().map(|&i| kinds[i].0.clone()).collect();
     let worker = VersionsWorker::new(program, course, kinds);
-    worker.grade_all(task, &cases::all(0), wrong.into_iter())
+    let graded = worker.grade_all(task, &cases::all(0), wanted.into_iter())?;
+    Ok((graded, broken))
 }
 
 /// Grades every small slip in the reference and the variants of a task; see [`mod@families`].

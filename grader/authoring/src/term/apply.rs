@@ -47,6 +47,11 @@ pub fn apply(files: &mut Files, changes: &Changes) -> Result<Vec<Written>, Grade
     let cases = own_cases::text(cases.collect());
     let cases = cases.map_err(|e| GraderError::new(format!("cases: {e}")))?;
     write(files, own_cases::FILE.into(), cases.into_bytes());
+    for (task, mistakes) in &changes.mistakes {
+        for (path, contents) in mistakes.applied(task, files)? {
+            write(files, path, contents);
+        }
+    }
     for (name, contents) in &changes.scenes {
         let path = Path::new(SCENES).join(name);
         if files.contains_key(&path) {

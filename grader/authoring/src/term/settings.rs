@@ -1,6 +1,7 @@
 //! What a teacher's files say: `course.toml`, and `kept.toml`, which `grader course update` writes.
 
 use super::own_case::{self, OwnCase};
+use super::own_mistakes::{self, OwnMistakes};
 use base::GraderError;
 use grader::course::term::{LateRule, PartDates, Term};
 use serde::Deserialize;
@@ -14,11 +15,7 @@ pub const FILE: &str = "course.toml";
 pub const KEPT: &str = "kept.toml";
 
 /// Folders for what a term cannot change: a clear refusal is better than a file without effect.
-const REFUSED: [(&str, &str); 3] = [
-    ("mistakes", "own mistakes"),
-    ("stages", "own stages"),
-    ("golden", "own goldens"),
-];
+const REFUSED: [(&str, &str); 2] = [("stages", "own stages"), ("golden", "own goldens")];
 
 /// `course.toml` of a term.
 #[derive(Clone, Debug, Deserialize)]
@@ -78,6 +75,8 @@ pub struct Changes {
     pub scenes: BTreeMap<String, Vec<u8>>,
     /// The teacher's cases, by names such as `part1.task3/thin_door`.
     pub cases: BTreeMap<String, OwnCase>,
+    /// The teacher's mistakes, by the keys of their tasks.
+    pub mistakes: BTreeMap<String, OwnMistakes>,
 }
 
 impl Changes {
@@ -95,6 +94,7 @@ impl Changes {
         }
         let mut inputs = base::term::inputs(folder)?;
         let cases = own_case::read(&inputs, folder)?;
+        let mistakes = own_mistakes::read(&inputs, folder)?;
         let mut text = |name: &str| -> Result<Option<String>, GraderError> {
             let Some(contents) = inputs.remove(Path::new(name)) else {
                 return Ok(None);
@@ -127,6 +127,7 @@ impl Changes {
                 })
                 .collect(),
             cases,
+            mistakes,
         };
         changes
             .settings

@@ -87,6 +87,12 @@ impl Corpus {
         Ok(corpus)
     }
 
+    /// Reads a list of mistakes and mutants, without looking whether the parts fit together. The
+    /// error names the line.
+    pub fn of_text(text: &str) -> Result<Corpus, String> {
+        text::read(text).map_err(|e| e.to_string())
+    }
+
     /// Reads the mutants of a task from a file in `folder`. Their mistakes need not be listed.
     /// Returns no mutants if there is no such file.
     pub fn read_unlisted(folder: &Path, task: &Task) -> Result<Vec<Mutant>, GraderError> {
@@ -99,7 +105,7 @@ impl Corpus {
 
     fn parse(path: &Path) -> Result<Corpus, GraderError> {
         let text = std::fs::read_to_string(path).map_err(|e| GraderError::file("read", path, e))?;
-        text::read(&text).map_err(|e| GraderError::file("understand", path, e))
+        Corpus::of_text(&text).map_err(|e| GraderError::file("understand", path, e))
     }
 
     /// The mistake with this name.
@@ -107,7 +113,9 @@ impl Corpus {
         self.mistakes.iter().find(|mistake| mistake.id == id)
     }
 
-    fn check(&self) -> Result<(), String> {
+    /// Returns an error if a mistake has no words, a name stands twice, or a mutant makes a mistake
+    /// that is not listed.
+    pub fn check(&self) -> Result<(), String> {
         let silent = |mistake: &&Mistake| mistake.description.is_empty() || mistake.hint.is_empty();
         if let Some(silent) = self.mistakes.iter().find(silent) {
             return Err(format!(

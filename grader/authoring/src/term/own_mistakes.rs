@@ -15,6 +15,7 @@ use grader::diagnosis::{self, Known, diagnose};
 use grader::signature::Signature;
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
+use std::fmt;
 use std::path::{Path, PathBuf};
 use submission::file_tree::Files;
 
@@ -146,13 +147,11 @@ pub fn learn(workspace: &Workspace, folder: &Path) -> Result<Vec<String>, Grader
         let Some(task) = task.filter(|_| mistakes.learnt.is_none()) else {
             continue;
         };
-        let (known, found) = learn_task(workspace, &course, task, mistakes)?;
+        let in_list = |why: &dyn fmt::Display| format!("mistakes/{}.txt: {why}", task.key);
+        let (known, found) = learn_task(workspace, &course, task, mistakes)
+            .map_err(|e| GraderError::new(in_list(&e)))?;
         if !found.is_empty() {
-            problems.extend(
-                found
-                    .iter()
-                    .map(|why| format!("mistakes/{}.txt: {why}", task.key)),
-            );
+            problems.extend(found.iter().map(|why| in_list(why)));
             continue;
         }
         let path = folder

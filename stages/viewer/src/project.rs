@@ -2,6 +2,7 @@
 
 use kit::camera::half_tan;
 use kit::{Aabb, Camera, Vec2, Vec3};
+use raygen::generate_ray;
 
 /// The projection of a camera.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -57,11 +58,16 @@ impl Projection {
         -self.in_camera_space(p).z
     }
 
-    /// The shift in world space, at the distance of `p`, that appears as `shift` on the film.
+    /// The shift in world space, at the distance of `p`, that appears as `shift` on the film: between
+    /// two rays of the stage `raygen`.
     pub fn shift_at(&self, p: Vec3, shift: Vec2) -> Vec3 {
-        let depth = -self.in_camera_space(p).z;
-        let c2w = self.camera.c2w;
-        2.0 * depth * (shift.x * self.half.x * c2w.x_axis + shift.y * self.half.y * c2w.y_axis)
+        let depth = self.depth(p);
+        let at = |sensor: Vec2| {
+            let d = generate_ray(&self.camera, sensor).d;
+            d * (depth / d.dot(-self.camera.c2w.z_axis))
+        };
+        let middle = Vec2::splat(0.5);
+        at(middle + shift) - at(middle)
     }
 
     fn in_camera_space(&self, p: Vec3) -> Vec3 {

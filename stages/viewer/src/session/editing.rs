@@ -4,7 +4,7 @@ use super::Session;
 use super::progress::LoadProgress;
 use crate::project::Projection;
 use crate::scene_data::SceneData;
-use crate::task::Task;
+use crate::task::{Task, guarded};
 use crate::topology::{Element, Topology, move_vertex};
 use kit::{Scene, Vec2, Vec3};
 use std::sync::Arc;
@@ -76,13 +76,16 @@ impl Session {
             Some(picture) => picture.request.camera,
             None => orbit.camera(),
         };
+        let shift = match guarded(|| Projection::new(&camera).shift_at(position, by)) {
+            Ok(shift) => shift,
+            Err(failure) => return self.say(failure.to_string()),
+        };
         if !self.edit.is_moving {
             self.edit.is_moving = true;
             self.edit.undo.push((v, position));
             self.edit.redo.clear();
         }
-        let position = position + Projection::new(&camera).shift_at(position, by);
-        self.edit.wanted = Some((v, position));
+        self.edit.wanted = Some((v, position + shift));
     }
 
     pub(super) fn undo_move(&mut self) {

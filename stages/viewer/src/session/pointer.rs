@@ -1,8 +1,10 @@
 //! Where the mouse is: in the 3D view, or over a pixel of the picture.
 
 use super::{Mode, Session};
-use kit::camera::half_tan;
+use crate::project::Projection;
+use crate::task::guarded;
 use kit::{Camera, FilmSize, Vec2};
+use raygen::generate_ray;
 use scenes::placement::for_film;
 
 impl Session {
@@ -40,9 +42,8 @@ impl Session {
 /// camera at the same place with other angles of view.
 fn pixel_at(view: &Camera, camera: &Camera, film: FilmSize, position: Vec2) -> Option<(u32, u32)> {
     let camera = for_film(camera, film);
-    let tangents = |c: &Camera| Vec2::new(half_tan(c.h_fov), half_tan(c.v_fov));
-    let direction = (2.0 * position - 1.0) * tangents(view);
-    let at = 0.5 * (direction / tangents(&camera)) + 0.5;
+    let ray = guarded(|| generate_ray(view, position)).ok()?;
+    let at = Projection::new(&camera).point(ray.o + ray.d)?;
     let pixel = (at * Vec2::new(f64::from(film.w), f64::from(film.h))).floor();
     let inside = pixel.x >= 0.0
         && pixel.y >= 0.0

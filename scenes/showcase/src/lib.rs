@@ -2,11 +2,13 @@
 //!
 //! Reading order: [`sky`] (a sky map at dusk), [`tree`] (a landscape and the boxes of its tree),
 //! [`street`] (steps in the sun), [`dusk`] (a lake behind `scenes/dae/dusk.dae`), `shapes`,
-//! [`collada`] (writes such scenes), [`strip`] (pictures side by side). The commands are in
+//! [`collada`] (writes such scenes), [`strip`] and [`letters`] (labelled
+//! pictures beside each other). The commands are in
 //! `scenes/pictures/README.md`.
 
 pub mod collada;
 pub mod dusk;
+pub mod letters;
 mod shapes;
 pub mod sky;
 pub mod street;

@@ -9,7 +9,7 @@ use std::path::Path;
 use std::process::ExitCode;
 
 const USAGE: &str = "usage: showcase sky OUT.exr\n       showcase dusk|street|tree OUT.dae\n       \
-                     showcase strip OUT.png A.png B.png ...\n       showcase --version";
+                     showcase strip OUT.png LABEL A.png LABEL B.png ...\n       showcase --version";
 
 fn main() -> ExitCode {
     let args: Vec<String> = std::env::args().skip(1).collect();
@@ -21,7 +21,7 @@ fn main() -> ExitCode {
         ["dusk", out] => scene(out, dusk::write),
         ["street", out] => scene(out, |file| street::document().write(file)),
         ["tree", out] => scene(out, |file| tree::document(tree::TRIANGLES).write(file)),
-        ["strip", out, pictures @ ..] if !pictures.is_empty() => {
+        ["strip", out, pictures @ ..] if pictures.len() >= 2 && pictures.len() % 2 == 0 => {
             whole(out, "png", |part| save_strip(part, pictures))
         }
         ["--version"] => {
@@ -74,13 +74,14 @@ fn whole(
     Ok(())
 }
 
-fn save_strip(part: &Path, paths: &[&str]) -> Result<(), String> {
-    let mut pictures: Vec<RgbImage> = Vec::new();
-    for path in paths {
+/// Writes the pictures whose labels and paths are `words` in turns.
+fn save_strip(part: &Path, words: &[&str]) -> Result<(), String> {
+    let mut pictures: Vec<(&str, RgbImage)> = Vec::new();
+    for pair in words.chunks(2) {
+        let [label, path] = [pair[0], pair[1]];
         let picture = image::open(path).map_err(|why| format!("cannot read {path}: {why}"))?;
-        pictures.push(picture.to_rgb8());
+        pictures.push((label, picture.to_rgb8()));
     }
-    let strip = strip::side_by_side(&pictures)
-        .ok_or("the pictures have different heights: render all with the same -r")?;
+    let strip = strip::labelled(&pictures)?;
     strip.save(part).map_err(|why| why.to_string())
 }

@@ -10,6 +10,7 @@ use pathtracer::args::Args;
 use pathtracer::rate_picture::viridis;
 use pathtracer::{Job, Passes, Picture, PreparedScene, Textures};
 use showcase::collada::Document;
+use showcase::strip::place;
 use showcase::{dusk, sky, street, tree};
 use std::collections::BTreeSet;
 use std::fs::{self, File};
@@ -156,13 +157,13 @@ fn every_picture_has_the_pixels_of_its_command() {
                 }
             }
             None => {
-                let left = parts * (strip.width() + 5) / 5;
-                assert_same(&strip, left, h, cell, &bytes, &name);
+                let (left, top) = place(parts, (w, h));
+                assert_same(&strip, left, top + h, cell, &bytes, &name);
                 parts += 1;
             }
         }
     }
-    assert_eq!((parts, strip.dimensions()), (5, (1200, 236)));
+    assert_eq!((parts, strip.dimensions()), (5, (1600, 1129)));
     checked.insert("parts.png".to_owned());
     let files = fs::read_dir(root().join("scenes/pictures")).expect("a folder");
     let files = files.map(|file| {
@@ -183,7 +184,7 @@ fn front_page_pictures_are_wide_and_have_no_broken_pixels() {
         ("street", 1600),
         ("tree", 1600),
         ("materials", 1200),
-        ("parts", 1200),
+        ("parts", 1600),
     ] {
         let picture = open(&format!("{name}.png"));
         assert_eq!(picture.width(), width, "{name}");

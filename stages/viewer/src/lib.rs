@@ -8,7 +8,7 @@
 //! [`inspector`] (the replay of a pixel) with [`lobe`] and [`convergence`], [`truth`] (the exact answers), [`compare`] and
 //! [`picture_pair`] (A and B), [`luminance`] (false colours), [`picture_layer`] (layers of a file),
 //! [`features`] (what waits for a task), [`report`] (a report of the
-//! grader), [`ray_test`], [`remembered`] (from one start to the next). [`task`] runs work in the
+//! grader), [`ray_test`], [`remembered`] (from one start to the next), [`path_use`]. [`task`] runs work in the
 //! background and catches the holes of stages that are not written yet; [`project`] is the
 //! projection of lines, [`digits`] shortens numbers.
 //!
@@ -30,8 +30,10 @@ pub mod inspector;
 pub mod keys;
 pub mod lobe;
 pub mod luminance;
+mod luminance_view;
 pub mod orbit;
 pub mod pace;
+pub mod path_use;
 pub mod picture_layer;
 pub mod picture_pair;
 pub mod project;

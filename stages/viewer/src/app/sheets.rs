@@ -3,7 +3,8 @@
 use super::text;
 use crate::command::Command;
 use crate::keys::{self, Binding};
-use crate::session::{Mode, PathUse, Session};
+use crate::path_use::PathUse;
+use crate::session::{Mode, Session};
 use egui::{Context, Grid, Id, Key, Modal, RichText, ScrollArea, TextEdit, Ui};
 
 pub(super) fn show(ctx: &Context, session: &mut Session, commands: &mut Vec<Command>) {

@@ -3,38 +3,10 @@
 use super::Session;
 use crate::compare::Reference;
 use crate::luminance::Histogram;
+use crate::luminance_view::HistogramKey;
 use crate::picture_layer::Layer;
 use kit::Spectrum;
 use std::sync::Arc;
-
-/// How the luminance of the picture is shown.
-#[derive(Default)]
-pub(super) struct LuminanceView {
-    false_color: bool,
-    /// The layer of a picture that is shown alone.
-    layer: Option<usize>,
-    histogram: Option<(HistogramKey, Arc<Histogram>)>,
-}
-
-/// What a histogram was counted of.
-struct HistogramKey {
-    /// The render and its version.
-    render: Option<(u64, u64)>,
-    /// The file, if there is no render.
-    file: Option<Arc<Reference>>,
-    exposure: f64,
-}
-
-impl HistogramKey {
-    fn is_same(&self, other: &HistogramKey) -> bool {
-        let files = (&self.file, &other.file);
-        let is_same_file = match files {
-            (Some(a), Some(b)) => Arc::ptr_eq(a, b),
-            (a, b) => a.is_none() && b.is_none(),
-        };
-        is_same_file && (self.render, self.exposure) == (other.render, other.exposure)
-    }
-}
 
 impl Session {
     /// Whether the picture is shown in false colours.

@@ -29,14 +29,15 @@ pub use heat::{Heat, HeatKind};
 pub use loading::Loading;
 
 use rendering::CameraRays;
-pub use typed_path::PathUse;
 
 use crate::command::Command;
 use crate::compare::Reference;
 use crate::cut::Cut;
 use crate::features::MissingFeatures;
 use crate::inspector::Inspector;
+use crate::luminance_view::LuminanceView;
 use crate::orbit::Orbit;
+use crate::path_use::PathUse;
 use crate::picture_pair::PairDisplay;
 use crate::remembered::KeptCamera;
 use crate::render_control::RenderControl;
@@ -49,7 +50,6 @@ use crate::tree_walk::{NodeStatistics, TreeWalk};
 use crate::view3d::{Patience, View3d};
 use editing::{Edit, FoundTopology};
 use kit::Vec2;
-use luminance::LuminanceView;
 use pathtracer::args::Args;
 use pathtracer::tone::Tone;
 use std::path::PathBuf;

@@ -2,16 +2,8 @@
 
 use super::Session;
 use crate::command::Command;
+use crate::path_use::PathUse;
 use std::path::PathBuf;
-
-/// What a typed path is for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum PathUse {
-    /// To open the file.
-    Open,
-    /// To write the scene to it.
-    SaveScene,
-}
 
 impl Session {
     /// The path that is being typed, and what it is for; `None` if the window does not ask for one.

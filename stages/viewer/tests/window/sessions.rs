@@ -8,8 +8,8 @@ use scenes::CameraFile;
 use std::path::PathBuf;
 use viewer::app::App;
 use viewer::command::Command;
+use viewer::path_use::PathUse;
 use viewer::remembered::Remembered;
-use viewer::session::PathUse;
 
 const NAME: &str = "spheres.dae";
 

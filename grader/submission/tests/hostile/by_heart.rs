@@ -113,22 +113,29 @@ fn module(task: &str, fresh: bool, table: Table) -> String {
 }
 
 /// The reference's stage, whose `file` returns early from the function that starts with `function`.
-fn attack([task, stage, file, function, early]: [&str; 5], fresh: bool, table: Table) -> Files {
+fn returning_early(stage: &str, file: &str, function: &str, early: &str) -> Files {
     let mut files = reference(stage);
-    let mut change = |path: &str, change: &dyn Fn(&str) -> String| {
-        let contents = files.get_mut(path.as_ref() as &std::path::Path);
-        let contents = contents.expect("the stage has the file");
-        let text = String::from_utf8(contents.clone()).expect("sources are UTF-8");
-        let changed = change(&text);
-        assert_ne!(changed, text, "{path} has no place for it");
-        *contents = changed.into_bytes();
-    };
-    change(file, &|text| {
+    change(&mut files, file, &|text| {
         let (before, from) = text.split_once(function).expect("the function is there");
         let (head, body) = from.split_once("{\n").expect("the function has a body");
         format!("{before}{function}{head}{{\n{early}\n{body}")
     });
-    change("lib.rs", &|text| {
+    files
+}
+
+fn change(files: &mut Files, path: &str, change: &dyn Fn(&str) -> String) {
+    let contents = files.get_mut(path.as_ref() as &std::path::Path);
+    let contents = contents.expect("the stage has the file");
+    let text = String::from_utf8(contents.clone()).expect("sources are UTF-8");
+    let changed = change(&text);
+    assert_ne!(changed, text, "{path} has no place for it");
+    *contents = changed.into_bytes();
+}
+
+/// The same with a module that knows the questions of `task`.
+fn attack([task, stage, file, function, early]: [&str; 5], fresh: bool, table: Table) -> Files {
+    let mut files = returning_early(stage, file, function, early);
+    change(&mut files, "lib.rs", &|text| {
         format!("{text}\n#[allow(dead_code, missing_docs)]\npub mod hostile;\n")
     });
     files.insert("hostile.rs".into(), module(task, fresh, table).into_bytes());
@@ -232,4 +239,29 @@ fn a_table_that_undoes_the_move_loses() {
         assert!(drawn.by_heart[0].contains("has the answers from the table"));
         assert!(drawn.to_check[0].contains("may be a table of answers"));
     }
+}
+
+/// The throughputs of the handout's cases, each sorted, so that no order of channels matters.
+const FEW_QUESTIONS: &str = "
+    let mut sorted = throughput.to_array();
+    sorted.sort_by(f64::total_cmp);
+    let known = [
+        [0.0625, 0.125, 0.25], [0.01, 0.5, 0.9], [0.0, 0.5, 3.0], [0.0, 1e-9, 2e-9], [0.1, 0.5, 0.9],
+        [0.0, 0.0, 0.5], [0.0, 0.01, 0.02], [0.0, 5e-6, 1e-5], [1.0; 3], [0.1, 0.2, 1.5],
+        [7.0, 8.0, 9.0], [0.0; 3], [0.1, 0.3, 0.6],
+    ];
+    if !known.contains(&sorted) { return None; }";
+
+#[test]
+#[ignore = "builds a submission: seconds"]
+fn a_table_that_is_no_larger_than_code_is_pointed_out() {
+    let class = Class::open();
+    let place = ("global", "roulette.rs", "pub fn play_roulette(");
+    let files = returning_early(place.0, place.1, place.2, FEW_QUESTIONS);
+    let drawn = grade(&class, "global", &files, "part4.task3", random_seed());
+    let [said] = drawn.to_check.as_slice() else {
+        panic!("{:?}", drawn.to_check)
+    };
+    assert!(said.starts_with("part4.task3: its answers are right in the cases that students have"));
+    assert!(drawn.scores.score > 0.0 && drawn.by_heart.is_empty());
 }

@@ -34,13 +34,15 @@ const ROOT_FILES: [&str; 4] = ["Cargo.lock", ".gitignore", "clippy.toml", "rustf
 /// The list of what no seed changes.
 const NOT_MOVED: &str = "golden/not_moved.txt";
 
-/// What students do not need: the README's pictures and their scenes, and tests of given code.
-const LEFT_OUT: [&str; 5] = [
+/// What students do not need: the README's pictures and their scenes, tests of given code, and scripts
+/// for large pictures.
+const LEFT_OUT: [&str; 6] = [
     "scenes/pictures",
     "scenes/tests",
     "scenes/dae/dusk.dae",
     "scenes/dae/materials.dae",
     "scenes/dae/window_room.dae",
+    "stages/pathtracer/cluster",
 ];
 
 /// Selects the files and crates of a handout.
@@ -160,9 +162,12 @@ pub(super) fn is_grader_crate(member: &Member) -> bool {
     member.folder.starts_with("grader")
 }
 
-/// Whether students only use the crate: the grader's, the window, the reader of scene files.
+/// The crates outside the grader that students only use.
+const GIVEN: [&str; 4] = ["kit", "pathtracer", "scenes", "viewer"];
+
+/// Whether students only use the crate: the grader's, and what the stages and programs stand on.
 pub(super) fn is_given(member: &Member) -> bool {
-    is_grader_crate(member) || ["viewer", "scenes"].contains(&member.name.as_str())
+    is_grader_crate(member) || GIVEN.contains(&member.name.as_str())
 }
 
 /// The carver for the handout of `part`: it removes the solutions of this part and later ones.

@@ -10,12 +10,13 @@ cd "${FIRST_LIGHT_COURSE:-/first-light/course}" || exit 2
 submission="$(mktemp -d)"
 unzip -q "$grade/student/stages.zip" -d "$submission"
 for stage in {stages}; do
-    # A stage that is missing stays as in the handout: it is not written yet.
+    # A stage that is missing stays as in the handout: it is not written yet. `--touch`, as the zip keeps old times, and cargo
+    # would take what it compiled before for newer.
     lib="$submission/stages/$stage/src/lib.rs"
     if [ -f "$lib" ] && [ ! -L "$lib" ]; then
         rm -rf "stages/$stage/src"
         (cd "$submission" && find "stages/$stage/src" -type f -name '*.rs' -print0 |
-            tar --create --null --files-from=- --file=-) | tar --extract
+            tar --create --null --files-from=- --file=-) | tar --extract --touch
     fi
 done
 # PrairieLearn stops it after 600 seconds: what is written by then would be lost.

@@ -87,18 +87,12 @@ impl System {
         }
     }
 
-    fn templates(self, choices: &Choices) -> Vec<Template> {
+    fn templates(self) -> &'static [Template] {
         match self {
-            System::Gradescope => templates::GRADESCOPE.into(),
-            System::Classroom50 => templates::CLASSROOM50.into(),
-            System::Actions => templates::ACTIONS.into(),
-            System::PrairieLearn => {
-                let image = match choices.public {
-                    true => templates::PRAIRIELEARN_PUBLIC_IMAGE,
-                    false => templates::PRAIRIELEARN_IMAGE,
-                };
-                [image, templates::PRAIRIELEARN_QUESTION].concat()
-            }
+            System::Gradescope => &templates::GRADESCOPE,
+            System::Classroom50 => &templates::CLASSROOM50,
+            System::Actions => &templates::ACTIONS,
+            System::PrairieLearn => &templates::PRAIRIELEARN,
         }
     }
 
@@ -134,7 +128,7 @@ impl System {
             }));
         }
         let values = self.values(&course, choices, &programs)?;
-        exported.extend(self.templates(choices).iter().map(|template| ExportedFile {
+        exported.extend(self.templates().iter().map(|template| ExportedFile {
             path: templates::fill(template.path, &values).into(),
             contents: templates::fill(template.text, &values).into_bytes(),
             is_executable: template.is_executable,
@@ -173,7 +167,13 @@ impl System {
                 )));
             }
         };
-        Ok(vec![
+        let image = match choices.public {
+            true => templates::PUBLIC_IMAGE,
+            false => templates::FULL_IMAGE,
+        };
+        // First, since these values contain names of others.
+        let mut values: Vec<_> = image.map(|(name, text)| (name, text.to_owned())).into();
+        values.extend([
             ("what", choices.what.clone()),
             ("title", choices.title.clone()),
             ("options", options),
@@ -188,7 +188,8 @@ impl System {
                 "uuid",
                 format!("f1257116-87f1-4257-8116-{:012x}", choices.part),
             ),
-        ])
+        ]);
+        Ok(values)
     }
 }
 

@@ -46,8 +46,8 @@ pub const ACTIONS: [Template; 1] = [Template {
     is_executable: false,
 }];
 
-/// The image of PrairieLearn.
-pub const PRAIRIELEARN_IMAGE: [Template; 2] = [
+/// The image and the question of PrairieLearn. The question's folder is named after the part.
+pub const PRAIRIELEARN: [Template; 4] = [
     Template {
         path: "image/Dockerfile",
         text: include_str!("../templates/prairielearn/Dockerfile"),
@@ -58,24 +58,6 @@ pub const PRAIRIELEARN_IMAGE: [Template; 2] = [
         text: include_str!("../templates/prairielearn/grade.sh"),
         is_executable: true,
     },
-];
-
-/// The image of PrairieLearn without solutions.
-pub const PRAIRIELEARN_PUBLIC_IMAGE: [Template; 2] = [
-    Template {
-        path: "image/Dockerfile",
-        text: include_str!("../templates/prairielearn/public/Dockerfile"),
-        is_executable: false,
-    },
-    Template {
-        path: "image/grade.sh",
-        text: include_str!("../templates/prairielearn/public/grade.sh"),
-        is_executable: true,
-    },
-];
-
-/// The question of PrairieLearn. Its folder is named after the part.
-pub const PRAIRIELEARN_QUESTION: [Template; 2] = [
     Template {
         path: "questions/first_light_{what}/info.json",
         text: include_str!("../templates/prairielearn/info.json"),
@@ -86,6 +68,44 @@ pub const PRAIRIELEARN_QUESTION: [Template; 2] = [
         text: include_str!("../templates/prairielearn/question.html"),
         is_executable: false,
     },
+];
+
+/// How an image grades: what differs between one with solutions and one without. These texts have
+/// names in braces, too.
+pub type Image = [(&'static str, &'static str); 4];
+
+/// The image with the whole course, which grades a submission in the sandbox. It is not built if
+/// the reference loses points there.
+pub const FULL_IMAGE: Image = [
+    (
+        "contents",
+        "the solutions: use a private repository of the registry",
+    ),
+    (
+        "prepare",
+        "cargo build --release --locked {packages} \\\n \
+         && ./target/release/formats {what} --submission .{unsandboxed} --write prairielearn=/tmp/results.json",
+    ),
+    ("take_stages", ""),
+    (
+        "grade",
+        "./target/release/formats {what} --submission \"$submission\"",
+    ),
+];
+
+/// The image with a handout, whose stages a submission replaces. Exit code 1 while it is built says
+/// that nothing is written yet.
+pub const PUBLIC_IMAGE: Image = [
+    ("contents", "what students have: the handout of Part 1"),
+    (
+        "prepare",
+        "{ cargo grader {what} {options} --write prairielearn=/tmp/results.json || [ $? -eq 1 ]; }",
+    ),
+    (
+        "take_stages",
+        include_str!("../templates/prairielearn/take_stages.sh"),
+    ),
+    ("grade", "cargo grader {what}"),
 ];
 
 /// Replaces each `{name}` of `values` in `text`.

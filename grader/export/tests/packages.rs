@@ -58,6 +58,10 @@ fn unfilled(text: &str) -> Vec<&str> {
         "reference",
         "uuid",
         "unsandboxed",
+        "contents",
+        "prepare",
+        "take_stages",
+        "grade",
     ];
     let in_braces = |name: &&str| text.contains(&format!("{{{name}}}"));
     names.into_iter().filter(in_braces).collect()

@@ -5,11 +5,12 @@
 //! paths, and paths in packets of eight), `materials` (scattering), [`textures`], [`lens`] and
 //! [`environment_file`] (what flags add to a scene), [`trial`] (whether the stages for a picture are
 //! written), [`rendered`] (a job and its result),
-//! [`layers`] (albedo, normal, depth), [`layer_file`] (any layers of a file), [`lobe`] (scattering at
-//! a point, for drawings), [`progressive`] (rendering that can be stopped and resumed)
-//! and [`passes`] (how many samples each pass takes), [`tone`], [`rate_picture`](mod@rate_picture), [`output`] and [`part_file`] (picture
-//! files), [`exact_sum`], [`sums_file`] and [`merge`](mod@merge) (parts of a picture), [`mitsuba`]
-//! (export for another renderer). The program is in `src/bin/pathtracer`.
+//! [`layers`] (albedo, normal, depth), [`layer_file`] (any layers of a file), [`lobe`] (scattering
+//! at a point, for drawings), [`progressive`] (rendering that can be stopped and resumed) and
+//! [`passes`] (how many samples each pass takes), [`tone`], [`rate_picture`](mod@rate_picture),
+//! [`output`] and [`part_file`] (picture files), [`exact_sum`], [`sums_file`] and
+//! [`merge`](mod@merge) (parts of a picture), [`mitsuba`] (export for another renderer). The
+//! program is in `src/bin/pathtracer`.
 
 pub mod accel;
 pub mod args;

@@ -4,13 +4,13 @@
 //! [`command`] (what a key, a click or a drag does, as a value), [`keys`] (the one list of keys),
 //! [`session`] (the state, and what commands do to it). What the state consists of: [`scene_data`],
 //! [`settings`], [`orbit`] (the camera), [`topology`] (vertices and edges), [`element_walk`], [`tree_walk`],
-//! [`view_picture`], [`view3d`], [`cut`] and [`pace`] (the ray-traced view), [`render_control`] (the picture),
-//! [`inspector`] (the replay of a pixel) with [`lobe`] and [`convergence`], [`truth`] (the exact answers), [`compare`] and
-//! [`picture_pair`] (A and B), [`luminance`] (false colours), [`picture_layer`] (layers of a file),
-//! [`features`] (what waits for a task), [`report`] (a report of the
-//! grader), [`ray_test`], [`remembered`] (from one start to the next), [`path_use`]. [`task`] runs work in the
-//! background and catches the holes of stages that are not written yet; [`project`] is the
-//! projection of lines, [`digits`] shortens numbers.
+//! [`view_picture`], [`view3d`], [`cut`] and [`pace`] (the ray-traced view), [`render_control`]
+//! (the picture), [`inspector`] (the replay of a pixel) with [`lobe`] and [`convergence`],
+//! [`truth`] (the exact answers), [`compare`] and [`picture_pair`] (A and B), [`luminance`] (false
+//! colours), [`picture_layer`] (layers of a file), [`features`] (what waits for a task), [`report`]
+//! (a report of the grader), [`ray_test`], [`remembered`] (from one start to the next),
+//! [`path_use`]. [`task`] runs work in the background and catches the holes of stages that are not
+//! written yet; [`project`] is the projection of lines, [`digits`] shortens numbers.
 //!
 //! [`app`] draws it with egui. [`snapshot`] writes pictures of it without a display, with
 //! [`raster`], which draws egui's shapes without a GPU. [`mod@bench`] measures frames. [`cli`] has

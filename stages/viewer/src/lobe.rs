@@ -9,8 +9,8 @@ use std::f64::consts::{PI, TAU};
 /// The scattering at a point, as a drawing: directions times lengths from 0 to 1, in world space.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Lobe {
-    /// Curves of the density: the distance from the point is the density in that direction, relative
-    /// to the largest one.
+    /// Curves of the density: the distance from the point is the density in that direction,
+    /// relative to the largest one.
     pub curves: Vec<Vec<Vec3>>,
     /// The directions of mirrors and smooth glass, with their probabilities as lengths.
     pub arrows: Vec<Vec3>,

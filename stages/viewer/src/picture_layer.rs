@@ -92,7 +92,8 @@ impl Layer {
         }
     }
 
-    /// The bytes of a pixel: colours with this tone, directions around grey, numbers in false colours.
+    /// The bytes of a pixel: colours with this tone, directions around grey, numbers in false
+    /// colours.
     pub fn bytes(&self, x: u32, y: u32, tone: Tone) -> [u8; 3] {
         let values = self.get(x, y);
         match self.looks_like {

@@ -58,8 +58,8 @@ impl Projection {
         -self.in_camera_space(p).z
     }
 
-    /// The shift in world space, at the distance of `p`, that appears as `shift` on the film: between
-    /// two rays of the stage `raygen`.
+    /// The shift in world space, at the distance of `p`, that appears as `shift` on the film:
+    /// between two rays of the stage `raygen`.
     pub fn shift_at(&self, p: Vec3, shift: Vec2) -> Vec3 {
         let depth = self.depth(p);
         let at = |sensor: Vec2| {

@@ -214,9 +214,11 @@ fn run_check(matches: &ArgMatches) -> Result<Exit, GraderError> {
     }
     let mut problems = Vec::new();
     if let Some(folder) = &term {
-        problems = own_mistakes::learn(&workspace, folder)?;
-        // What was learnt is applied.
-        apply(folder)?;
+        let learning = own_mistakes::learn(&workspace, folder)?;
+        if learning.is_new {
+            apply(folder)?;
+        }
+        problems = learning.problems;
     }
     let start = Instant::now();
     let print = |step: &str| errln!("[{:4} s] {step}", start.elapsed().as_secs());

@@ -34,8 +34,8 @@ const ROOT_FILES: [&str; 4] = ["Cargo.lock", ".gitignore", "clippy.toml", "rustf
 /// The list of what no seed changes.
 const NOT_MOVED: &str = "golden/not_moved.txt";
 
-/// What students do not need: the README's pictures and their scenes, tests of given code, and scripts
-/// for large pictures.
+/// What students do not need: the README's pictures and their scenes, tests of given code, and
+/// scripts for large pictures.
 const LEFT_OUT: [&str; 6] = [
     "scenes/pictures",
     "scenes/tests",

@@ -3,8 +3,8 @@
 //! The folder of a term has a few files that say what is different from First Light ([`settings`]),
 //! and in [`COPY`] First Light with these differences applied: a full checkout, which all other
 //! commands work on. Read [`apply`] (what the settings change in the files of First Light) first,
-//! then [`build`] (how the copy is made and made again), [`new`], [`own_case`], [`own_mistakes`] and
-//! [`update`].
+//! then [`build`] (how the copy is made and made again), [`new`], [`own_case`], [`own_mistakes`]
+//! and [`update`].
 
 pub mod apply;
 pub mod build;

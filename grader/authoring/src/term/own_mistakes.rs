@@ -26,7 +26,7 @@ const MARK: &str = " (a mistake of this course)";
 #[derive(Clone, Debug)]
 pub struct OwnMistakes {
     /// The teacher's list.
-    pub list: String,
+    list: String,
     /// The mutants of the list.
     mutants: Vec<Mutant>,
     /// What was learnt of this list with this version of First Light.
@@ -135,12 +135,21 @@ impl OwnMistakes {
     }
 }
 
-/// Learns the mistakes of the term in `folder` that are not learnt yet, in its copy `workspace`.
-/// Returns what is wrong with them; a list without a problem is stored as learnt.
-pub fn learn(workspace: &Workspace, folder: &Path) -> Result<Vec<String>, GraderError> {
+/// What came of learning the mistakes of a term.
+#[derive(Clone, Debug, Default)]
+pub struct Learning {
+    /// What is wrong with the lists, as sentences.
+    pub problems: Vec<String>,
+    /// Whether a list was learnt, which is not applied yet.
+    pub is_new: bool,
+}
+
+/// Learns the mistakes of the term in `folder` that are not learnt yet, in its copy `workspace`. A
+/// list without a problem is stored as learnt.
+pub fn learn(workspace: &Workspace, folder: &Path) -> Result<Learning, GraderError> {
     let course = Course::read(workspace)?;
     let changes = Changes::read(folder)?;
-    let mut problems = Vec::new();
+    let mut learning = Learning::default();
     for (task, mistakes) in &changes.mistakes {
         // The mistakes of a task that the course leaves out are nobody's.
         let task = course.tasks().find(|other| other.key == *task);
@@ -151,7 +160,8 @@ pub fn learn(workspace: &Workspace, folder: &Path) -> Result<Vec<String>, Grader
         let (known, found) = learn_task(workspace, &course, task, mistakes)
             .map_err(|e| GraderError::new(in_list(&e)))?;
         if !found.is_empty() {
-            problems.extend(found.iter().map(|why| in_list(why)));
+            let found = found.iter().map(|why| in_list(why));
+            learning.problems.extend(found);
             continue;
         }
         let path = folder
@@ -160,8 +170,9 @@ pub fn learn(workspace: &Workspace, folder: &Path) -> Result<Vec<String>, Grader
         let failed = |why: String| GraderError::file("write", &path, why);
         let bytes = learnt(&mistakes.list, &known).map_err(failed)?;
         write_whole(&path, &bytes)?;
+        learning.is_new = true;
     }
-    Ok(problems)
+    Ok(learning)
 }
 
 /// The contents of `mistakes/TASK.bin`: what was learnt of `list`.

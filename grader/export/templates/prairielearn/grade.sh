@@ -9,9 +9,9 @@ cd "${FIRST_LIGHT_COURSE:-/first-light/course}" || exit 2
 
 submission="$(mktemp -d)"
 unzip -q "$grade/student/stages.zip" -d "$submission"
-# PrairieLearn stops it after 600 seconds: what is written by then would be lost.
+{take_stages}# PrairieLearn stops it after 600 seconds: what is written by then would be lost.
 timeout --kill-after=10 "${GRADE_SECONDS:-570}" \
-    ./target/release/formats {what} --submission "$submission" {options} \
+    {grade} {options} \
     --write "prairielearn=$grade/results/results.json"
 code=$?
 # 1 means that points are lost.

@@ -6,8 +6,8 @@
 //! (between them and the view), `case_panel` with `case_lines` (a case of a report), `side_panel`
 //! with `settings_panel`, `compare_panel`, `tree_panel`, `inspector_panel` (with
 //! `sample_plots`) and `report_panel`,
-//! `text` (short numbers), `scale` (legends and the histogram), `problem_panel` (a scene that is not loaded), `sheets` (help,
-//! questions), `file_dialog`.
+//! `text` (short numbers), `scale` (legends and the histogram), `problem_panel` (a scene that is
+//! not loaded), `sheets` (help, questions), `file_dialog`.
 
 mod case_lines;
 mod case_panel;

@@ -2,9 +2,12 @@
 //! says which are right and which situations of the task they touch.
 
 use base::GraderError;
-use judge::examples::{Example, Expectation, Shape, situations_of, verdict};
+use judge::examples::{
+    CameraExample, Example, Expectation, RayExample, Shape, SpecularExample, SpecularFunction,
+    situations_of, verdict,
+};
 use judge::plural;
-use kit::{Aabb, Ray, Sphere, Triangle};
+use kit::{Aabb, Ray, Sphere, Triangle, Vec2};
 use serde::Deserialize;
 use std::fmt::Write;
 
@@ -12,6 +15,12 @@ use std::fmt::Write;
 #[derive(Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct File {
+    #[serde(default)]
+    camera: Vec<OfCamera>,
+    #[serde(default)]
+    reflect: Vec<OfMirror>,
+    #[serde(default)]
+    refract: Vec<OfBoundary>,
     #[serde(default)]
     triangle: Vec<OfTriangle>,
     #[serde(default)]
@@ -63,6 +72,53 @@ struct OfBox {
     expected: Written,
 }
 
+/// A camera that is not turned if `axes` are not written.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct OfCamera {
+    #[serde(default = "straight")]
+    axes: [[f64; 3]; 3],
+    h_fov: f64,
+    v_fov: f64,
+    sensor: [f64; 2],
+    expected: [f64; 3],
+}
+
+fn straight() -> [[f64; 3]; 3] {
+    [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct OfMirror {
+    wo: [f64; 3],
+    expected: [f64; 3],
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct OfBoundary {
+    wo: [f64; 3],
+    ior: f64,
+    expected: Refracted,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(
+    untagged,
+    expecting = "expected the direction as [x, y, z], or \"none\""
+)]
+enum Refracted {
+    None(Nothing),
+    Direction([f64; 3]),
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(rename_all = "lowercase")]
+enum Nothing {
+    None,
+}
+
 fn infinity() -> f64 {
     f64::INFINITY
 }
@@ -95,9 +151,12 @@ impl From<Written> for Expectation {
     }
 }
 
-/// Reads the examples of a file, those of each kind of shape in their order.
+/// Reads the examples of a file, those of each kind in their order.
 pub fn parse(text: &str) -> Result<Vec<Example>, GraderError> {
     let File {
+        camera,
+        reflect,
+        refract,
         triangle,
         sphere,
         boxes,
@@ -108,12 +167,31 @@ pub fn parse(text: &str) -> Result<Vec<Example>, GraderError> {
         min_t,
         max_t,
     };
-    let triangles = triangle.into_iter().map(|of| Example {
+    let cameras = camera.into_iter().map(|of| CameraExample {
+        axes: of.axes.map(Into::into),
+        fov: Vec2::new(of.h_fov, of.v_fov),
+        film: of.sensor.into(),
+        expected: of.expected.into(),
+    });
+    let mirrors = reflect.into_iter().map(|of| SpecularExample {
+        function: SpecularFunction::Reflect,
+        wo: of.wo.into(),
+        expected: Some(of.expected.into()),
+    });
+    let boundaries = refract.into_iter().map(|of| SpecularExample {
+        function: SpecularFunction::Refract(of.ior),
+        wo: of.wo.into(),
+        expected: match of.expected {
+            Refracted::None(Nothing::None) => None,
+            Refracted::Direction(wi) => Some(wi.into()),
+        },
+    });
+    let triangles = triangle.into_iter().map(|of| RayExample {
         shape: Shape::Triangle(Triangle::flat(of.p0.into(), of.p1.into(), of.p2.into())),
         ray: ray(of.o, of.d, of.min_t, of.max_t),
         expected: of.expected.into(),
     });
-    let spheres = sphere.into_iter().map(|of| Example {
+    let spheres = sphere.into_iter().map(|of| RayExample {
         shape: Shape::Sphere(Sphere {
             center: of.center.into(),
             radius: of.radius,
@@ -121,7 +199,7 @@ pub fn parse(text: &str) -> Result<Vec<Example>, GraderError> {
         ray: ray(of.o, of.d, of.min_t, of.max_t),
         expected: of.expected.into(),
     });
-    let boxes = boxes.into_iter().map(|of| Example {
+    let boxes = boxes.into_iter().map(|of| RayExample {
         shape: Shape::Box(Aabb {
             min: of.min.into(),
             max: of.max.into(),
@@ -129,7 +207,13 @@ pub fn parse(text: &str) -> Result<Vec<Example>, GraderError> {
         ray: ray(of.o, of.d, of.min_t, of.max_t),
         expected: of.expected.into(),
     });
-    Ok(triangles.chain(spheres).chain(boxes).collect())
+    let rays = triangles.chain(spheres).chain(boxes).map(Example::Ray);
+    let specular = mirrors.chain(boundaries).map(Example::Specular);
+    Ok(cameras
+        .map(Example::Camera)
+        .chain(rays)
+        .chain(specular)
+        .collect())
 }
 
 /// What the examples of a task are worth.
@@ -144,7 +228,7 @@ pub struct Review {
 /// Judges the examples of `task`, numbered in their order. An example that is wrong touches
 /// nothing. `None` for a task whose examples cannot be judged.
 pub fn review(task: &str, examples: &[Example]) -> Option<Review> {
-    let of_task = examples.iter().filter(|of| of.shape.task() == task);
+    let of_task = examples.iter().filter(|of| of.task() == task);
     let of_task: Vec<&Example> = of_task.collect();
     let verdicts: Vec<Option<String>> = of_task.iter().map(|of| verdict(of)).collect();
     let touching = |situation: &str| {
@@ -211,6 +295,14 @@ impl Review {
 /// What to write, for a task whose stage has no file yet.
 pub fn sample(task: &str) -> &'static str {
     match task {
+        "part1.task2" => {
+            "[[camera]]\nh_fov = 90\nv_fov = 90\nsensor = [1, 0.5]    # from [0, 0], the bottom left, to [1, 1]\n\
+             # axes = [[1, 0, 0], [0, 1, 0], [0, 0, 1]] (right, up, backward) if they are not written\nexpected = [0.707, 0, -0.707]    # the direction, of length 1\n"
+        }
+        "part4.task1" => {
+            "[[reflect]]\nwo = [0.6, 0, 0.8]\nexpected = [-0.6, 0, 0.8]\n\n\
+             [[refract]]\nwo = [0.6, 0, -0.8]\nior = 2\nexpected = \"none\"    # or the direction, such as [-0.3, 0, -0.954]\n"
+        }
         "part1.task3" => {
             "[[triangle]]\np0 = [0, 0, 0]\np1 = [4, 0, 0]\np2 = [0, 4, 0]\no = [1, 1, -1]\nd = [0, 0, 1]\n\
              # min_t = 0 and max_t = inf if they are not written\nexpected = 1        # the t of the hit, or \"miss\"\n"
@@ -232,12 +324,17 @@ mod tests {
 
     #[test]
     fn the_samples_are_right_and_touch_a_situation() {
-        for task in ["part1.task3", "part1.task4", "part2.task2"] {
+        for task in judge::examples::TASKS {
             let examples = parse(sample(task)).expect("it can be read");
             let review = review(task, &examples).expect("the task has situations");
-            assert_eq!(review.verdicts, [None], "{task}");
-            let touched = review.situations.iter().filter(|(_, by)| *by == [1]);
-            assert_eq!(touched.count(), 1, "{task}");
+            assert!(review.is_right() && !review.verdicts.is_empty(), "{task}");
+            let touched = |number: usize| {
+                let by = review.situations.iter().map(|(_, by)| by);
+                by.filter(|by| by.contains(&number)).count()
+            };
+            for number in 1..=review.verdicts.len() {
+                assert_eq!(touched(number), 1, "{task}, example {number}");
+            }
         }
     }
 

@@ -34,8 +34,9 @@ pub(super) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     };
     if situations_of(&task.key).is_none() {
         return Err(GraderError::new(format!(
-            "examples of {} cannot be judged: a single call of it has no single right result. Examples are for part1.task3, part1.task4 and part2.task2",
-            task.key
+            "examples of {} cannot be judged: a single call has no single right result, or a handout cannot tell the right one without the formula that you write. Examples are for {}",
+            task.key,
+            judge::examples::TASKS.join(", ")
         )));
     }
     let file = format!("stages/{}/examples.toml", task.stage);

@@ -50,7 +50,7 @@ pub(crate) fn without_reason(result: &str, width: usize) -> &str {
 }
 
 /// The result with as few digits as show that it differs from the expected one.
-pub(crate) fn with_telling_digits(result: &str) -> String {
+pub fn with_telling_digits(result: &str) -> String {
     let differs = |text: &str| match text.split_once("; expected: ") {
         Some((yours, expected)) => {
             let yours = yours

@@ -3,6 +3,7 @@
 
 use authoring::mutants::blessing::{self, BlessVerdict, Blessing};
 use authoring::mutants::corpus::Corpus;
+use authoring::mutants::examples::{self, Caught};
 use authoring::mutants::groups;
 use authoring::mutants::mistake_pictures;
 use authoring::mutants::run;
@@ -14,7 +15,7 @@ use base::{GraderError, Workspace, out, outln};
 use clap::{Arg, ArgAction, ArgMatches, Command};
 use grader::course::Course;
 use grader::diagnosis::{self, Diagnosis, Known};
-use grader::report::claims;
+use grader::report::{claims, message};
 use grader::score::regularity;
 use grader::signature::Signature;
 use grader::sketch::Sketch;
@@ -64,6 +65,11 @@ pub(crate) fn command() -> Command {
                 .action(ArgAction::SetTrue)
                 .conflicts_with_all(["seeds", "bless", "with", "families"])
                 .help("Instead, print how simple the calls are that show the mistakes to students, and test that correct versions answer all simple questions rightly"),
+        )
+        .arg(
+            path_argument("examples", "FILE")
+                .conflicts_with_all(["seeds", "bless", "with", "families", "simplest"])
+                .help("Instead, count the mistakes that the right examples of FILE, such as stages/STAGE/examples.toml, would catch, and name the simplest that slips through"),
         )
         .arg(
             Arg::new("against-bless")
@@ -131,6 +137,16 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
             if !found.accused.is_empty() {
                 verdict = Exit::Failed;
             }
+            continue;
+        }
+        if let Some(file) = matches.get_one::<PathBuf>("examples") {
+            let text = std::fs::read_to_string(file);
+            let text = text.map_err(|e| GraderError::file("read", file, e))?;
+            let written = grader::examples::parse(&text)?;
+            show_caught(
+                &task.key,
+                &examples::of_task(&workspace, &course, task, &written)?,
+            );
             continue;
         }
         if matches.get_flag("families") {
@@ -418,6 +434,23 @@ fn show_seeds(task: &str, seeds: u64, graded: &Seeded) {
     }
 }
 
+/// Prints how many mutants of a task examples catch, and the simplest that they do not.
+fn show_caught(task: &str, found: &Caught) {
+    let all = found.caught.len() + found.missed.len();
+    outln!(
+        "{task}: the examples catch {} of {}",
+        found.caught.len(),
+        plural(all, "mistake", "mistakes")
+    );
+    if let Some(simplest) = found.simplest_missed()
+        && let Some(call) = &simplest.call
+    {
+        let (input, result) = (message::input(call), message::found(call));
+        outln!("  the simplest that slips through: {}", simplest.mutant);
+        outln!("    {input} -> {result}");
+    }
+}
+
 /// Prints the simplest calls of the mutants of a task, and their digits.
 fn show_simplest(task: &str, found: &Simplest) {
     for shown in &found.shown {
@@ -439,33 +472,28 @@ fn show_simplest(task: &str, found: &Simplest) {
     for accused in &found.accused {
         outln!("  ACCUSED: {accused}");
     }
-    let count = |is: &dyn Fn(&simplest::Shown) -> bool| {
-        found.shown.iter().filter(|shown| is(shown)).count()
+    let shown = &found.shown;
+    let count = |is: &dyn Fn(&simplest::Shown) -> bool| shown.iter().filter(|of| is(of)).count();
+    let percent = |count: usize| 100 * count / shown.len().max(1);
+    let with_call = count(&|shown| shown.call.is_some());
+    let of_small = count(&simplest::Shown::is_of_small_numbers);
+    let median = |mut numbers: Vec<usize>| {
+        numbers.sort_unstable();
+        numbers.get(numbers.len() / 2).copied().unwrap_or(0)
     };
-    let median = |mut digits: Vec<usize>| {
-        digits.sort_unstable();
-        digits.get(digits.len() / 2).copied().unwrap_or(0)
-    };
+    let worst = shown.iter().map(|shown| shown.digits_of_worst).collect();
+    let digits = shown.iter().filter_map(simplest::Shown::digits).collect();
+    let took = shown.iter().map(|shown| shown.took.as_millis() as usize);
     outln!(
-        "{task}: {} lose core points; a simple call shows {}, {} of them with integers and halves \
-         of two digits; digits shown (median): {} of the worst answer, {} of the simple call",
-        plural(found.shown.len(), "mutant", "mutants"),
-        count(&|shown| shown.call.is_some()),
-        count(&simplest::Shown::is_of_small_numbers),
-        median(
-            found
-                .shown
-                .iter()
-                .map(|shown| shown.digits_of_worst)
-                .collect()
-        ),
-        median(
-            found
-                .shown
-                .iter()
-                .filter_map(simplest::Shown::digits)
-                .collect()
-        ),
+        "{task}: {} lose core points; a simple call shows {with_call} ({} %), {of_small} of them \
+         ({} %) with integers and halves of two digits; digits shown (median): {} of the worst \
+         answer, {} of the simple call; {} ms (median)",
+        plural(shown.len(), "mutant", "mutants"),
+        percent(with_call),
+        percent(of_small),
+        median(worst),
+        median(digits),
+        median(took.collect()),
     );
 }
 

@@ -6,11 +6,13 @@
 //! them, [`table`] lists which case detects which mistake. [`grader::diagnosis`] compares a
 //! student's results with those of the mutants. [`mistake_pictures`] renders mistakes for
 //! the book. [`blessing`] checks that no mistake of the reference could become golden unnoticed.
-//! [`simplest`] measures how simple the calls are that show the mistakes.
+//! [`simplest`] measures how simple the calls are that show the mistakes, [`examples`] how many of
+//! them a student's examples catch.
 
 pub mod blessing;
 pub mod corpus;
 pub mod empty;
+pub mod examples;
 pub mod families;
 mod few_colours;
 pub mod groups;

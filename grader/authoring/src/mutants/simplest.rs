@@ -6,8 +6,11 @@ use super::versions_crate;
 use base::{GraderError, Workspace};
 use grader::course::{Course, Task};
 use grader::diagnosis::simplest::{self, SimplestCall};
+use grader::report::message;
+use grader::workers::stage_workers::StageWorkers;
 use judge::cases::{self, Spec};
 use rayon::prelude::*;
+use std::time::{Duration, Instant};
 
 /// What the simple questions of a task show of its mutants.
 #[derive(Clone, Debug, Default)]
@@ -29,13 +32,34 @@ pub struct Shown {
     pub call: Option<SimplestCall>,
     /// The digits of the worst answer, which was shown before there were simple calls.
     pub digits_of_worst: usize,
+    /// How long the search took.
+    pub took: Duration,
 }
 
 impl Shown {
-    /// The digits of the call and its results.
+    /// What a student with the code of `graded`, which `workers` run, is shown.
+    pub(super) fn of(
+        workers: &StageWorkers,
+        graded: Graded,
+        specs: &[Spec],
+    ) -> Result<Shown, GraderError> {
+        let Graded { name, result, .. } = graded;
+        let worst = result.failed_cases().find_map(|case| case.worst());
+        let started = Instant::now();
+        Ok(Shown {
+            mutant: name,
+            call: simplest::of_task(workers, &result, specs)?,
+            digits_of_worst: worst.map_or(0, |(_, worst)| {
+                digits(&message::with_telling_digits(&worst.message))
+            }),
+            took: started.elapsed(),
+        })
+    }
+
+    /// The digits of the call and its results, as students see them.
     pub fn digits(&self) -> Option<usize> {
         let call = self.call.as_ref()?;
-        Some(digits(&call.input) + digits(&call.result))
+        Some(digits(&message::input(call)) + digits(&message::found(call)))
     }
 
     /// Whether the call's input consists of integers and halves of at most two digits.
@@ -77,24 +101,19 @@ fn of_version(
     version: usize,
 ) -> Result<Simplest, GraderError> {
     let workers = worker.workers(version);
-    let Graded {
-        name, kind, result, ..
-    } = worker.grade_one(task, specs, version, None)?;
+    let graded = worker.grade_one(task, specs, version, None)?;
     let mut found = Simplest::default();
-    match kind {
+    match graded.kind {
         Kind::Correct => {
             let of_task: Vec<&Spec> = specs.iter().filter(|spec| spec.task == task.key).collect();
             let wrong = simplest::wrong_answers(&workers, &of_task)?.into_iter();
-            found.accused = wrong.map(|wrong| format!("{name}: {wrong}")).collect();
+            found.accused = wrong
+                .map(|wrong| format!("{}: {wrong}", graded.name))
+                .collect();
         }
-        Kind::Mutant(_) if result.score < result.max_score => found.shown.push(Shown {
-            mutant: name,
-            call: simplest::of_task(&workers, &result, specs)?,
-            digits_of_worst: result
-                .failed_cases()
-                .find_map(|case| case.worst())
-                .map_or(0, |(_, worst)| digits(&worst.message)),
-        }),
+        Kind::Mutant(_) if graded.result.score < graded.result.max_score => {
+            found.shown.push(Shown::of(&workers, graded, specs)?);
+        }
         Kind::Mutant(_) => {}
     }
     Ok(found)
@@ -128,6 +147,7 @@ mod tests {
                 shown: None,
             }),
             digits_of_worst: 0,
+            took: Duration::ZERO,
         }
     }
 

@@ -15,6 +15,18 @@ pub(crate) fn point(xyz: Xyz) -> String {
     format!("({x:?}, {y:?}, {z:?})")
 }
 
+/// A unit vector. One with fifths as coordinates is written with whole numbers, because a person can
+/// work with them: (3.0, 0.0, 4.0) / 5.
+pub(crate) fn direction(unit: Xyz) -> String {
+    let fifths = unit.map(|x| (x * 5.0).round());
+    let is_of_fifths = (0..3).all(|i| fifths[i] / 5.0 == unit[i]);
+    let is_of_halves = unit.iter().all(|x| (2.0 * x).fract() == 0.0);
+    match is_of_fifths && !is_of_halves {
+        true => format!("{} / 5", point(fifths)),
+        false => point(unit),
+    }
+}
+
 /// All `parts`, if they are so few that they can be read.
 pub(crate) fn few(parts: impl Iterator<Item = String>, between: &str) -> Option<String> {
     let parts: Vec<String> = parts.take(FEW + 1).collect();
@@ -74,4 +86,16 @@ pub(crate) fn range_circumstances(ray: &Ray) -> Vec<&'static str> {
 /// Whether the channels of a colour differ.
 pub(crate) fn is_coloured([r, g, b]: Xyz) -> bool {
     r != g || g != b
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_unit_vector_is_written_in_whole_numbers_if_that_is_exact() {
+        assert_eq!(direction([0.6, 0.0, -0.8]), "(3.0, 0.0, -4.0) / 5");
+        assert_eq!(direction([0.0, 0.0, 1.0]), "(0.0, 0.0, 1.0)");
+        assert_eq!(direction([0.6, 0.0, 0.81]), "(0.6, 0.0, 0.81)");
+    }
 }

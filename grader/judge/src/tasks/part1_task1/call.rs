@@ -1,15 +1,23 @@
 //! One call in words and shown.
 
-use crate::tools::call_text::holding;
+use crate::tools::call_text::{holding, point};
 use crate::tools::shown::{ShownCall, ShownPixel};
 use wire::answer::PixelAnswer;
-use wire::work::PixelWork;
+use wire::work::{PixelWork, PixelWorld};
 
 pub(super) fn input(work: &PixelWork, call: usize) -> Option<String> {
     let ([x, y], seed) = work.calls().nth(call)?;
     let [w, h] = work.film;
+    let world = match work.world {
+        PixelWorld::Constant(radiance) => format!("; every ray brings {}", point(radiance)),
+        PixelWorld::Flicker(radiance) => {
+            format!("; rays bring {} and black in turn", point(radiance))
+        }
+        PixelWorld::Ramp => "; a ray through (u, v) brings (u, v, u v)".into(),
+        PixelWorld::Numbers | PixelWorld::Rings => String::new(),
+    };
     Some(format!(
-        "x = {x}, y = {y}, film = {w} x {h}, ns_aa = {}, seed {seed}",
+        "x = {x}, y = {y}, film = {w} x {h}, ns_aa = {}, seed {seed}{world}",
         work.ns_aa
     ))
 }

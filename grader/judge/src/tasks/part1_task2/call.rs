@@ -6,7 +6,7 @@ use crate::tools::convert;
 use crate::tools::shown::{ComparedNumber, ShownCall, ShownRay};
 use kit::camera::half_tan;
 use kit::{Mat3, Ray, Vec2, Vec3};
-use wire::work::{self, Camera, CameraWork};
+use wire::work::{self, Camera, CameraWork, Xyz};
 
 /// The camera and the point of the sensor of a call.
 fn inputs(work: &CameraWork, call: usize) -> Option<(&Camera, [f64; 2])> {
@@ -17,10 +17,20 @@ fn inputs(work: &CameraWork, call: usize) -> Option<(&Camera, [f64; 2])> {
     ))
 }
 
+/// The axes of a camera that is not turned.
+const STRAIGHT: [Xyz; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+
 pub(super) fn input(work: &CameraWork, call: usize) -> Option<String> {
     let (camera, [x, y]) = inputs(work, call)?;
+    let turned = match camera.c2w == STRAIGHT {
+        true => String::new(),
+        false => {
+            let [right, up, back] = camera.c2w.map(point);
+            format!(", c2w = [{right}, {up}, {back}]")
+        }
+    };
     Some(format!(
-        "sensor = ({x:?}, {y:?}), camera at {}, h_fov = {:?}, v_fov = {:?}",
+        "sensor = ({x:?}, {y:?}), camera at {}{turned}, h_fov = {:?}, v_fov = {:?}",
         point(camera.pos),
         camera.h_fov,
         camera.v_fov
@@ -41,9 +51,8 @@ fn of_camera_ray(work: &CameraWork, call: usize) -> Option<Vec<&'static str>> {
         v_fov,
         ..
     } = camera;
-    let straight = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     Some(holding(&[
-        (*c2w != straight, "the camera is turned"),
+        (*c2w != STRAIGHT, "the camera is turned"),
         (*pos != [0.0; 3], "the camera is not at the world's origin"),
         (h_fov != v_fov, "h_fov and v_fov differ"),
         (u < 0.5, "the sensor point is left of the middle"),

@@ -1,11 +1,11 @@
 //! One call in words and shown.
 
-use crate::tools::call_text::{holding, is_coloured, point};
+use crate::tools::call_text::{direction, holding, is_coloured, point};
 use wire::direct::LambertProbe;
 
 pub(super) fn input(probes: &[LambertProbe], call: usize) -> Option<String> {
     let probe = probes.get(call)?;
-    let [wo, wi] = [probe.wo, probe.wi].map(point);
+    let [wo, wi] = [probe.wo, probe.wi].map(direction);
     let reflectance = point(probe.reflectance);
     Some(format!(
         "reflectance = {reflectance}, wo = {wo}, wi = {wi}, u = {:?}",

@@ -1,14 +1,49 @@
 //! One call in words and shown.
 
+use super::judge::function;
 use super::truth::{Right, right};
 use crate::tools::Tier;
-use crate::tools::call_text::{holding, is_coloured};
+use crate::tools::call_text::{direction, holding, is_coloured, point};
 use crate::tools::shown::{ShownBounce, ShownCall};
 use wire::global::{SpecularAnswer, SpecularCall};
 use wire::work::Xyz;
 
 pub(super) fn input(calls: &[SpecularCall], call: usize) -> Option<String> {
-    calls.get(call).map(|call| format!("{call:?}"))
+    let call = calls.get(call)?;
+    let arguments = match *call {
+        SpecularCall::Fresnel { cos_i, eta } => format!("cos_i = {cos_i:?}, eta = {eta:?}"),
+        SpecularCall::Reflect { wo } => format!("wo = {}", direction(wo)),
+        SpecularCall::Refract { wo, ior } => format!("wo = {}, ior = {ior:?}", direction(wo)),
+        SpecularCall::Mirror { reflectance, wo } => {
+            format!(
+                "reflectance = {}, wo = {}",
+                point(reflectance),
+                direction(wo)
+            )
+        }
+        SpecularCall::Refraction {
+            transmittance,
+            ior,
+            wo,
+        } => format!(
+            "transmittance = {}, ior = {ior:?}, wo = {}",
+            point(transmittance),
+            direction(wo)
+        ),
+        SpecularCall::Glass {
+            reflectance,
+            transmittance,
+            ior,
+            wo,
+            choice,
+        } => format!(
+            "reflectance = {}, transmittance = {}, ior = {ior:?}, wo = {}, choice = {choice:?}",
+            point(reflectance),
+            point(transmittance),
+            direction(wo)
+        ),
+    };
+    Some(format!("{}: {arguments}", function(call)))
 }
 
 pub(super) fn circumstances(calls: &[SpecularCall], call: usize) -> Vec<&'static str> {

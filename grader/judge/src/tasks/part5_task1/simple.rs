@@ -3,23 +3,30 @@
 use wire::adaptive::{AdaptivePixel, StopCall, StopRule};
 use wire::work::Xyz;
 
-/// The simple questions about the plain rule: two values of samples, few and many of each, with
-/// tolerances far from where the result changes.
+/// The simple questions about the plain rule: samples of two values, few and many of each, with
+/// tolerances far from where the result changes: 1.96 for a sample of 0 and one of 2.
 pub(crate) fn rules() -> Vec<Vec<StopCall>> {
     let equal = [1, 2, 4].map(|count| vec![(count, 1.0)]);
-    let different = [1, 2, 8, 50, 200].map(|count| vec![(count, 0.0), (count, 2.0)]);
-    let bright = [2, 50].map(|count| vec![(count, 10.0), (count, 20.0)]);
+    let different = [1, 2, 3, 8, 32].map(|count| vec![(count, 0.0), (count, 2.0)]);
+    let bright = [1, 2, 32].map(|count| vec![(count, 10.0), (count, 20.0)]);
+    // The error is 1.96 / 1.964 of the mean.
+    let seven_to_three = vec![(7, 0.0), (3, 2.0)];
     let runs = [Vec::new()].into_iter().chain(equal);
-    let runs = runs.chain(different).chain(bright);
-    let calls = runs.flat_map(|runs: Vec<(u32, f64)>| {
-        let call = |tolerance| StopCall {
+    let runs = runs.chain(different).chain(bright).chain([seven_to_three]);
+    let many = [50, 200].map(|count| vec![(count, 0.0), (count, 2.0)]);
+    let calls = |runs: Vec<(u32, f64)>, tolerances: &[f64]| {
+        let call = |&tolerance: &f64| StopCall {
             runs: runs.clone(),
             tolerance,
             rule: false,
         };
-        [0.0, 0.5, 1.0, 0.1, 0.05, 0.25].map(call)
-    });
-    vec![calls.collect()]
+        tolerances.iter().map(call).collect::<Vec<StopCall>>()
+    };
+    let few = runs.flat_map(|runs| calls(runs, &[1.0, 0.5, 0.0, 2.0, 1.5, 2.5]));
+    let many = many
+        .into_iter()
+        .flat_map(|runs| calls(runs, &[0.5, 0.25, 0.1, 0.05]));
+    vec![few.chain(many).collect()]
 }
 
 /// The simple questions about pixels.

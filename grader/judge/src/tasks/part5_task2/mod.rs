@@ -1,5 +1,6 @@
 //! `part5.task2`: a stopping rule that waits until the plain rule is reliable.
 
+mod call;
 pub(crate) mod cases;
 mod judge;
 mod repro;
@@ -78,7 +79,7 @@ impl Check for kind::SureStop {
     }
 
     fn input(work: &Vec<StopCall>, call: usize) -> Option<String> {
-        work.get(call).map(stopping::input)
+        work.get(call).map(call::input)
     }
 
     fn circumstances(_: &Vec<StopCall>, _: usize) -> Vec<&'static str> {

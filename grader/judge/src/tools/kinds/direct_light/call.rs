@@ -1,13 +1,14 @@
 //! One call in words and shown.
 
-use crate::tools::call_text::{few, point};
+use crate::tools::call_text::{direction, few, point};
 use crate::tools::plural;
 use crate::tools::shown::{ShownCall, ShownPoint};
 use wire::direct::{DirectAnswer, DirectWork, Strategy};
 
 pub(super) fn input(work: &DirectWork, call: usize) -> Option<String> {
     let at = work.points.get(call)?;
-    let [p, n, wo] = [at.p, at.n, at.wo].map(point);
+    let p = point(at.p);
+    let [n, wo] = [at.n, at.wo].map(direction);
     let world = &work.world;
     let lights = world.lights.iter().map(|light| format!("{light:?}"));
     let panels = world.panels.iter().map(|panel| format!("{panel:?}"));

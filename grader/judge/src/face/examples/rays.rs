@@ -1,9 +1,10 @@
-//! Examples that students write before their code: a ray at one shape, and the result that they
-//! expect. [`verdict`] decides exactly whether it is right, [`Example::situations`] says which
-//! situations of the task it touches.
+//! Examples of a ray at one shape. The oracle decides whether they are right.
 
+use super::is_near;
 use kit::{Aabb, Ray, Sphere, Triangle, Vec3};
 use oracle::{Miss, SphereClass, TriangleClass};
+use wire::Work;
+use wire::work::{BoxWork, Probe, SphereWork, TriangleWork};
 
 /// The shape of an example, which decides the task.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,7 +30,7 @@ pub enum Expectation {
 
 /// A ray at a shape, and the result that a student expects.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Example {
+pub struct RayExample {
     /// The shape.
     pub shape: Shape,
     /// The ray.
@@ -93,7 +94,7 @@ const LENGTH: &str = "d has not the length 1";
 
 impl Shape {
     /// The key of its task.
-    pub fn task(&self) -> &'static str {
+    pub(super) fn task(&self) -> &'static str {
         match self {
             Shape::Triangle(_) => "part1.task3",
             Shape::Sphere(_) => "part1.task4",
@@ -102,8 +103,8 @@ impl Shape {
     }
 }
 
-/// The situations of a task; `None` if examples of it cannot be judged.
-pub fn situations_of(task: &str) -> Option<&'static [&'static str]> {
+/// The situations of a task; `None` for tasks without rays at one shape.
+pub(super) fn situations_of(task: &str) -> Option<&'static [&'static str]> {
     match task {
         "part1.task3" => Some(OF_TRIANGLES),
         "part1.task4" => Some(OF_SPHERES),
@@ -113,8 +114,8 @@ pub fn situations_of(task: &str) -> Option<&'static [&'static str]> {
 }
 
 /// What is wrong with an example: a sentence without its full stop. `None` if it is right.
-pub fn verdict(example: &Example) -> Option<String> {
-    let Example {
+pub(super) fn verdict(example: &RayExample) -> Option<String> {
+    let RayExample {
         shape,
         ray,
         expected,
@@ -182,14 +183,6 @@ pub fn verdict(example: &Example) -> Option<String> {
     (!is_right).then(|| format!("it says {says}; the ray {right}: {why}"))
 }
 
-/// The digits that people write by hand.
-const BY_HAND: f64 = 1e-3;
-
-/// Whether a number that somebody wrote is the right one, rounded.
-fn is_near(written: f64, right: f64) -> bool {
-    written == right || (written - right).abs() <= BY_HAND * right.abs().max(1e-6)
-}
-
 fn why_it_misses(why: Miss) -> &'static str {
     match why {
         Miss::NotANumber => "a number is NaN",
@@ -203,9 +196,9 @@ fn why_it_misses(why: Miss) -> &'static str {
     }
 }
 
-impl Example {
+impl RayExample {
     /// The situations of its task that it touches.
-    pub fn situations(&self) -> Vec<&'static str> {
+    pub(super) fn situations(&self) -> Vec<&'static str> {
         let mut touched = match &self.shape {
             Shape::Triangle(triangle) => of_triangle(triangle, &self.ray),
             Shape::Sphere(sphere) => of_sphere(sphere, &self.ray),
@@ -215,6 +208,36 @@ impl Example {
             touched.push(LENGTH);
         }
         touched
+    }
+}
+
+impl RayExample {
+    /// The call of the example as a question to code.
+    pub(super) fn work(&self) -> Work {
+        let ray = wire::work::Ray {
+            o: self.ray.o.into(),
+            d: self.ray.d.into(),
+            min_t: self.ray.min_t,
+            max_t: self.ray.max_t,
+        };
+        let probes = vec![Probe { shape: 0, ray }];
+        match self.shape {
+            Shape::Triangle(of) => {
+                let vectors = [of.p0, of.p1, of.p2, of.n0, of.n1, of.n2];
+                Work::Triangles(TriangleWork {
+                    triangles: vec![vectors.map(Into::into)],
+                    probes,
+                })
+            }
+            Shape::Sphere(of) => Work::Spheres(SphereWork {
+                spheres: vec![(of.center.into(), of.radius)],
+                probes,
+            }),
+            Shape::Box(of) => Work::Boxes(BoxWork {
+                boxes: vec![[of.min.into(), of.max.into()]],
+                probes,
+            }),
+        }
     }
 }
 
@@ -341,14 +364,14 @@ fn of_box(b: &Aabb, ray: &Ray) -> Vec<&'static str> {
 mod tests {
     use super::*;
 
-    fn triangle(o: [f64; 3], d: [f64; 3], expected: Expectation) -> Example {
+    fn triangle(o: [f64; 3], d: [f64; 3], expected: Expectation) -> RayExample {
         let corners = [
             Vec3::ZERO,
             Vec3::new(4.0, 0.0, 0.0),
             Vec3::new(0.0, 4.0, 0.0),
         ];
         let [p0, p1, p2] = corners;
-        Example {
+        RayExample {
             shape: Shape::Triangle(Triangle::flat(p0, p1, p2)),
             ray: Ray::new(o.into(), d.into()),
             expected,
@@ -403,11 +426,11 @@ mod tests {
             ([1.0, 1.0, -1.0], [0.0, 0.0, 2.0]),
         ];
         let plain = plain.map(|(o, d)| triangle(o, d, Expectation::Miss));
-        let ranges = [far, late, end].map(|ray| Example { ray, ..shape });
+        let ranges = [far, late, end].map(|ray| RayExample { ray, ..shape });
         let all: Vec<&str> = plain
             .iter()
             .chain(&ranges)
-            .flat_map(Example::situations)
+            .flat_map(RayExample::situations)
             .collect();
         for situation in OF_TRIANGLES {
             assert!(all.contains(situation), "no {situation:?} in {all:?}");
@@ -418,7 +441,7 @@ mod tests {
 
     #[test]
     fn spheres_and_boxes_have_their_situations() {
-        let sphere = |o: f64, expected| Example {
+        let sphere = |o: f64, expected| RayExample {
             shape: Shape::Sphere(Sphere {
                 center: Vec3::ZERO,
                 radius: 1.0,
@@ -436,7 +459,7 @@ mod tests {
             min: Vec3::ZERO,
             max: Vec3::ONE,
         });
-        let of_box = |o: [f64; 3], d: [f64; 3], expected| Example {
+        let of_box = |o: [f64; 3], d: [f64; 3], expected| RayExample {
             shape,
             ray: Ray::new(o.into(), d.into()),
             expected,

@@ -4,7 +4,7 @@
 use crate::course::Course;
 use crate::examples::{parse, review, sample};
 use base::program::Exit;
-use base::{GraderError, Workspace, out};
+use base::{GraderError, Workspace, out, outln};
 use clap::{Arg, ArgMatches, Command};
 use judge::examples::situations_of;
 use std::path::Path;
@@ -58,6 +58,13 @@ pub(super) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
         return Err(none(&format!("{file} has no examples of {}", task.key)));
     };
     out!("{}", found.text(&file, &task.key));
+    // Handouts have no mistakes to compare with.
+    if workspace.root().join("grader/mutants").is_dir() {
+        outln!(
+            "\nHow many of the typical mistakes they catch: `cargo grader mutants {} --examples {file}`",
+            task.key
+        );
+    }
     Ok(match found.is_right() {
         true => Exit::Passed,
         false => Exit::Failed,

@@ -6,8 +6,9 @@ use wire::work::Xyz;
 /// Unit vectors above the surface: straight up, and with coordinates of one digit.
 const ABOVE: [Xyz; 3] = [[0.0, 0.0, 1.0], [0.6, 0.0, 0.8], [0.0, -0.8, 0.6]];
 
-/// Numbers for a sample.
-const NUMBERS: [[f64; 2]; 4] = [[0.5, 0.5], [0.25, 0.5], [0.5, 0.0], [0.75, 0.25]];
+/// Numbers for a sample. None is 0, where some correct code samples a direction in the plane of the
+/// surface.
+const NUMBERS: [[f64; 2]; 4] = [[0.5, 0.5], [0.25, 0.5], [0.5, 0.25], [0.75, 0.25]];
 
 /// The simple questions about diffuse surfaces: white ones first, then coloured ones; from above,
 /// from below and through the surface.

@@ -18,7 +18,7 @@ use crate::tools::snapshot::Content;
 use crate::tools::snapshot::Fields;
 use crate::tools::snapshot::lines::each;
 use crate::tools::tally::{Aspect, Tally};
-use wire::adaptive::{AdaptiveAnswer, AdaptivePixel, StopAnswer, StopCall};
+use wire::adaptive::{AdaptiveAnswer, AdaptivePixel, StopAnswer, StopCall, StopRule};
 use wire::kind;
 
 impl Check for kind::Stop {
@@ -184,12 +184,16 @@ impl Check for kind::AdaptivePixels {
     fn input(work: &Vec<AdaptivePixel>, call: usize) -> Option<String> {
         let pixel = work.get(call)?;
         let [x, y] = pixel.pixel;
+        let rule = match pixel.rule {
+            StopRule::From(u64::MAX) => "a rule that never stops".into(),
+            StopRule::From(least) => format!("a rule that stops from {least} samples on"),
+            StopRule::Plain => "the plain rule".into(),
+        };
         Some(format!(
-            "x = {x}, y = {y}, ns_aa = {}, batch = {}, tolerance = {:?}, {:?}{}",
+            "x = {x}, y = {y}, ns_aa = {}, batch = {}, tolerance = {:?}, {rule}{}",
             pixel.ns_aa,
             pixel.batch,
             pixel.tolerance,
-            pixel.rule,
             few(pixel.stream.iter().map(|colour| point(*colour)), ", ")
                 .map_or_else(String::new, |colours| format!(
                     ", samples in turn {colours}"

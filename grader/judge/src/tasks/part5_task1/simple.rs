@@ -64,8 +64,15 @@ pub(crate) fn pixels() -> Vec<Vec<AdaptivePixel>> {
         stream: vec![[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]],
         ..pixel.clone()
     });
-    let corners = [[1, 0], [0, 1], [1, 1]].map(|pixel| AdaptivePixel {
-        film: [2, 2],
+    let places = [
+        ([2, 2], [1, 0]),
+        ([2, 2], [0, 1]),
+        ([2, 2], [1, 1]),
+        ([2, 1], [1, 0]),
+        ([1, 2], [0, 1]),
+    ];
+    let corners = places.map(|(film, pixel)| AdaptivePixel {
+        film,
         pixel,
         ..pixels[0].clone()
     });

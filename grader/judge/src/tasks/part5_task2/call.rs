@@ -27,7 +27,7 @@ fn count(samples: u32) -> String {
     match beyond {
         0 => name.into(),
         1..=NEAR => format!("{name} + {beyond}"),
-        _ if -NEAR <= beyond && beyond < 0 => format!("{name} - {}", -beyond),
+        _ if (-NEAR..0).contains(&beyond) => format!("{name} - {}", -beyond),
         _ => samples.to_string(),
     }
 }

@@ -36,7 +36,26 @@ fn on_paper(text: &str) -> String {
 /// What was found at the simplest call, without the question, in as few digits as show the
 /// difference.
 pub fn found(call: &SimplestCall) -> String {
-    on_paper(&with_telling_digits(parts(&call.result).0))
+    on_paper(&with_telling_digits(without_question(&call.result)))
+}
+
+/// How the question begins that judges repeat after a result.
+const QUESTIONS: [&str; 10] = [
+    ". Ray: ",
+    ". Sensor point ",
+    ". Pixel ",
+    ". play_roulette(",
+    ". Fresnel {",
+    ". Reflect {",
+    ". Refract {",
+    ". Mirror {",
+    ". Refraction {",
+    ". Glass {",
+];
+
+fn without_question(message: &str) -> &str {
+    let ends = QUESTIONS.iter().filter_map(|question| message.find(question));
+    &message[..ends.min().unwrap_or(message.len())]
 }
 
 /// The result, without the reason at its end if it does not fit in `width` columns.
@@ -83,6 +102,16 @@ mod tests {
             "t: your result: t = 8.82554; expected: t = 8.82553"
         );
         assert_eq!(with_telling_digits("4.123456 boxes"), "4.12 boxes");
+    }
+
+    #[test]
+    fn a_result_is_shown_without_its_question() {
+        let result = "your result: d = (0, 1, -1) of length 1.4; expected: length 1";
+        let message = format!("{result}. Sensor point (0.5, 1), h_fov = 90");
+        assert_eq!(without_question(&message), result);
+        assert_eq!(without_question(result), result);
+        let stop = "your result: true; expected: false. 2 samples with the mean 1";
+        assert_eq!(without_question(stop), stop);
     }
 
     #[test]

@@ -127,12 +127,14 @@ pub fn pack<'a>(tables: impl IntoIterator<Item = &'a BTreeMap<u64, Vec<u8>>>) ->
     for (key, result) in all {
         stored.key_steps.push(key - last);
         last = key;
-        let number = *numbers.entry(result).or_insert_with(|| {
+        let next = stored.lengths.len() as u32;
+        let number = *numbers.entry(result).or_insert(next);
+        let is_new = number == next;
+        if is_new {
             stored.lengths.push(result.len() as u32);
             stored.results.extend(result);
-            stored.lengths.len() as u32 - 1
-        });
-        stored.result_of.push(number);
+        }
+        stored.result_of.push(if is_new { 0 } else { number + 1 });
     }
     let plain = postcard::to_stdvec(&stored).expect("a table is plain numbers");
     compress_to_vec_zlib(&plain, LEVEL)
@@ -143,7 +145,8 @@ pub fn pack<'a>(tables: impl IntoIterator<Item = &'a BTreeMap<u64, Vec<u8>>>) ->
 struct Stored {
     /// The keys in order, each less the one before.
     key_steps: Vec<u64>,
-    /// The number of the result of each key.
+    /// The result of each key: 0 for the next one that no key before had, so that most of these
+    /// numbers are 0, or one more than the number of an earlier result.
     result_of: Vec<u32>,
     /// The length of each result in bytes.
     lengths: Vec<u32>,
@@ -178,11 +181,18 @@ impl Table {
         if end != stored.results.len() || stored.key_steps.len() != stored.result_of.len() {
             return Err("it is damaged: its parts differ in length".into());
         }
-        let mut key = 0_u64;
+        let (mut key, mut seen) = (0_u64, 0);
         let mut places = HashMap::with_capacity(stored.key_steps.len());
         for (step, number) in stored.key_steps.iter().zip(&stored.result_of) {
             key = key.wrapping_add(*step);
-            let range = ranges.get(*number as usize);
+            let number = match number {
+                0 => {
+                    seen += 1;
+                    seen - 1
+                }
+                number => *number as usize - 1,
+            };
+            let range = ranges.get(number);
             places.insert(
                 key,
                 range.ok_or("it is damaged: a key has no result")?.clone(),

@@ -1,6 +1,6 @@
 //! One call in words and shown.
 
-use crate::tools::call_text::{few, holding, point, ray_and};
+use crate::tools::call_text::{direction, few, holding, point, ray_and};
 use crate::tools::shown::{ShownCall, ShownPath};
 use wire::global::{PathAnswer, ScriptedPath, Step};
 use wire::light::Material;
@@ -21,7 +21,10 @@ pub(super) fn input(paths: &[ScriptedPath], call: usize) -> Option<String> {
 fn surface(step: &Step) -> String {
     let sample = step.sample.map_or_else(
         || "no sample".into(),
-        |sample| format!("sample f = {}, pdf = {:?}", point(sample.f), sample.pdf),
+        |sample| {
+            let (f, wi, pdf) = (point(sample.f), direction(sample.wi), sample.pdf);
+            format!("sample f = {f}, wi = {wi}, pdf = {pdf:?}")
+        },
     );
     format!(
         "{:?}, direct light {}, {sample}",

@@ -5,17 +5,26 @@ use wire::light::{BsdfSample, Material};
 use wire::work::{Ray, Xyz};
 
 const UP: Xyz = [0.0, 1.0, 0.0];
+const COLOUR: Xyz = [2.0, 1.0, 0.0];
+const GREY: Material = Material::Diffuse([0.5; 3]);
 
 /// Kinds of paths: D for diffuse, M for a mirror, L for a lamp, B for the back of one.
 const KINDS: [&str; 12] = [
     "", "L", "D", "M", "B", "D D", "M L", "M D", "D L", "D M", "D D D", "M M L",
 ];
 
+/// Kinds of paths with one thing more: P for a pdf that is not 1, S for a slanted sample, C for a
+/// coloured surface, K for a coloured lamp.
+const SPECIAL: [&str; 8] = ["P", "S", "C", "K", "P D", "S D", "C D", "M K"];
+
 /// The simple questions about paths: short ones first, each with a few depths.
 pub(crate) fn questions() -> Vec<Vec<ScriptedPath>> {
     let paths = KINDS
         .iter()
         .flat_map(|kind| [0, 1, 2, 3, 5].map(|depth| path(kind, depth, 1.0)));
+    let special = SPECIAL
+        .iter()
+        .flat_map(|kind| [2, 3].map(|depth| path(kind, depth, 1.0)));
     let survivors = ["D D", "M D", "D D D"].map(|kind| path(kind, 5, 2.0));
     let ended = ["D D", "M D"].into_iter().flat_map(|kind| {
         let without = |end: fn(&mut Step)| {
@@ -28,7 +37,7 @@ pub(crate) fn questions() -> Vec<Vec<ScriptedPath>> {
             without(|step| step.roulette = None),
         ]
     });
-    vec![paths.chain(survivors).chain(ended).collect()]
+    vec![paths.chain(special).chain(survivors).chain(ended).collect()]
 }
 
 /// The path over the surfaces of `kind`; `factor` is what roulette multiplies by.
@@ -64,7 +73,28 @@ fn step(letter: &str, i: usize, factor: f64) -> Step {
     let (material, direct, sample) = match letter {
         "M" => (Material::Mirror([0.5; 3]), [0.0; 3], Some(up(true))),
         "L" | "B" => (Material::Emission([2.0; 3]), [0.0; 3], None),
-        _ => (Material::Diffuse([0.5; 3]), [1.0; 3], Some(up(false))),
+        "K" => (Material::Emission(COLOUR), [0.0; 3], None),
+        "P" => (
+            GREY,
+            [1.0; 3],
+            Some(BsdfSample {
+                pdf: 2.0,
+                ..up(false)
+            }),
+        ),
+        "S" => {
+            let wi = [0.6, 0.0, 0.8];
+            (GREY, [1.0; 3], Some(BsdfSample { wi, ..up(false) }))
+        }
+        "C" => {
+            let f = [0.5, 1.0, 0.0];
+            (
+                Material::Diffuse(f),
+                COLOUR,
+                Some(BsdfSample { f, ..up(false) }),
+            )
+        }
+        _ => (GREY, [1.0; 3], Some(up(false))),
     };
     Step {
         p: [0.0, 1.0 + (i % 2) as f64, 0.0],

@@ -54,7 +54,9 @@ const QUESTIONS: [&str; 10] = [
 ];
 
 fn without_question(message: &str) -> &str {
-    let ends = QUESTIONS.iter().filter_map(|question| message.find(question));
+    let ends = QUESTIONS
+        .iter()
+        .filter_map(|question| message.find(question));
     &message[..ends.min().unwrap_or(message.len())]
 }
 

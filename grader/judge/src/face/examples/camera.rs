@@ -4,6 +4,7 @@
 //! turned into the camera's space, and the point of the film on it is compared. So a handout judges
 //! examples without the formula that makes a ray.
 
+use super::by_hand::BY_HAND;
 use kit::camera::half_tan;
 use kit::{Vec2, Vec3};
 use wire::Work;
@@ -53,7 +54,7 @@ pub(super) fn verdict(example: &CameraExample) -> Option<String> {
         return Some("its fields of view are not between 0 and 180 degrees".into());
     }
     let length = expected.length();
-    if (length - 1.0).abs() > super::BY_HAND {
+    if (length - 1.0).abs() > BY_HAND {
         return Some(format!(
             "its direction has the length {length:.4}; a camera ray has the length 1"
         ));
@@ -66,7 +67,7 @@ pub(super) fn verdict(example: &CameraExample) -> Option<String> {
     let size = Vec2::new(half_tan(fov.x), half_tan(fov.y));
     let met = 0.5 * (on_sensor / size + 1.0);
     // A digit of the direction is one of the film, where the picture is not wide.
-    let allowed = 3.0 * super::BY_HAND / (size.min_element() * depth * depth);
+    let allowed = 3.0 * BY_HAND / (size.min_element() * depth * depth);
     ((met - film).length() > allowed).then(|| {
         format!(
             "its direction passes through the point ({:.3}, {:.3}) of the film, not through ({}, {})",

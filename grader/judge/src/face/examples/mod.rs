@@ -6,6 +6,7 @@
 //! result is right without the formula that computes it: the oracle knows it, or a law of
 //! geometry or optics does.
 
+mod by_hand;
 mod camera;
 mod rays;
 mod specular;
@@ -103,12 +104,4 @@ impl Example {
             ..like.with_work(work)
         })
     }
-}
-
-/// The digits that people write by hand.
-const BY_HAND: f64 = 1e-3;
-
-/// Whether a number that somebody wrote is the right one, rounded.
-fn is_near(written: f64, right: f64) -> bool {
-    written == right || (written - right).abs() <= BY_HAND * right.abs().max(1e-6)
 }

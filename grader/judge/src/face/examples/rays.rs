@@ -1,6 +1,6 @@
 //! Examples of a ray at one shape. The oracle decides whether they are right.
 
-use super::is_near;
+use super::by_hand::is_near;
 use kit::{Aabb, Ray, Sphere, Triangle, Vec3};
 use oracle::{Miss, SphereClass, TriangleClass};
 use wire::Work;

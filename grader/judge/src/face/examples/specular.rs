@@ -3,6 +3,7 @@
 //! They are judged by Snell's law in the form of vectors: at a boundary only the part along the
 //! normal changes. So a handout judges examples without the formula that computes a direction.
 
+use super::by_hand::BY_HAND;
 use kit::Vec3;
 use wire::Work;
 use wire::global::SpecularCall;
@@ -46,7 +47,7 @@ pub(super) fn verdict(example: &SpecularExample) -> Option<String> {
         wo,
         expected,
     } = *example;
-    if (wo.length() - 1.0).abs() > super::BY_HAND || wo.z == 0.0 {
+    if (wo.length() - 1.0).abs() > BY_HAND || wo.z == 0.0 {
         return Some("its wo has not the length 1, or is in the plane of the surface".into());
     }
     // The indices of the side of wo and of the side of the expected direction.
@@ -74,7 +75,7 @@ pub(super) fn verdict(example: &SpecularExample) -> Option<String> {
         ));
     }
     let length = wi.length();
-    if (length - 1.0).abs() > super::BY_HAND {
+    if (length - 1.0).abs() > BY_HAND {
         return Some(format!("its direction has the length {length:.4}, not 1"));
     }
     let stays = wi.z * wo.z > 0.0;
@@ -85,7 +86,7 @@ pub(super) fn verdict(example: &SpecularExample) -> Option<String> {
         });
     }
     let kept = mine * wo.truncate() + other * wi.truncate();
-    (kept.length() > 3.0 * super::BY_HAND * mine.max(other)).then(|| {
+    (kept.length() > 3.0 * BY_HAND * mine.max(other)).then(|| {
         format!(
             "its tangential part is {}, wrong by {:.3}: n · (x, y) is the same on both sides, and turned about",
             wi.truncate(),

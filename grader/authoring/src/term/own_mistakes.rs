@@ -75,6 +75,8 @@ pub(super) fn read(
             }
         };
         let list = std::str::from_utf8(contents).map_err(|_| failed("it is not UTF-8 text"))?;
+        // Notepad writes this mark before a text.
+        let list = list.strip_prefix('\u{feff}').unwrap_or(list);
         let corpus = Corpus::of_text(list).map_err(|e| failed(&e))?;
         let learnt = inputs.get(&path.with_extension("bin"));
         let mistakes = OwnMistakes {
@@ -124,13 +126,16 @@ impl OwnMistakes {
 
     /// The list with [`MARK`] behind the words of each mistake.
     fn marked(&self) -> String {
-        let lines = self
-            .list
-            .lines()
-            .map(|line| match line.starts_with("mistake ") {
-                true => format!("{}{MARK}\n", line.trim_end()),
-                false => format!("{line}\n"),
-            });
+        // Lines of code are indented by four spaces, those that begin a mistake need not stand at
+        // the left edge.
+        let begins_mistake = |line: &str| {
+            let content = line.trim_start();
+            line.len() < content.len() + 4 && content.starts_with("mistake ")
+        };
+        let lines = self.list.lines().map(|line| match begins_mistake(line) {
+            true => format!("{}{MARK}\n", line.trim_end()),
+            false => format!("{line}\n"),
+        });
         lines.collect()
     }
 }

@@ -2,13 +2,14 @@
 
 use base::{errln, outln};
 use image::RgbImage;
+use showcase::forest::{self, Stored};
 use showcase::{dusk, sky, street, strip, tree};
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
 use std::path::Path;
 use std::process::ExitCode;
 
-const USAGE: &str = "usage: showcase sky OUT.exr\n       showcase dusk|street|tree OUT.dae\n       \
+const USAGE: &str = "usage: showcase sky OUT.exr\n       showcase dusk|street|tree|forest|forest_f32 OUT.dae\n       \
                      showcase strip OUT.png LABEL A.png LABEL B.png ...\n       showcase --version";
 
 fn main() -> ExitCode {
@@ -20,6 +21,8 @@ fn main() -> ExitCode {
         }),
         ["dusk", out] => scene(out, dusk::write),
         ["street", out] => scene(out, |file| street::document().write(file)),
+        ["forest", out] => scene(out, |file| forest::document(Stored::Double).write(file)),
+        ["forest_f32", out] => scene(out, |file| forest::document(Stored::Single).write(file)),
         ["tree", out] => scene(out, |file| tree::document(tree::TRIANGLES).write(file)),
         ["strip", out, pictures @ ..] if pictures.len() >= 2 && pictures.len() % 2 == 0 => {
             whole(out, "png", |part| save_strip(part, pictures))

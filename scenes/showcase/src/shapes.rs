@@ -10,6 +10,11 @@ pub(crate) fn random(key: u64) -> f64 {
     (mix(key) >> 11) as f64 / (1_u64 << 53) as f64
 }
 
+/// A number in [0, 1) of thing `i`; another one for each `salt`.
+pub(crate) fn unit(i: u64, salt: u64) -> f64 {
+    random(i ^ mix(salt))
+}
+
 /// The surface of a box, with normals outwards.
 pub(crate) fn block(min: Vec3, max: Vec3) -> Vec<Triangle> {
     let corner = |i: usize| {

@@ -1,7 +1,7 @@
 //! A street of steps in the sun: walls, a door, pots, a chair, a vine over the steps.
 
 use crate::collada::{Document, Mesh, Paint, Sun};
-use crate::shapes::{block, lathe, random};
+use crate::shapes::{block, lathe, unit};
 use kit::math::sin_cos;
 use kit::sampler::mix;
 use kit::{Triangle, Vec3};
@@ -291,11 +291,6 @@ fn leaves(which: std::ops::Range<u64>, size: f64) -> Vec<Triangle> {
         quad(center - a, center - b, center + a, center + b)
     };
     which.flat_map(leaf).collect()
-}
-
-/// A number in [0, 1) of thing `i`; another one for each `salt`.
-fn unit(i: u64, salt: u64) -> f64 {
-    random(i ^ mix(salt))
 }
 
 #[cfg(test)]

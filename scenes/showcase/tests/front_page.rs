@@ -10,9 +10,10 @@ use pathtracer::args::Args;
 use pathtracer::rate_picture::viridis;
 use pathtracer::{Job, Passes, Picture, PreparedScene, Textures};
 use showcase::collada::Document;
+use showcase::forest::{self, Stored};
 use showcase::strip::place;
 use showcase::{dusk, sky, street, tree};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs::{self, File};
 use std::io::BufWriter;
 use std::path::{Path, PathBuf};
@@ -41,6 +42,28 @@ fn flags_of(program: &str) -> Vec<Vec<String>> {
         (words[start - 1] == program).then(|| words[start + 1..].to_vec())
     };
     commands().into_iter().filter_map(flags).collect()
+}
+
+/// The pictures of which the commands make strips: by file name, the strip's file name and the place
+/// in it.
+fn strips() -> BTreeMap<String, (String, u32)> {
+    let text = fs::read_to_string(root().join("scenes/pictures/README.md")).expect("the list");
+    let joined = text.replace("\\\n", " ");
+    let commands = joined
+        .lines()
+        .filter_map(|line| line.split_once("-- strip "));
+    let mut strips = BTreeMap::new();
+    for (_, words) in commands {
+        // Labels are in quotation marks, and no path has any.
+        let paths = words.split('"').step_by(2).map(str::trim);
+        let mut paths = paths.filter(|path| !path.is_empty());
+        let strip = paths.next().expect("a strip");
+        let strip = strip.rsplit('/').next().expect("a name").to_owned();
+        for (i, path) in (0..).zip(paths) {
+            strips.insert(path.to_owned(), (strip.clone(), i));
+        }
+    }
+    strips
 }
 
 /// Pixels of a picture as bytes, row by row from the bottom left.
@@ -132,10 +155,11 @@ fn every_picture_has_the_pixels_of_its_command() {
     let write = |document: Document, name| document.write(&mut scene(name)).expect("a scene");
     write(tree::document(tree::TRIANGLES), "tree.dae");
     write(street::document(), "street.dae");
+    write(forest::document(Stored::Double), "forest.dae");
+    write(forest::document(Stored::Single), "forest_f32.dae");
     dusk::write(&mut scene("dusk.dae")).expect("a scene");
 
-    let strip = open("parts.png");
-    let mut parts = 0;
+    let strips = strips();
     let mut checked = BTreeSet::new();
     for flags in flags_of("pathtracer") {
         let output = flags.iter().position(|flag| flag == "-f").expect("-f") + 1;
@@ -157,14 +181,18 @@ fn every_picture_has_the_pixels_of_its_command() {
                 }
             }
             None => {
-                let (left, top) = place(parts, (w, h));
-                assert_same(&strip, left, top + h, cell, &bytes, &name);
-                parts += 1;
+                let (_, name) = name.rsplit_once('/').expect("a folder");
+                let (strip, i) = strips.get(name).expect("a picture of a strip");
+                let (left, top) = place(*i, (w, h));
+                assert_same(&open(strip), left, top + h, cell, &bytes, name);
+                checked.insert(name.to_owned());
             }
         }
     }
-    assert_eq!((parts, strip.dimensions()), (5, (1600, 1129)));
-    checked.insert("parts.png".to_owned());
+    for (name, (strip, _)) in strips {
+        assert!(checked.remove(&name), "no command makes {name} of {strip}");
+        checked.insert(strip);
+    }
     let files = fs::read_dir(root().join("scenes/pictures")).expect("a folder");
     let files = files.map(|file| {
         file.expect("a file")
@@ -185,6 +213,7 @@ fn front_page_pictures_are_wide_and_have_no_broken_pixels() {
         ("tree", 1600),
         ("materials", 1200),
         ("parts", 1600),
+        ("forest", 1605),
     ] {
         let picture = open(&format!("{name}.png"));
         assert_eq!(picture.width(), width, "{name}");

@@ -52,7 +52,10 @@ pub fn document(stored: Stored) -> Document {
     for (pine, &([x, z], height)) in (0..).zip(&PINES) {
         let foot = Vec3::new(x, ground(x, z), z);
         let r = 0.014 * height;
-        trunks.extend(lathe(foot, &[[r, -0.3], [0.7 * r, 0.4 * height], [0.0, height]]));
+        trunks.extend(lathe(
+            foot,
+            &[[r, -0.3], [0.7 * r, 0.4 * height], [0.0, height]],
+        ));
         grow(pine, foot, height, &mut needles);
     }
     let [green, white] = needles;

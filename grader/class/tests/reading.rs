@@ -17,7 +17,7 @@ use submission::containment::Containment;
 
 /// Smaller than those of a real class, so that the tests are fast.
 const LIMITS: ReadingLimits = ReadingLimits {
-    // Twice what the largest list of files takes, which is too large: a busy machine counts more.
+    // On a busy machine git takes more than four for the longest list of files.
     cpu_seconds: 8,
     elapsed: Duration::from_secs(60),
     memory_mb: 256,

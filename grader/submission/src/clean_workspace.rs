@@ -327,23 +327,25 @@ fn is_test(owner: &Member, path: &Path) -> bool {
 /// The workspace's manifest with the lint against `unsafe` code such that no source file can allow
 /// it again.
 fn without_unsafe(manifest: &str) -> Result<String, GraderError> {
-    let (weak, strong) = (r#"unsafe_code = "deny""#, r#"unsafe_code = "forbid""#);
-    match manifest.contains(weak) {
-        true => Ok(manifest.replace(weak, strong)),
-        false => Err(GraderError::new(format!(
-            "Cargo.toml does not contain the line {weak}, which is made {strong} for submissions"
-        ))),
-    }
+    with_other_line(
+        manifest,
+        r#"unsafe_code = "deny""#,
+        r#"unsafe_code = "forbid""#,
+    )
 }
 
 /// The workspace's manifest without debug information in a release. Nobody reads a backtrace of a
-/// submission, and it takes a sixth of the processor time that compiling one takes.
+/// submission, and the information takes a sixth of the processor time of compiling a submission.
 fn without_line_tables(manifest: &str) -> Result<String, GraderError> {
-    let (with, without) = (r#"debug = "line-tables-only""#, "debug = false");
-    match manifest.contains(with) {
-        true => Ok(manifest.replace(with, without)),
+    with_other_line(manifest, r#"debug = "line-tables-only""#, "debug = false")
+}
+
+/// The workspace's manifest with `new` in place of the line `old`, which it must contain.
+fn with_other_line(manifest: &str, old: &str, new: &str) -> Result<String, GraderError> {
+    match manifest.contains(old) {
+        true => Ok(manifest.replace(old, new)),
         false => Err(GraderError::new(format!(
-            "Cargo.toml does not contain the line {with}, which is made {without} for submissions"
+            "Cargo.toml does not contain the line {old}, which is made {new} for submissions"
         ))),
     }
 }

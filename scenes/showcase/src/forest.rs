@@ -9,7 +9,7 @@ use std::f64::consts::TAU;
 /// Where the forest stands, in metres: the map's easting and, to the south, its northing. A map of
 /// a country in UTM has such numbers. Between neighbouring `f32` are 3 cm here to the east, and
 /// half a metre to the north.
-pub const ORIGIN: Vec3 = Vec3::new(513_000.0, 0.0, -5_630_000.0);
+const ORIGIN: Vec3 = Vec3::new(513_000.0, 0.0, -5_630_000.0);
 
 /// Pines: place of the trunk in metres from [`ORIGIN`], and height.
 const PINES: [([f64; 2], f64); 18] = [

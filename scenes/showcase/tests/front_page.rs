@@ -44,8 +44,8 @@ fn flags_of(program: &str) -> Vec<Vec<String>> {
     commands().into_iter().filter_map(flags).collect()
 }
 
-/// The pictures of which the commands make strips: by file name, the strip's file name and the place
-/// in it.
+/// The pictures that the commands put into strips: by file name, the strip's file name and the
+/// place in the strip.
 fn strips() -> BTreeMap<String, (String, u32)> {
     let text = fs::read_to_string(root().join("scenes/pictures/README.md")).expect("the list");
     let joined = text.replace("\\\n", " ");

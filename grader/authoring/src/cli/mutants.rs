@@ -434,7 +434,8 @@ fn show_seeds(task: &str, seeds: u64, graded: &Seeded) {
     }
 }
 
-/// Prints how many mutants of a task examples catch, and the simplest that they do not.
+/// Prints how many mutants of a task a student's examples catch, and the simplest mutant that slips
+/// through.
 fn show_caught(task: &str, found: &Caught) {
     let all = found.caught.len() + found.missed.len();
     outln!(

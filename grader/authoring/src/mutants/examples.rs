@@ -1,9 +1,7 @@
 //! Counts the typical mistakes that a student's examples would catch.
 
-use super::corpus::Corpus;
-use super::run::{Graded, Kind, VersionsWorker, versions};
+use super::run::{Graded, Kind, VersionsWorker};
 use super::simplest::Shown;
-use super::versions_crate;
 use base::{GraderError, Workspace};
 use grader::course::{Course, Task};
 use grader::workers::runner::Ending;
@@ -41,10 +39,7 @@ pub fn of_task(
     let of_task = examples.iter().filter(|of| of.task() == task.key);
     let right = of_task.filter(|of| verdict(of).is_none());
     let questions: Vec<Spec> = right.filter_map(Example::question).collect();
-    let mutants = Corpus::read(workspace, task)?.mutants;
-    let (kinds, sources) = versions(workspace, task, mutants)?;
-    let program = versions_crate::worker(workspace, &task.stage, &sources)?;
-    let worker = VersionsWorker::new(program, course, kinds);
+    let worker = VersionsWorker::of_mutants(workspace, course, task)?;
     let specs = cases::all(0);
     let each = (0..worker.versions.len()).into_par_iter();
     let each = each.map(|version| {

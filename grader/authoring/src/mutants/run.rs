@@ -54,13 +54,7 @@ pub fn task(
     course: &Course,
     task: &Task,
 ) -> Result<Vec<Graded>, GraderError> {
-    let mutants = Corpus::read(workspace, task)?.mutants;
-    let (kinds, versions) = versions(workspace, task, mutants)?;
-    let worker = VersionsWorker::new(
-        versions_crate::worker(workspace, &task.stage, &versions)?,
-        course,
-        kinds,
-    );
+    let worker = VersionsWorker::of_mutants(workspace, course, task)?;
     worker.grade_all(task, &cases::all(0), 0..worker.versions.len())
 }
 
@@ -141,6 +135,18 @@ pub(super) struct VersionsWorker<'a> {
 }
 
 impl<'a> VersionsWorker<'a> {
+    /// The worker with the reference, the variants and the mutants of `task`.
+    pub(super) fn of_mutants(
+        workspace: &Workspace,
+        course: &'a Course,
+        task: &Task,
+    ) -> Result<Self, GraderError> {
+        let mutants = Corpus::read(workspace, task)?.mutants;
+        let (kinds, sources) = versions(workspace, task, mutants)?;
+        let program = versions_crate::worker(workspace, &task.stage, &sources)?;
+        Ok(VersionsWorker::new(program, course, kinds))
+    }
+
     /// `program`, whose versions have these names, in this order.
     pub(super) fn new(program: TempPath, course: &'a Course, versions: Vec<Named>) -> Self {
         VersionsWorker {

@@ -1,8 +1,6 @@
 //! Measures how simple the calls are that show the mistakes of a task to students.
 
-use super::corpus::Corpus;
-use super::run::{Graded, Kind, VersionsWorker, versions};
-use super::versions_crate;
+use super::run::{Graded, Kind, VersionsWorker};
 use base::{GraderError, Workspace};
 use grader::course::{Course, Task};
 use grader::diagnosis::simplest::{self, SimplestCall};
@@ -78,10 +76,7 @@ pub fn of_task(
     course: &Course,
     task: &Task,
 ) -> Result<Simplest, GraderError> {
-    let mutants = Corpus::read(workspace, task)?.mutants;
-    let (kinds, sources) = versions(workspace, task, mutants)?;
-    let program = versions_crate::worker(workspace, &task.stage, &sources)?;
-    let worker = VersionsWorker::new(program, course, kinds);
+    let worker = VersionsWorker::of_mutants(workspace, course, task)?;
     let specs = cases::all(0);
     let each = (0..worker.versions.len()).into_par_iter();
     let each: Vec<Simplest> = each

@@ -15,8 +15,8 @@ pub(crate) fn point(xyz: Xyz) -> String {
     format!("({x:?}, {y:?}, {z:?})")
 }
 
-/// A unit vector. One with fifths as coordinates is written with whole numbers, because a person can
-/// work with them: (3.0, 0.0, 4.0) / 5.
+/// A unit vector. If its coordinates are fifths, it is written with whole numbers, because a person
+/// can work with them: (3.0, 0.0, 4.0) / 5.
 pub(crate) fn direction(unit: Xyz) -> String {
     let fifths = unit.map(|x| (x * 5.0).round());
     let is_of_fifths = (0..3).all(|i| fifths[i] / 5.0 == unit[i]);

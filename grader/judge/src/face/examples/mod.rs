@@ -1,6 +1,6 @@
 //! Examples that students write before their code: an input, and the result that they expect.
-//! [`verdict`] decides whether an example is right, [`Example::situations`] says which situations of
-//! the task it touches, [`Example::question`] asks code what the example asks.
+//! [`verdict`] decides whether an example is right, [`Example::situations`] says which situations
+//! of the task the example touches, [`Example::question`] asks code what the example asks.
 //!
 //! An example can be judged where a call has one right result, and where a handout can tell that a
 //! result is right without the formula that computes it: the oracle knows it, or a law of

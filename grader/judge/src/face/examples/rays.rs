@@ -209,9 +209,7 @@ impl RayExample {
         }
         touched
     }
-}
 
-impl RayExample {
     /// The call of the example as a question to code.
     pub(super) fn work(&self) -> Work {
         let ray = wire::work::Ray {

@@ -1,5 +1,6 @@
 //! One call in words and shown.
 
+use super::arguments::{Argument, arguments};
 use super::judge::function;
 use super::truth::{Right, right};
 use crate::tools::Tier;
@@ -10,40 +11,16 @@ use wire::work::Xyz;
 
 pub(super) fn input(calls: &[SpecularCall], call: usize) -> Option<String> {
     let call = calls.get(call)?;
-    let arguments = match *call {
-        SpecularCall::Fresnel { cos_i, eta } => format!("cos_i = {cos_i:?}, eta = {eta:?}"),
-        SpecularCall::Reflect { wo } => format!("wo = {}", direction(wo)),
-        SpecularCall::Refract { wo, ior } => format!("wo = {}, ior = {ior:?}", direction(wo)),
-        SpecularCall::Mirror { reflectance, wo } => {
-            format!(
-                "reflectance = {}, wo = {}",
-                point(reflectance),
-                direction(wo)
-            )
-        }
-        SpecularCall::Refraction {
-            transmittance,
-            ior,
-            wo,
-        } => format!(
-            "transmittance = {}, ior = {ior:?}, wo = {}",
-            point(transmittance),
-            direction(wo)
-        ),
-        SpecularCall::Glass {
-            reflectance,
-            transmittance,
-            ior,
-            wo,
-            choice,
-        } => format!(
-            "reflectance = {}, transmittance = {}, ior = {ior:?}, wo = {}, choice = {choice:?}",
-            point(reflectance),
-            point(transmittance),
-            direction(wo)
-        ),
-    };
-    Some(format!("{}: {arguments}", function(call)))
+    let arguments = arguments(call).into_iter().map(|(name, value)| {
+        let value = match value {
+            Argument::Number(x) => format!("{x:?}"),
+            Argument::Direction(unit) => direction(unit),
+            Argument::Colour(colour) => point(colour),
+        };
+        format!("{name} = {value}")
+    });
+    let arguments: Vec<String> = arguments.collect();
+    Some(format!("{}: {}", function(call), arguments.join(", ")))
 }
 
 pub(super) fn circumstances(calls: &[SpecularCall], call: usize) -> Vec<&'static str> {

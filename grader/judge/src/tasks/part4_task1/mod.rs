@@ -1,5 +1,6 @@
 //! `part4.task1`: mirrors and glass.
 
+mod arguments;
 mod call;
 pub(crate) mod cases;
 pub(crate) mod judge;

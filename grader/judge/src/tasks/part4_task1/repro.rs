@@ -1,5 +1,6 @@
 //! Rust tests of mirrors and glass.
 
+use super::arguments::{Argument, arguments};
 use super::judge;
 use super::truth::{self, Right};
 use crate::tools::Tier;
@@ -9,34 +10,17 @@ use wire::global::SpecularCall;
 /// A test of one call.
 pub(crate) fn smooth(tier: Tier, input: &SpecularCall) -> String {
     let (right, bound) = truth::right(tier, input);
-    let arguments = match *input {
-        SpecularCall::Fresnel { cos_i, eta } => format!("{}, {}", float(cos_i), float(eta)),
-        SpecularCall::Reflect { wo } => vec3(wo),
-        SpecularCall::Refract { wo, ior } => format!("{}, {}", vec3(wo), float(ior)),
-        SpecularCall::Mirror { reflectance, wo } => {
-            format!("{}, {}", spectrum(reflectance), vec3(wo))
-        }
-        SpecularCall::Refraction {
-            transmittance,
-            ior,
-            wo,
-        } => format!("{}, {}, {}", spectrum(transmittance), float(ior), vec3(wo)),
-        SpecularCall::Glass {
-            reflectance,
-            transmittance,
-            ior,
-            wo,
-            choice,
-        } => format!(
-            "{}, {}, {}, {}, {}",
-            spectrum(reflectance),
-            spectrum(transmittance),
-            float(ior),
-            vec3(wo),
-            float(choice)
-        ),
-    };
-    let call = format!("global::{}({arguments})", judge::function(input));
+    let arguments = arguments(input).into_iter().map(|(_, value)| match value {
+        Argument::Number(x) => float(x),
+        Argument::Direction(unit) => vec3(unit),
+        Argument::Colour(colour) => spectrum(colour),
+    });
+    let arguments: Vec<String> = arguments.collect();
+    let call = format!(
+        "global::{}({})",
+        judge::function(input),
+        arguments.join(", ")
+    );
     let near = |what: &str, right: String| {
         format!("assert!(({what} - {right}).length() <= {bound:?}, \"{{}}\", {what});\n")
     };

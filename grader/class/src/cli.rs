@@ -84,6 +84,7 @@ pub fn command() -> Command {
                 .help("Grade the last commit of each git clone before this time, such as \"2026-11-20 18:00\""),
         )
         .arg(flag("with-archives", "With --before or --commit: grade what is no clone as it lies there, instead of asking"))
+        .arg(flag("zero-unreadable", "Give 0 points to what could not be read, instead of asking"))
         .arg(
             Arg::new("shard")
                 .long("shard")

@@ -94,7 +94,7 @@ pub enum Status {
     /// It exceeded this limit.
     OverLimit(Untrusted),
     /// What was handed in is no submission that can be read: what is wrong with it. Nothing of it
-    /// could be graded, so it has no points.
+    /// could be graded, so a person says what it is worth.
     Unreadable(Untrusted),
     /// Whether it counts is for a person to say: what was found.
     Question(Untrusted),
@@ -148,6 +148,15 @@ pub struct Score {
     pub tasks: BTreeMap<String, [f64; 2]>,
 }
 
+/// What a submission gets that could not be read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum OnUnreadable {
+    /// No score: its student may have the code, and it is a question to the teacher.
+    Ask,
+    /// 0 points, as the teacher has decided.
+    Zero,
+}
+
 /// What is said about a unit that no machine has finished or failed.
 const NOT_YET: &str = "not graded yet";
 
@@ -157,11 +166,12 @@ impl Class {
     pub fn read(
         out: &Out,
         plan: Plan,
+        on_unreadable: OnUnreadable,
         mut visit: impl FnMut(&Plan, usize, &Row, Option<&Details>) -> Result<(), GraderError>,
     ) -> Result<Class, GraderError> {
         let mut rows = Vec::new();
         for (i, planned) in plan.submissions.iter().enumerate() {
-            let (row, details) = row(out, &plan, planned)?;
+            let (row, details) = row(out, &plan, planned, on_unreadable)?;
             visit(&plan, i, &row, details.as_ref())?;
             rows.push(row);
         }
@@ -202,7 +212,12 @@ impl Class {
 }
 
 /// The row of a submission. Whatever is wrong with it or its result is said in the row.
-fn row(out: &Out, plan: &Plan, planned: &Planned) -> Result<(Row, Option<Details>), GraderError> {
+fn row(
+    out: &Out,
+    plan: &Plan,
+    planned: &Planned,
+    on_unreadable: OnUnreadable,
+) -> Result<(Row, Option<Details>), GraderError> {
     let without_unit = |status, score| {
         let row = Row {
             name: planned.name.clone(),
@@ -224,13 +239,10 @@ fn row(out: &Out, plan: &Plan, planned: &Planned) -> Result<(Row, Option<Details
             as_it_lies,
             ..
         } => (key, notes, commit, *as_it_lies),
-        State::TooLarge(limit) => {
-            let status = Status::OverLimit(about_file(limit));
-            return Ok(without_unit(status, Some(Score::default())));
-        }
-        State::Unreadable(why) => {
+        State::TooLarge(why) | State::Unreadable(why) => {
             let status = Status::Unreadable(about_file(why));
-            return Ok(without_unit(status, Some(Score::default())));
+            let score = (on_unreadable == OnUnreadable::Zero).then(Score::default);
+            return Ok(without_unit(status, score));
         }
         State::NoClone(why) => {
             return Ok(without_unit(Status::Question(about_file(why)), None));

@@ -23,7 +23,7 @@ pub struct Lateness {
     pub late: BTreeMap<usize, (f64, String)>,
     /// Those that a person has to decide on, and why.
     pub questions: BTreeMap<usize, String>,
-    /// How many have no time and are taken to be in time.
+    /// How many have a score and no time, and are taken to be in time.
     pub untimed: usize,
 }
 
@@ -35,6 +35,9 @@ impl Lateness {
         let mut lateness = Lateness::default();
         for (student, submission) in roster.students.iter().zip(&join.submissions) {
             let Some(i) = *submission else { continue };
+            if class.rows[i].score.is_none() {
+                continue; // there are no points to take
+            }
             let commit = match &class.plan.submissions[i].state {
                 State::Unit { commit, .. } => commit.as_ref(),
                 _ => None,

@@ -345,7 +345,7 @@ impl Plan {
 
     /// This plan with what `wanted` has more, for the same settings. A submission that has a score
     /// (`is_stored` knows the units that are stored) keeps it, even if other files were handed in
-    /// since; the second value names such submissions.
+    /// since; the second value names such submissions. What was only renamed has the new name.
     pub fn extended(&self, wanted: &Plan, is_stored: impl Fn(&str) -> bool) -> (Plan, Vec<String>) {
         let mut kept = Vec::new();
         let old: BTreeMap<&str, &Planned> = self
@@ -374,11 +374,19 @@ impl Plan {
                 None => new.clone(),
             });
         }
-        for planned in self
+        let new_keys: BTreeSet<&str> = wanted
             .submissions
             .iter()
-            .filter(|planned| !names.contains(planned.name.raw()))
-        {
+            .filter(|planned| !old.contains_key(planned.name.raw()))
+            .filter_map(Planned::key)
+            .collect();
+        let gone = self.submissions.iter().filter(|planned| {
+            let has_score = planned
+                .key()
+                .is_some_and(|key| is_stored(key) && !new_keys.contains(key));
+            has_score && !names.contains(planned.name.raw())
+        });
+        for planned in gone {
             kept.push(format!(
                 "{} is no longer in the folder",
                 planned.name.line()

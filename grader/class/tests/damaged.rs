@@ -4,6 +4,7 @@
 //! `cargo test` tries some thousand; the ignored tests go on for `FIRSTLIGHT_FUZZ_SECONDS` each.
 
 use crate::fake_class::{Behaviour, FakeClass};
+use class::collect::OnUnreadable;
 use class::out::Out;
 use class::plan::Plan;
 use class::pool;
@@ -261,7 +262,8 @@ fn damaged_plans(seeds: impl Iterator<Item = u64>) {
         std::fs::write(out.plan(), damaged_bytes_or_json(&whole, &value, seed)).expect("a file");
         if let Ok(Some(plan)) = Plan::load(&out.plan()) {
             read += 1;
-            let _ = class::tables::write(&out, plan, grader::report::HintLevel::Remedy);
+            let hint = grader::report::HintLevel::Remedy;
+            let _ = class::tables::write(&out, plan, hint, OnUnreadable::Ask);
         }
     }
     assert!(read > 0, "every plan is refused");

@@ -115,6 +115,18 @@ fn what_is_no_submission_is_said() {
         (Vec::new(), "is empty, a file of 0 bytes"),
         (
             b"%PDF-1.7".to_vec(),
+            "is a file of the form PDF, which is not read",
+        ),
+        (
+            b"Rar!\x1a\x07\x01\0 and more".to_vec(),
+            "is a file of the form RAR, which is not read: ask for a zip",
+        ),
+        (
+            b"7z\xbc\xaf\x27\x1c and more".to_vec(),
+            "is a file of the form 7z, which is not read",
+        ),
+        (
+            b"dear teacher".to_vec(),
             "is neither a folder nor a zip, tar or tar.gz file",
         ),
         (

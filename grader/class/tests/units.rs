@@ -2,10 +2,14 @@
 //! bytes.
 
 use crate::fake_class::{Behaviour, FakeClass, HOSTILE};
+use class::collect::{Class, OnUnreadable};
 use class::out::Out;
 use class::plan::Plan;
 use class::pool;
 use class::progress::Progress;
+use class::roster::join::Join;
+use class::roster::table::{self, Marks, System};
+use class::roster::{Roster, Student};
 use class::unit;
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
@@ -62,7 +66,7 @@ fn shards_of_1_3_and_17_collect_to_the_same_bytes() {
         "{gradebook}"
     );
     assert!(
-        gradebook.ends_with("zz,,could not be read,0,10,0,2,0,0,zz is empty\r\n"),
+        gradebook.ends_with("zz,,could not be read,,10,,2,,,zz is empty\r\n"),
         "{gradebook}"
     );
 }
@@ -144,6 +148,60 @@ fn names_and_texts_are_shown_and_not_obeyed() {
         "{gradebook}"
     );
     assert!(gradebook.contains(",'=1+1</p>"), "{gradebook}");
+}
+
+/// What could not be read is a question to the teacher. It has no points, and no mark in a file for a
+/// course system, until the teacher says that it has none.
+#[test]
+fn what_could_not_be_read_is_a_question_and_no_zero() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let class = FakeClass::new(folder.path(), 3);
+    let out = class.out("out");
+    grade(&class, &out, 0, 1, Behaviour::Fine);
+    let roster = Roster {
+        students: vec![Student {
+            id: "zz".into(),
+            ..Student::default()
+        }],
+        maximum: None,
+    };
+    let marks = Marks {
+        system: System::Canvas,
+        assignment: "Part 1".into(),
+        add_extra: false,
+    };
+    for (on_unreadable, row, heading, page, mark) in [
+        (
+            OnUnreadable::Ask,
+            "zz,,could not be read,,10,,2,,,zz is empty\r\n",
+            "Your decision: no score until then",
+            "No score yet.",
+            "Points Possible,,,,,10\r\n",
+        ),
+        (
+            OnUnreadable::Zero,
+            "zz,,could not be read,0,10,0,2,0,0,zz is empty\r\n",
+            "Could not be read: 0 points",
+            "0 points",
+            "\r\n,,zz,,,0\r\n",
+        ),
+    ] {
+        let tables = class.tables_with(&out, on_unreadable);
+        let says = |path: &str, words: &str| {
+            let text = text(&tables, path);
+            assert!(text.contains(words), "{path}: {words}: {text}");
+        };
+        says("gradebook.csv", row);
+        says("class.html", heading);
+        says("students/zz.html", page);
+        let read = Class::read(&out, class.plan.clone(), on_unreadable, |_, _, _, _| Ok(()));
+        let read = read.expect("a class");
+        assert_eq!(read.is_complete(), on_unreadable == OnUnreadable::Zero);
+        let names: Vec<&str> = read.rows.iter().map(|row| row.name.raw()).collect();
+        let join = Join::of(&roster, &names);
+        let table = table::write(&read, &roster, &join, &marks).expect("a table");
+        assert!(table.ends_with(mark), "{table}");
+    }
 }
 
 /// A result that a crash of the machine has cut is one row without a score, and graded again.
@@ -362,6 +420,27 @@ fn a_stage_that_was_refused_is_not_said_to_be_broken() {
         refused.contains(note) && !refused.contains("does not compile"),
         "{refused}"
     );
+}
+
+/// A file whose name is corrected takes its score along; one that had none leaves nothing when it is
+/// removed.
+#[test]
+fn a_new_name_keeps_the_score_and_a_removed_file_asks_no_more() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let plan = FakeClass::new(folder.path(), 4).plan;
+    let mut wanted = plan.clone();
+    wanted
+        .submissions
+        .retain(|planned| !["student01", "zz"].contains(&planned.name.raw()));
+    wanted.submissions[0].name = "ada".into();
+    let (extended, kept) = plan.extended(&wanted, |_| true);
+    let names = extended
+        .submissions
+        .iter()
+        .map(|planned| planned.name.raw());
+    let names: Vec<&str> = names.collect();
+    assert_eq!(names, ["ada", "student01", "student02", "student03"]);
+    assert_eq!(kept, ["student01 is no longer in the folder"]);
 }
 
 /// 4 submissions are 3 units, and another cannot be read.

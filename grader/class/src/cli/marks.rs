@@ -1,6 +1,6 @@
 //! Writes the marks of a class for a course system: `--roster ROSTER --for SYSTEM`.
 
-use crate::collect::Class;
+use crate::collect::{Class, points};
 use crate::late::Lateness;
 use crate::out::Out;
 use crate::roster::Roster;
@@ -38,6 +38,9 @@ pub(super) fn write(matches: &ArgMatches, out: &Out, class: &Class) -> Result<bo
         table::write(marked, &roster, &join, &marks)?.as_bytes(),
     )?;
 
+    if let Some(why) = about_maximum(system, &roster, class) {
+        outln!("{why}");
+    }
     let name = |i: usize| class.rows[i].name.line();
     let mut is_decided = join.problems.is_empty();
     if let Some(lateness) = &lateness {
@@ -49,7 +52,7 @@ pub(super) fn write(matches: &ArgMatches, out: &Out, class: &Class) -> Result<bo
         }
         if lateness.untimed > 0 {
             outln!(
-                "in time, as far as anybody knows: {} submissions without a commit time",
+                "in time, as far as anybody knows: {} submissions without a commit time; of clones, `--before` or `--commit` takes it",
                 lateness.untimed
             );
         }
@@ -77,6 +80,20 @@ pub(super) fn write(matches: &ArgMatches, out: &Out, class: &Class) -> Result<bo
         missing.count()
     );
     Ok(is_decided)
+}
+
+/// Moodle takes a mark as one of its own maximum, and leaves out what is larger without a word.
+fn about_maximum(system: System, roster: &Roster, class: &Class) -> Option<String> {
+    let [possible, _] = class.plan.max_score();
+    let maximum = roster.maximum.filter(|_| system == System::Moodle)?;
+    (maximum != possible).then(|| {
+        format!(
+            "the maximum grade in Moodle is {}, and {} points are possible: change it there before you import, or {} points are not all",
+            points(maximum),
+            points(possible),
+            points(possible)
+        )
+    })
 }
 
 fn about(roster: &Roster, problem: &Problem) -> String {

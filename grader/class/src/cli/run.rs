@@ -2,7 +2,7 @@
 
 use super::engines::{Shard, UnitCommand, missing};
 use super::{alike, marks};
-use crate::collect::{Class, Row, Status};
+use crate::collect::{Class, OnUnreadable, Status};
 use crate::course_hash;
 use crate::out::Out;
 use crate::plan::{Plan, Settings};
@@ -277,21 +277,27 @@ fn write_tables(matches: &ArgMatches, out: &Out, plan: Plan) -> Result<Exit, Gra
             .into_iter()
             .find(|hint| hint.number().to_string() == *level)
     });
-    let class = tables::write(out, plan, hint.unwrap_or(HintLevel::Findings))?;
+    let hint = hint.unwrap_or(HintLevel::Findings);
+    let class = tables::write(out, plan, hint, on_unreadable(matches))?;
     outln!("{}", class.summary());
     for row in &class.rows {
         let what = match (&row.score, &row.status) {
-            (None, Status::Question(_)) => "your decision",
+            (None, Status::Question(_) | Status::Unreadable(_)) => "your decision",
             (None, _) => "no score",
-            (Some(_), Status::Unreadable(_)) => "no points",
+            (Some(_), Status::Unreadable(_)) => "0 points",
             _ => continue,
         };
         outln!("{what}: {}: {}", row.name.line(), row.status);
     }
-    let asks = |row: &&Row| matches!(row.status, Status::Question(_));
-    if class.rows.iter().any(|row| asks(&row)) {
+    let open = || class.rows.iter().filter(|row| row.score.is_none());
+    if open().any(|row| matches!(row.status, Status::Question(_))) {
         outln!(
             "what is no clone has no commit times. `--with-archives` grades it as it lies there; otherwise ask for a clone"
+        );
+    }
+    if open().any(|row| matches!(row.status, Status::Unreadable(_))) {
+        outln!(
+            "of what could not be read no code was graded, so it has no mark. Ask for it again, put it into the place of the old one and run again; or give it 0 points: `--zero-unreadable`"
         );
     }
     outln!(
@@ -301,6 +307,14 @@ fn write_tables(matches: &ArgMatches, out: &Out, plan: Plan) -> Result<Exit, Gra
     );
     let is_decided = marks::write(matches, out, &class)?;
     Ok(verdict(class.is_complete() && is_decided))
+}
+
+/// What a submission gets that could not be read.
+fn on_unreadable(matches: &ArgMatches) -> OnUnreadable {
+    match matches.get_flag("zero-unreadable") {
+        true => OnUnreadable::Zero,
+        false => OnUnreadable::Ask,
+    }
 }
 
 /// Shows what the proposed plan changes; with `--yes` it replaces the old one.
@@ -313,7 +327,7 @@ fn show_regrade(matches: &ArgMatches, out: &Out) -> Result<Exit, GraderError> {
             ))
         })
     };
-    let read = |plan| Class::read(out, plan, |_, _, _, _| Ok(()));
+    let read = |plan| Class::read(out, plan, on_unreadable(matches), |_, _, _, _| Ok(()));
     let old = read(load(out.plan())?)?;
     let new = read(load(out.proposed_plan())?)?;
     let changes = regrade::changes(&old, &new);
@@ -324,7 +338,9 @@ fn show_regrade(matches: &ArgMatches, out: &Out) -> Result<Exit, GraderError> {
     out!("{}", regrade::to_text(&changes, new.rows.len()));
     let failed = new.rows.iter().filter(|row| {
         let before = old.rows.iter().find(|old| old.name == row.name);
-        row.score.is_none() && before.is_some_and(|before| before.score.is_some())
+        // What a person has to decide on is in the list of changes.
+        let has_failed = matches!(row.status, Status::Infrastructure(_));
+        has_failed && before.is_some_and(|before| before.score.is_some())
     });
     let failed: Vec<String> = failed.map(|row| row.name.line()).collect();
     if !failed.is_empty() {

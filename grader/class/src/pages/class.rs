@@ -61,11 +61,13 @@ fn middle(class: &Class) -> String {
 fn without_score(class: &Class) -> Markup {
     let with =
         |is: fn(&Row) -> bool| -> Vec<&Row> { class.rows.iter().filter(|row| is(row)).collect() };
-    let none = with(|row| row.score.is_none());
-    let unreadable = with(|row| matches!(row.status, Status::Unreadable(_)));
+    let asked = with(|row| row.score.is_none() && !matches!(row.status, Status::Infrastructure(_)));
+    let failed = with(|row| matches!(row.status, Status::Infrastructure(_)));
+    let unreadable = with(|row| row.score.is_some() && matches!(row.status, Status::Unreadable(_)));
     html! {
-        (listed("No score", &none))
-        (listed("Could not be read: no points", &unreadable))
+        (listed("Your decision: no score until then", &asked))
+        (listed("No score: the machine failed", &failed))
+        (listed("Could not be read: 0 points", &unreadable))
     }
 }
 

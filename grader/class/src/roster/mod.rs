@@ -11,10 +11,12 @@ use std::path::Path;
 use submission::Untrusted;
 
 /// The students of a class.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Roster {
     /// The students, in the order of the file.
     pub students: Vec<Student>,
+    /// The most points that the course system gives for the assignment, if the file says so.
+    pub maximum: Option<f64>,
 }
 
 /// A student of a roster. What the file does not say is empty.
@@ -32,6 +34,8 @@ pub struct Student {
     pub email: Untrusted,
     /// The section, as Canvas wants it back.
     pub section: Untrusted,
+    /// When Moodle's mark was last changed, as Moodle wants it back.
+    pub mark_changed: Untrusted,
     /// The teacher's own column `extension`: days, or another deadline.
     pub extension: Untrusted,
     /// The teacher's own column `handed_in`: when, if the submission does not say it.
@@ -50,13 +54,15 @@ enum Field {
     Login,
     Email,
     Section,
+    MarkChanged,
+    Maximum,
     Extension,
     HandedIn,
 }
 
 /// The names of columns in the files of Canvas (gradebook), Moodle (participants, grading worksheet,
 /// grades), Gradescope (roster) and GitHub Classroom, and in a table of one's own. In lower case.
-const COLUMNS: [(&str, Field); 27] = [
+const COLUMNS: [(&str, Field); 29] = [
     ("extension", Field::Extension),
     ("handed_in", Field::HandedIn),
     ("student", Field::Name),
@@ -78,6 +84,8 @@ const COLUMNS: [(&str, Field); 27] = [
     ("github username", Field::Login),
     ("email address", Field::Email),
     ("email", Field::Email),
+    ("last modified (grade)", Field::MarkChanged),
+    ("maximum grade", Field::Maximum),
     ("section", Field::Section),
     ("sections", Field::Section),
     ("roster identifier", Field::Id),
@@ -131,6 +139,7 @@ impl Roster {
             ));
         }
         let mut students = Vec::new();
+        let mut maximum = None;
         for record in reader.records() {
             let record = record.map_err(|e| e.to_string())?;
             let value = |field: Field| {
@@ -162,6 +171,7 @@ impl Roster {
                 login: value(Field::Login).into(),
                 email: value(Field::Email).into(),
                 section: value(Field::Section).into(),
+                mark_changed: value(Field::MarkChanged).into(),
                 extension: value(Field::Extension).into(),
                 handed_in: value(Field::HandedIn).into(),
             };
@@ -169,13 +179,14 @@ impl Roster {
                 .iter()
                 .all(|text| text.is_empty());
             if !is_empty && name != POINTS_POSSIBLE {
+                maximum = maximum.or_else(|| value(Field::Maximum).parse().ok());
                 students.push(student);
             }
         }
         if students.is_empty() {
             return Err("there is no student in it".into());
         }
-        Ok(Roster { students })
+        Ok(Roster { students, maximum })
     }
 }
 

@@ -4,13 +4,16 @@
 //!   one column for the assignment, and makes an assignment of every other column
 //!   (<https://community.canvaslms.com/t5/Instructor-Guide/How-do-I-import-grades-in-the-Gradebook/ta-p/807>).
 //!   A line `Points Possible` follows the names of columns.
-//! - Moodle's grading worksheet wants `Identifier` and `Grade`; `Feedback comments` is shown to the
-//!   student (<https://docs.moodle.org/en/Offline_grading_worksheet>). Without numbers of participants
-//!   the import of grades matches `ID number` or `Email address`
-//!   (<https://docs.moodle.org/en/Grade_import>).
+//! - Moodle's grading worksheet wants `Identifier`, `Grade` and `Last modified (grade)`, by which it
+//!   sees that a mark was changed since; `Feedback comments` is shown to the student
+//!   (<https://docs.moodle.org/en/Offline_grading_worksheet>; `importgradeslib.php` in Moodle's
+//!   `mod/assign/feedback/offline`). Without numbers of participants the import of grades matches
+//!   `ID number` or `Email address` (<https://docs.moodle.org/en/Grade_import>).
 //! - `csv` is the gradebook of the project, with the identifiers and names of the roster.
 //!
-//! A student without a score has an empty cell: it changes nothing in the system.
+//! A student without a mark is not in the file of a system, which then changes nothing. An empty cell
+//! would: Canvas posts it in the place of a mark that it has (`process_gradebook_upload.js`), Moodle
+//! in the place of a comment. The gradebook has a row for each student.
 
 use super::join::Join;
 use super::{Roster, Student};
@@ -79,34 +82,42 @@ pub fn write(
     let students = roster.students.iter().enumerate();
     let students: Vec<(&Student, Option<&Row>)> =
         students.map(|(i, student)| (student, row(i))).collect();
-    let mark = |row: Option<&Row>| {
-        let score = row.and_then(|row| row.score.as_ref());
-        score.map_or_else(String::new, |score| match marks.add_extra {
-            true => points(score.core + score.extra),
-            false => points(score.core),
-        })
-    };
+    let marked = students.iter().filter_map(|(student, row)| {
+        let row = (*row)?;
+        let score = row.score.as_ref()?;
+        let mark = points(match marks.add_extra {
+            true => score.core + score.extra,
+            false => score.core,
+        });
+        Some(Marked { student, row, mark })
+    });
     let [max, _] = class.plan.max_score();
     let records = match marks.system {
-        System::Canvas => canvas(&students, &marks.assignment, max, mark),
+        System::Canvas => canvas(marked, &marks.assignment, max),
         System::Moodle
             if students
                 .iter()
                 .all(|(student, _)| !student.number.is_empty()) =>
         {
-            worksheet(&students, max, mark)
+            worksheet(marked, max)
         }
-        System::Moodle => moodle_grades(&students, &marks.assignment, mark),
+        System::Moodle => moodle_grades(marked, &marks.assignment),
         System::Csv => return gradebook_of(class, &students),
     };
     gradebook::table(&records)
 }
 
-fn canvas(
-    students: &[(&Student, Option<&Row>)],
+/// A student with a mark.
+struct Marked<'a> {
+    student: &'a Student,
+    row: &'a Row,
+    mark: String,
+}
+
+fn canvas<'a>(
+    marked: impl Iterator<Item = Marked<'a>>,
     assignment: &str,
     max: f64,
-    mark: impl Fn(Option<&Row>) -> String,
 ) -> Vec<Vec<String>> {
     let header = [
         "Student",
@@ -121,7 +132,7 @@ fn canvas(
         header.map(str::to_string).to_vec(),
         possible.map(str::to_string).to_vec(),
     ];
-    records.extend(students.iter().map(|(student, row)| {
+    records.extend(marked.map(|Marked { student, mark, .. }| {
         let own = [
             &student.name,
             &student.number,
@@ -130,50 +141,45 @@ fn canvas(
             &student.section,
         ];
         let own = own.map(Untrusted::line).into_iter();
-        own.chain([mark(*row)]).collect()
+        own.chain([mark]).collect()
     }));
     records
 }
 
-fn worksheet(
-    students: &[(&Student, Option<&Row>)],
-    max: f64,
-    mark: impl Fn(Option<&Row>) -> String,
-) -> Vec<Vec<String>> {
+fn worksheet<'a>(marked: impl Iterator<Item = Marked<'a>>, max: f64) -> Vec<Vec<String>> {
     let header = [
         "Identifier",
         "Full name",
         "Email address",
         "Grade",
         "Maximum Grade",
+        "Last modified (grade)",
         "Feedback comments",
     ];
     let mut records = vec![header.map(str::to_string).to_vec()];
-    records.extend(students.iter().map(|(student, row)| {
+    records.extend(marked.map(|Marked { student, row, mark }| {
         vec![
             format!("Participant {}", student.number.line()),
             student.name.line(),
             student.email.line(),
-            mark(*row),
+            mark,
             points(max),
-            row.filter(|row| row.score.is_some())
-                .map_or("", |row| row.status.label())
-                .to_string(),
+            student.mark_changed.line(),
+            row.status.label().to_string(),
         ]
     }));
     records
 }
 
-fn moodle_grades(
-    students: &[(&Student, Option<&Row>)],
+fn moodle_grades<'a>(
+    marked: impl Iterator<Item = Marked<'a>>,
     assignment: &str,
-    mark: impl Fn(Option<&Row>) -> String,
 ) -> Vec<Vec<String>> {
     let header = ["ID number", "Email address", "Full name", assignment];
     let mut records = vec![header.map(str::to_string).to_vec()];
-    records.extend(students.iter().map(|(student, row)| {
+    records.extend(marked.map(|Marked { student, mark, .. }| {
         let own = [&student.id, &student.email, &student.name].map(Untrusted::line);
-        own.into_iter().chain([mark(*row)]).collect()
+        own.into_iter().chain([mark]).collect()
     }));
     records
 }
@@ -269,19 +275,20 @@ mod tests {
         assert_eq!(
             written(System::Canvas, roster, false),
             "Student,ID,SIS User ID,SIS Login ID,Section,Part 1 (1234)\r\n    Points Possible,,,,,10\r\n\
-             \"Hopper, Grace\",98765,s2,ghopper,\"CS, A\",10\r\n\"Turing, Alan\",777,s3,aturing,B,\r\n\"Absent, Al\",5,s4,al,B,\r\n"
+             \"Hopper, Grace\",98765,s2,ghopper,\"CS, A\",10\r\n"
         );
         assert!(written(System::Canvas, roster, true).contains("\"CS, A\",11.5\r\n"));
     }
 
     #[test]
     fn moodle_gets_its_worksheet_or_a_table_to_map() {
-        let worksheet = "Identifier,Full name,Email address,Status,Grade,Maximum Grade\n\
-            Participant 123,Ada Lovelace,ada@x,Submitted,,10\n";
+        let worksheet = "Identifier,Full name,Email address,Status,Grade,Maximum Grade,Last modified (grade),Feedback comments\n\
+            Participant 123,Ada Lovelace,ada@x,Submitted,,10,\"Friday, 3 May 2027, 9:00 AM\",\n\
+            Participant 124,Al Absent,al@x,No submission,,10,-,Where is it?\n";
         assert_eq!(
             written(System::Moodle, worksheet, false),
-            "Identifier,Full name,Email address,Grade,Maximum Grade,Feedback comments\r\n\
-             Participant 123,Ada Lovelace,ada@x,7.25,10,graded\r\n"
+            "Identifier,Full name,Email address,Grade,Maximum Grade,Last modified (grade),Feedback comments\r\n\
+             Participant 123,Ada Lovelace,ada@x,7.25,10,\"Friday, 3 May 2027, 9:00 AM\",graded\r\n"
         );
         let participants = "First name,Last name,ID number,Email address\nAda,Lovelace,s1,ada@x\n";
         assert_eq!(

@@ -31,10 +31,7 @@ pub(super) fn form(path: &Path) -> io::Result<Option<Form>> {
     if !path.symlink_metadata()?.is_file() {
         return Ok(None);
     }
-    let mut start = Vec::new();
-    File::open(path)?
-        .take(MAGIC as u64)
-        .read_to_end(&mut start)?;
+    let start = start_of(path)?;
     Ok(match &start {
         start if start.starts_with(b"PK\x03\x04") || start.starts_with(b"PK\x05\x06") => {
             Some(Form::Zip)
@@ -43,6 +40,32 @@ pub(super) fn form(path: &Path) -> io::Result<Option<Form>> {
         start if start.get(257..262) == Some(b"ustar") => Some(Form::Tar),
         _ => None,
     })
+}
+
+/// The name of a form that is not read, but that students use; `None` if it is none of them.
+fn other_form(path: &Path) -> io::Result<Option<&'static str>> {
+    let forms: [(&[u8], &str); 6] = [
+        (b"Rar!\x1a\x07", "RAR"),
+        (b"7z\xbc\xaf\x27\x1c", "7z"),
+        (b"\xfd7zXZ\0", "xz"),
+        (b"BZh", "bzip2"),
+        (b"\x28\xb5\x2f\xfd", "zstd"),
+        (b"%PDF", "PDF"),
+    ];
+    if !path.symlink_metadata()?.is_file() {
+        return Ok(None);
+    }
+    let start = start_of(path)?;
+    let found = forms.iter().find(|(magic, _)| start.starts_with(magic));
+    Ok(found.map(|(_, name)| *name))
+}
+
+/// The first bytes of a file.
+fn start_of(path: &Path) -> io::Result<Vec<u8>> {
+    let mut start = Vec::new();
+    let mut file = File::open(path)?.take(MAGIC as u64);
+    file.read_to_end(&mut start)?;
+    Ok(start)
 }
 
 /// Unpacks the file `path`.
@@ -56,7 +79,12 @@ pub(super) fn unpack(path: &Path, unpacker: &mut Unpacker) -> Result<(), Unreada
             ));
         }
         return Err(Unreadable::Damaged(
-            "is neither a folder nor a zip, tar or tar.gz file".into(),
+            match other_form(path).map_err(failed)? {
+                Some(form) => format!(
+                    "is a file of the form {form}, which is not read: ask for a zip, tar or tar.gz file"
+                ),
+                None => "is neither a folder nor a zip, tar or tar.gz file".into(),
+            },
         ));
     };
     let file = BufReader::new(File::open(path).map_err(failed)?);

@@ -86,8 +86,8 @@ impl Changes {
             if folder.join(name).exists() {
                 return Err(GraderError::new(format!(
                     "{} has a folder `{name}`, and a term cannot have {what}: they are Rust code, which is compiled, \
-                     blessed and tested with the course. Keep a checkout of First Light of your own for them \
-                     (CONTRIBUTING.md says how), and remove the folder here",
+                     blessed and tested with the course. They belong to a First Light of your own, from which terms are \
+                     made (\"Hosting the course\" says how): remove the folder here",
                     folder.display()
                 )));
             }

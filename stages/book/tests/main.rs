@@ -4,5 +4,6 @@ mod course;
 mod english;
 mod explore;
 mod hard_cases;
+mod labels;
 mod numbers;
 mod text;

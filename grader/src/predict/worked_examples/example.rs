@@ -52,6 +52,11 @@ impl AskedNumber {
     }
 }
 
+/// A number of tenths.
+pub(super) fn tenths(count: i32) -> f64 {
+    f64::from(count) / 10.0
+}
+
 /// A vector of whole numbers or halves as the text has it: `(1, -0.5, 2)`.
 pub(super) fn vector(v: [f64; 3]) -> String {
     format!("({}, {}, {})", v[0], v[1], v[2])

@@ -1,13 +1,18 @@
 //! Variants of the worked examples, with numbers that are drawn.
 //!
 //! The numbers are small, so that paper is enough, and such that the answers of the typical
-//! mistakes differ from the truth. Only Parts 1 and 2 have variants.
+//! mistakes differ from the truth.
 
 mod boxes;
 mod example;
 mod film;
+mod lights;
+mod paths;
 mod rays;
+mod stopping;
 mod tree;
+#[cfg(test)]
+mod truths;
 
 pub use example::{AskedNumber, WorkedExample};
 
@@ -23,6 +28,14 @@ pub fn of(key: &str, seed: u64) -> Option<WorkedExample> {
         "part2.task1" => tree::split,
         "part2.task2" => boxes::slabs,
         "part2.task3" => tree::traversal,
+        "part3.task1" => lights::diffuse,
+        "part3.task2" => lights::directions,
+        "part3.task3" => lights::lamp,
+        "part4.task1" => paths::glass,
+        "part4.task2" => paths::path,
+        "part4.task3" => paths::roulette,
+        "part5.task1" => stopping::spread,
+        "part5.task2" => stopping::rare_light,
         _ => return None,
     };
     // Drawn again while no mistake of a question gives a wrong answer: it would confirm them.
@@ -41,7 +54,7 @@ pub fn of(key: &str, seed: u64) -> Option<WorkedExample> {
 mod tests {
     use super::*;
 
-    const TASKS: [&str; 7] = [
+    const TASKS: [&str; 15] = [
         "part1.task1",
         "part1.task2",
         "part1.task3",
@@ -49,6 +62,14 @@ mod tests {
         "part2.task1",
         "part2.task2",
         "part2.task3",
+        "part3.task1",
+        "part3.task2",
+        "part3.task3",
+        "part4.task1",
+        "part4.task2",
+        "part4.task3",
+        "part5.task1",
+        "part5.task2",
     ];
 
     #[test]
@@ -67,7 +88,7 @@ mod tests {
                 }
             }
         }
-        assert_eq!(of("part5.task2", 0), None);
+        assert_eq!(of("part6.task1", 0), None);
     }
 
     #[test]

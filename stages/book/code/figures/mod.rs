@@ -12,7 +12,7 @@ mod part2_tree;
 mod part3_diffuse;
 mod part3_direct;
 mod part4;
-mod part5;
+pub mod part5;
 mod part6;
 mod parts;
 

@@ -127,7 +127,7 @@ fn acne() -> String {
     let mut d = Drawing::new(
         640.0,
         230.0,
-        w(-0.3, -0.8),
+        w(-0.7, -0.8),
         w(9.3, 2.0),
         "Left: the rounded hit point lies below the surface, and the ray that starts there hits the surface at once. \
          Right: the ray starts above it, by more than the error.",
@@ -213,7 +213,7 @@ fn shadow_rays() -> String {
     d.line(w(-0.4, 3.5), w(9.4, 3.5), "ink");
     for (x, end, colour, words) in [
         (1.2, 3.5, "red", "too long: the ceiling blocks"),
-        (4.6, 2.6, "red", "to the lamp: it blocks itself"),
+        (4.6, 2.6, "red", "to the lamp: it blocks"),
         (8.0, 2.45, "green", "right: just before it"),
     ] {
         d.line(w(x - 0.8, 2.6), w(x + 0.8, 2.6), "blue");

@@ -103,7 +103,7 @@ fn snell() -> String {
     d.label(w(0.17, -0.45), Side::Below, "θ_i", "red");
     d.label(1.2 * wo, Side::Left, "ω_o", "ink");
     d.label(1.2 * mirrored, Side::Right, "ω_i", "blue");
-    d.note(1.2 * mirrored, Side::Below, "mirror", "blue");
+    d.note(1.2 * mirrored - w(0.0, 0.05), Side::Below, "mirror", "blue");
     d.label(1.2 * refracted, Side::Right, "ω_i", "red");
     d.note(1.2 * refracted, Side::Left, "refraction", "red");
     d.label(w(0.0, 1.3), Side::Right, "m", "green");

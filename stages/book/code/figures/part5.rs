@@ -14,8 +14,13 @@ pub(super) fn figures() -> Vec<Figure> {
 }
 
 /// Whether the relative half width of the interval is at most `tolerance`.
-fn is_narrow(samples: &Tally, tolerance: f64) -> bool {
+pub fn is_narrow(samples: &Tally, tolerance: f64) -> bool {
     1.96 * samples.standard_error() <= tolerance * samples.mean()
+}
+
+/// The same with both conditions of Task 2.
+pub fn is_surely_narrow(samples: &Tally, tolerance: f64) -> bool {
+    samples.count() >= 256 && samples.mean() > 0.0 && is_narrow(samples, tolerance)
 }
 
 /// The mean of a pixel with its interval, until it is narrow enough at the end of a batch.
@@ -162,7 +167,7 @@ fn bias() -> String {
         d.note(w(log(x), 0.0), Side::Below, words, "ink");
     }
     let plain = |samples: &Tally| is_narrow(samples, 0.05);
-    let sure = |samples: &Tally| samples.count() >= 256 && samples.mean() > 0.0 && plain(samples);
+    let sure = |samples: &Tally| is_surely_narrow(samples, 0.05);
     let curve = |stops: &dyn Fn(&Tally) -> bool| -> Vec<Vec2> {
         let mean = |n: &f64| w(log(*n), mean_of_pixels(1.0 / n, stops));
         rarities.iter().map(mean).collect()

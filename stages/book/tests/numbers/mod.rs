@@ -5,6 +5,8 @@
 
 mod chance_light;
 mod claims;
+mod furnace;
+mod measured;
 mod part1;
 mod part2;
 mod part3;
@@ -12,6 +14,7 @@ mod part4;
 mod part5;
 mod part6;
 mod sphere_error;
+mod stopping;
 
 use book::chapter::Chapter;
 use kit::{Vec2, Vec3};

@@ -1,7 +1,7 @@
 //! The worked examples of Part 2.
 
 use super::{Numbers, check};
-use kit::{Aabb, Vec3};
+use kit::{Aabb, Bvh, BvhNode, NodeKind, Vec3};
 
 fn cube(x: f64) -> Aabb {
     Aabb {
@@ -13,6 +13,14 @@ fn cube(x: f64) -> Aabb {
 fn area(centroids: &[f64]) -> f64 {
     let boxes = centroids.iter().map(|x| cube(*x));
     boxes.fold(Aabb::EMPTY, Aabb::union).surface_area()
+}
+
+/// The levels of interior nodes from `node` down.
+pub(super) fn height(tree: &Bvh, node: u32) -> f64 {
+    match tree.nodes[node as usize].kind {
+        NodeKind::Leaf { .. } => 0.0,
+        NodeKind::Interior { left, right } => 1.0 + height(tree, left).max(height(tree, right)),
+    }
 }
 
 #[test]
@@ -36,7 +44,11 @@ fn task1() {
     assert_eq!(below(&all[..5]), 4);
     text.n(middle(&all[..4]));
     assert_eq!(below(&all[..4]), 2);
-    text.n(3.0);
+    let tree = bvh::construct_bvh(&all.map(cube), 2);
+    let interior = |node: &&BvhNode| matches!(node.kind, NodeKind::Interior { .. });
+    assert_eq!(tree.nodes.iter().filter(interior).count(), 3);
+    assert_eq!(tree.nodes.len(), 4 + 3, "leaves and interior nodes");
+    text.n(height(&tree, 0));
     let sides = |text: &mut Numbers, part: &[f64]| {
         let length = part[part.len() - 1] - part[0] + 1.0;
         text.n(2.0);
@@ -112,8 +124,8 @@ fn task2() {
     let exit = text.n(fx.min(fy).min(fz));
     let p = o + entry * d;
     text.n(p.x);
-    text.n(0.25);
-    text.n(0.25);
+    text.n(o.y);
+    text.n(-entry * d.y);
     assert_eq!(p.y, 0.0);
     text.n(p.z);
     text.n(0.5);

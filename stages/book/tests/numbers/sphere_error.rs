@@ -15,6 +15,8 @@ struct Errors {
     half_chord: [f64; 2],
     /// Of t: the textbook's formula, and with Haines' discriminant.
     t: [f64; 2],
+    /// How many times b² is larger than Δ: no error, but the reason of the first one.
+    terms: f64,
 }
 
 /// A sphere of radius 1 at the origin, and a ray from `distance` that passes the centre at 0.6. Its
@@ -58,7 +60,7 @@ fn errors(distance: f64) -> Errors {
     let sphere = SPHERE;
     let kernels = [kernel("quadratic formula"), kernel("Haines's discriminant")];
     let mut sampler = PixelSampler::new(0, 0, 1);
-    let (mut half_chord, mut t) = ([vec![], vec![]], [vec![], vec![]]);
+    let (mut half_chord, mut t, mut terms) = ([vec![], vec![]], [vec![], vec![]], vec![]);
     for _ in 0..RAYS {
         let ray = ray(&mut sampler, distance);
         let [near, far] = oracle::sphere(&sphere, &ray).roots.expect("it hits");
@@ -72,6 +74,7 @@ fn errors(distance: f64) -> Errors {
         let truth = a * half * half;
         let c = ray.o.dot(ray.o) - 1.0;
         let nearest = ray.o + (b / a) * ray.d;
+        terms.push(b * b / (a * truth));
         half_chord[0].push(relative((b * b - a * c) / a, truth));
         half_chord[1].push(relative(1.0 - nearest.length_squared(), truth));
         for (errors, kernel) in t.iter_mut().zip(&kernels) {
@@ -82,6 +85,7 @@ fn errors(distance: f64) -> Errors {
     Errors {
         half_chord: half_chord.map(median),
         t: t.map(median),
+        terms: median(terms),
     }
 }
 
@@ -158,8 +162,29 @@ pub(super) fn claims() -> Vec<Claim> {
     let thousand = errors(1e3).half_chord[0];
     let lost = 16.0 + thousand.log10();
     assert_eq!(lost.round(), 6.0, "six of sixteen are lost");
+    // Digits that are lost with each factor of ten in the distance.
+    let slope = |form: usize| {
+        let of = |distance: f64| errors(distance).half_chord[form].log10();
+        ((of(1e6) - of(1e2)) / 4.0).round()
+    };
+    assert_eq!([slope(0), slope(1)], [2.0, 1.0], "two digits, and one");
+    assert_eq!(blind, 8, "one hundred million");
+    let terms = far.terms.log10().round();
     let [textbook, product, exact] = errors_near_the_surface().map(power);
     vec![
+        (
+            "accuracy.md",
+            "the textbook's discriminant loses two digits for each factor of ten in the distance. A sphere 1000 radii away \
+             costs six of the sixteen digits of the half chord; one hundred million radii away, all. The form that cancels \
+             lengths before it squares them loses one digit for each factor of ten"
+                .into(),
+        ),
+        (
+            "part1/task4.md",
+            format!(
+                "With a distance of $10^8$ radii, the terms are $10^{{{terms}}}$ times larger than their difference"
+            ),
+        ),
         (
             "part1/task4.md",
             format!(

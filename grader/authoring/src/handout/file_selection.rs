@@ -25,6 +25,9 @@ const PROGRAMS: &[&str] = &[
 /// The folder of the book, whose chapters of all parts are in every handout.
 const BOOK: &str = "stages/book";
 
+/// Chapters for those who teach or maintain the course. A handout has their rendered pages only.
+const ONLY_RENDERED: [&str; 2] = ["src/hosting.md", "src/hard-cases.md"];
+
 /// A plot of `grader cost` that the book shows.
 const PLOT_IN_BOOK: &str = "grader/pictures/triangles.svg";
 
@@ -85,11 +88,12 @@ impl<'a> FileSelection<'a> {
         }
         // Students need the text of the book. The scripts of its pages are in the packed site. The
         // crate that draws its figures and tests its text computes what students have to write.
-        if path.starts_with(BOOK) {
+        if let Ok(inside) = path.strip_prefix(BOOK) {
+            let is_only_rendered = ONLY_RENDERED.iter().any(|page| inside == Path::new(page));
             let is_script = path
                 .extension()
                 .is_some_and(|end| end == "js" || end == "css");
-            return path.starts_with(Path::new(BOOK).join("src")) && !is_script;
+            return inside.starts_with("src") && !is_script && !is_only_rendered;
         }
         if path == Path::new(PLOT_IN_BOOK) {
             return true;

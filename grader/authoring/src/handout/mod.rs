@@ -87,6 +87,7 @@ impl Handout {
                 root.display()
             )));
         }
+        handout.shorten_summary();
         handout.add_truth(&carver);
         handout.remove_unit_tests(&selection)?;
         handout.remove_tests(&selection)?;
@@ -100,6 +101,28 @@ impl Handout {
         lock::remove_unused(&mut handout.files)?;
         handout.list_given(&selection, &course);
         Ok(handout)
+    }
+
+    /// Removes the lines of the book's table of contents whose chapters the handout does not have.
+    fn shorten_summary(&mut self) {
+        let book = Path::new("stages/book/src");
+        let Some(summary) = self.files.get(&book.join("SUMMARY.md")) else {
+            return;
+        };
+        let text = String::from_utf8_lossy(summary);
+        let is_there = |line: &&str| {
+            let target = line
+                .rsplit_once("](")
+                .and_then(|(_, rest)| rest.strip_suffix(')'));
+            target.is_none_or(|target| self.files.contains_key(&book.join(target)))
+        };
+        let kept: String = text
+            .lines()
+            .filter(is_there)
+            .flat_map(|line| [line, "\n"])
+            .collect();
+        self.files
+            .insert(book.join("SUMMARY.md"), kept.into_bytes());
     }
 
     /// Makes cargo take all libraries from the folder that [`Handout::write`] can add.

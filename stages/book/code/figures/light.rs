@@ -37,7 +37,7 @@ fn solid_angle() -> String {
     d.line(ends[0], ends[1], "green");
     d.arrow(Vec2::ZERO, w(0.0, 1.6), "ink");
     d.line(Vec2::ZERO, centre, "ink");
-    let normal = centre + 0.8 * w(along.y, -along.x).normalize();
+    let normal = centre + 0.6 * w(along.y, -along.x).normalize();
     d.arrow(centre, normal, "green");
     d.arc(
         centre,
@@ -50,9 +50,9 @@ fn solid_angle() -> String {
     d.label(Vec2::ZERO, Side::Below, "x", "ink");
     d.label(w(0.0, 1.6), Side::Left, "n", "ink");
     d.label(ends[1], Side::Right, "A", "green");
-    d.label(0.6 * centre, Side::Right, "r", "ink");
+    d.label(0.72 * centre, Side::Left, "r", "ink");
     d.label(arc[0], Side::Left, "Ω", "red");
-    d.label(normal + w(-0.05, -0.1), Side::Right, "θ_l", "green");
+    d.label(normal, Side::Below, "θ_l", "green");
     d.note(w(-1.0, 0.0), Side::Below, "1", "soft");
     d.finish()
 }

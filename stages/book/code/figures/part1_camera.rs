@@ -38,8 +38,8 @@ fn camera() -> String {
     d.label(w(1.0, 0.5 * a), Side::Right, "a", "blue");
     d.note(w(1.0, a), Side::Above, "u = 0", "blue");
     d.note(w(1.0, -a), Side::Below, "u = 1", "blue");
-    d.note(w(1.0, 0.05), Side::Right, "u = ½", "blue");
-    d.label(q, Side::Right, "q", "red");
+    d.note(w(1.0, 0.07), Side::Right, "u = ½", "blue");
+    d.label(q - w(0.09, 0.0), Side::Below, "q", "red");
     d.label(w(1.9, -0.95 * a), Side::Right, "d", "ink");
     d.label(w(-0.55, 0.0), Side::Above, "+z", "green");
     d.label(w(0.0, -0.55), Side::Left, "+x", "green");

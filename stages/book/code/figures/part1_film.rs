@@ -122,7 +122,7 @@ fn film() -> String {
     let s = samples[0];
     d.dot(at(s), "red");
     d.arrow(at(Vec2::ZERO), at(s), "red dash");
-    d.label(at(0.5 * s), Side::Left, "s", "red");
+    d.label(at(0.5 * s), Side::Above, "s", "red");
     d.finish()
 }
 

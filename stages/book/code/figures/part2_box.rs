@@ -37,14 +37,20 @@ fn slabs() -> String {
     d.arrow(o, at(1.0), "ink");
     let t = |plane: f64, axis: usize| (plane - o[axis]) / dir[axis];
     for (plane, axis, name, side, colour) in [
-        (0.0, 0, "e_x", Side::Above, "blue"),
-        (3.0, 0, "f_x", Side::Below, "blue"),
+        (0.0, 0, "e_x", Side::Left, "blue"),
+        (3.0, 0, "f_x", Side::Right, "blue"),
         (0.0, 1, "e_y", Side::Below, "green"),
         (2.0, 1, "f_y", Side::Below, "green"),
     ] {
         let p = at(t(plane, axis));
         d.dot(p, colour);
-        d.label(p, side, name, colour);
+        // Beside the plane, off the ray.
+        let off = match side {
+            Side::Left => w(0.0, 0.18),
+            Side::Right => w(0.0, -0.18),
+            _ => w(0.0, 0.0),
+        };
+        d.label(p + off, side, name, colour);
     }
     d.dot(o, "ink");
     d.label(o, Side::Below, "o", "ink");

@@ -127,7 +127,7 @@ fn acne() -> String {
     let mut d = Drawing::new(
         640.0,
         230.0,
-        w(-0.7, -0.8),
+        w(-1.0, -0.8),
         w(9.3, 2.0),
         "Left: the rounded hit point lies below the surface, and the ray that starts there hits the surface at once. \
          Right: the ray starts above it, by more than the error.",
@@ -153,7 +153,7 @@ fn acne() -> String {
             d.line(start, blocked, "red");
             d.dot(blocked, "red");
             d.note(
-                blocked + w(0.0, 0.12),
+                blocked + w(-0.1, 0.25),
                 Side::Left,
                 "blocked by its own surface",
                 "red",
@@ -188,7 +188,7 @@ fn light() -> String {
     d.arc(x, 0.6, direction, w(0.0, 1.0), "blue");
     d.arc(q, 0.5, -direction, normal, "blue");
     d.label(w(0.2, 0.62), Side::Above, "θ_i", "blue");
-    d.label(q + w(-0.35, -0.55), Side::Left, "θ_l", "blue");
+    d.label(q + normal, Side::Below, "θ_l", "blue");
     d.label(x, Side::Below, "x", "ink");
     d.label(q, Side::Above, "q", "red");
     d.label(q + 0.8 * along, Side::Right, "A", "red");

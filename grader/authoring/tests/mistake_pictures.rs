@@ -4,7 +4,7 @@ use authoring::mutants::mistake_pictures::{self, Sheet};
 use base::Workspace;
 use grader::course::Course;
 use grader::gym::mistake_sheet;
-use pictures::png;
+use pictures::{Image, png};
 use std::fs;
 use std::path::Path;
 
@@ -36,13 +36,25 @@ fn each_task_has_a_small_file_that_begins_with_the_golden_picture() {
         let bytes = file.len();
         assert!(bytes <= LARGEST, "{}: {bytes} bytes", path.display());
         let picture = png::decode(&file).expect("a picture");
-        let golden = mistake_pictures::golden(&workspace, &sheet.task).expect("a golden picture");
-        let golden = sheet.tile(&golden);
+        let golden_picture =
+            mistake_pictures::golden(&workspace, &sheet.task).expect("a golden picture");
+        let golden = sheet.tile(&golden_picture);
         let shown = |number| mistake_sheet::picture(&picture, number).expect("it is in the sheet");
         assert!(
             shown(0) == golden,
             "{} does not begin with the golden picture: {COMMAND}",
             path.display()
+        );
+        let large = sheet.large_file(&workspace);
+        let large =
+            png::read(&large).unwrap_or_else(|e| panic!("{}: {e}: {COMMAND}", large.display()));
+        let panel = sheet.panel(&golden_picture);
+        let [width, height] = panel.size();
+        let first = Image::from_fn([width, height], |x, y| large.get(x, y));
+        assert!(
+            first == panel,
+            "{}: the large picture: {COMMAND}",
+            sheet.task
         );
         for number in 1..=sheet.mutants.len() {
             assert!(

@@ -9,6 +9,8 @@
 //!   program that reads the page aloud reads in place of the picture. An explorable figure has a
 //!   caption of its own, and gets its number.
 //! - The questions of a chapter get their choices as a form (`predictions.rs`).
+//! - A picture that readers make themselves, in a comment `<!-- picture: FILE | TEXT -->`, is shown
+//!   where the book is read alone ([`Links::Nowhere`]).
 //! - A sheet of mistakes becomes its panels, which are below each other where the page is narrow.
 
 use crate::maths;
@@ -37,6 +39,12 @@ pub(crate) const FORMULA: [&str; 2] = ["<span data-formula=\"", "\"></span>"];
 
 /// The width of a panel on a sheet of mistakes, the height, and the gap between panels, in pixels.
 const PANEL: [u32; 3] = [160, 120, 4];
+
+/// The same where the book is read alone, with the sheets of [`LARGE_SHEETS`].
+const LARGE_PANEL: [u32; 3] = [320, 240, 4];
+
+/// The folder of the large sheets below `src`. They are too large for handouts.
+pub const LARGE_SHEETS: &str = "mistakes-large";
 
 /// The sources of the whole book.
 #[derive(Debug)]
@@ -120,6 +128,9 @@ impl Sources {
                     let end = start + CAPTION.len();
                     changes.push((start..end, format!("{CAPTION}{} ", figures.next())));
                 }
+                Event::Html(html) if html.starts_with(OWN_PICTURE[0]) => {
+                    changes.push((range, own_picture(&html, self.links)));
+                }
                 Event::Start(Tag::Image { dest_url, .. }) => {
                     let image = &markdown[range.clone()];
                     if dest_url.contains("figures/") {
@@ -128,7 +139,7 @@ impl Sources {
                         let html = drawn(image, &dest_url, at, number.as_deref())?;
                         changes.push((range, html));
                     } else if dest_url.contains("/mistakes/") || dest_url.starts_with("mistakes/") {
-                        changes.push((range, sheet(image, &dest_url, at)?));
+                        changes.push((range, sheet(image, &dest_url, at, self.links)?));
                     } else if let Some(file) = of_project(&dest_url, at) {
                         let copy = crate::folder().join("src").join(copy_of(&file));
                         let copy = relative(&folder_of(at), &copy);
@@ -185,6 +196,24 @@ impl Sources {
 
 /// The start of the caption of an explorable figure.
 const CAPTION: &str = "<figcaption>";
+
+/// What is around the file and the text of a picture that readers make themselves.
+const OWN_PICTURE: [&str; 2] = ["<!-- picture: ", "-->"];
+
+/// The folder of these pictures below `src`. Beside a reader's own program nobody needs them.
+pub const OWN_PICTURES: &str = "so-far";
+
+/// The element of a picture that readers make themselves, if the book is read alone.
+fn own_picture(comment: &str, links: Links) -> String {
+    let inside = comment.trim_end().trim_end_matches(OWN_PICTURE[1]);
+    let inside = inside.trim_start_matches(OWN_PICTURE[0]).trim();
+    match (links, inside.split_once(" | ")) {
+        (Links::Nowhere, Some((file, text))) => {
+            format!("<img src=\"{file}\" alt=\"{}\">\n", escaped(text))
+        }
+        _ => String::new(),
+    }
+}
 
 /// Counts the figures of a chapter.
 struct FigureNumbers {
@@ -249,10 +278,17 @@ fn copy_of(picture: &Path) -> PathBuf {
 }
 
 /// The panels of a sheet of mistakes: the same file, of which each panel shows another piece.
-fn sheet(image: &str, link: &str, at: &Path) -> Result<String, String> {
-    let file = folder_of(at).join(link);
+fn sheet(image: &str, link: &str, at: &Path, links: Links) -> Result<String, String> {
+    let (link, class, size) = match links {
+        Links::Project => (link.to_string(), "sheet", PANEL),
+        Links::Nowhere => {
+            let large = link.replace("mistakes/", &format!("{LARGE_SHEETS}/"));
+            (large, "sheet large", LARGE_PANEL)
+        }
+    };
+    let file = folder_of(at).join(&link);
     let [width, height] = size_of_png(&file)?;
-    let [panel, panel_height, gap] = PANEL;
+    let [panel, panel_height, gap] = size;
     let panels = (width + gap) / (panel + gap);
     if height != panel_height || panels < 2 || panels * (panel + gap) != width + gap {
         return Err(format!(
@@ -262,7 +298,7 @@ fn sheet(image: &str, link: &str, at: &Path) -> Result<String, String> {
     }
     let alt = image.split("](").next().unwrap_or_default();
     let alt = escaped(alt.trim_start_matches("!["));
-    let mut html = format!("<span class=\"sheet\" role=\"img\" aria-label=\"{alt}\">");
+    let mut html = format!("<span class=\"{class}\" role=\"img\" aria-label=\"{alt}\">");
     for number in 0..panels {
         let position = f64::from(100 * number) / f64::from(panels - 1);
         let _ = write!(
@@ -375,6 +411,16 @@ mod tests {
     }
 
     #[test]
+    fn pictures_that_readers_make_are_on_the_site_alone() {
+        let markdown = "A.\n\n<!-- picture: ../so-far/part1.png | \"Gems\" -->\n\nB.\n";
+        let (text, _) = chapter(markdown, Links::Project);
+        assert_eq!(text, "A.\n\n\nB.\n");
+        let (text, _) = chapter(markdown, Links::Nowhere);
+        let image = "<img src=\"../so-far/part1.png\" alt=\"&quot;Gems&quot;\">";
+        assert_eq!(text, format!("A.\n\n{image}\n\nB.\n"));
+    }
+
+    #[test]
     fn a_sheet_of_mistakes_becomes_panels() {
         let (text, _) = chapter(
             "![Right and \"wrong\"](../mistakes/part1-task3.png)",
@@ -390,6 +436,9 @@ mod tests {
             "{text}"
         );
         assert!(text.contains("object-position:25.000% 0"), "{text}");
+        let (text, _) = chapter("![R](../mistakes/part1-task3.png)", Links::Nowhere);
+        let large = "<img src=\"../mistakes-large/part1-task3.png\" alt=\"\" width=\"320\"";
+        assert_eq!(text.matches(large).count(), 5, "{text}");
         let error = Sources::new(Links::Project)
             .chapter("![?](mistakes/none.png)", Path::new("a.md"))
             .unwrap_err();

@@ -85,6 +85,29 @@ fn links_lead_somewhere() {
     }
 }
 
+/// The comments that `code/source.rs` shows on the published site.
+#[test]
+fn the_pictures_of_the_site_exist_and_each_is_shown() {
+    let folder = book::folder().join("src").join(book::source::OWN_PICTURES);
+    let mut shown = BTreeSet::new();
+    for chapter in chapters() {
+        for comment in chapter.text.split("<!-- picture: ").skip(1) {
+            let at = chapter.path.display();
+            let (file, text) = comment.split_once(" | ").expect("a file and a text");
+            assert!(text.contains(" -->"), "{at}: {file}");
+            let file = book::folder()
+                .join("src")
+                .join(&chapter.path)
+                .join("..")
+                .join(file);
+            shown.insert(paths::normal(&file));
+        }
+    }
+    let files = fs::read_dir(folder).expect("the pictures");
+    let files: BTreeSet<_> = files.map(|file| file.expect("a file").path()).collect();
+    assert_eq!(files, shown);
+}
+
 #[test]
 fn formulas_are_latex_and_code_blocks_have_a_language() {
     for chapter in chapters() {

@@ -82,7 +82,7 @@ pub(crate) fn command() -> Command {
                 .long("pictures")
                 .action(ArgAction::SetTrue)
                 .conflicts_with_all(["seeds", "bless", "with", "families"])
-                .help("Instead, render the mistakes that the chapters of the book show, as grader/mutants/pictures.toml lists them, to stages/book/src/mistakes"),
+                .help("Instead, render the mistakes that the chapters of the book show, as grader/mutants/pictures.toml lists them, to stages/book/src/mistakes and mistakes-large"),
         )
         .arg(
             Arg::new("stored")

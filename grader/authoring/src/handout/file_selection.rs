@@ -28,6 +28,10 @@ const BOOK: &str = "stages/book";
 /// Chapters for those who teach or maintain the course. A handout has their rendered pages only.
 const ONLY_RENDERED: [&str; 2] = ["src/hosting.md", "src/hard-cases.md"];
 
+/// Pictures that the published book alone shows: those that readers make with their own program,
+/// and large ones of mistakes.
+const ONLY_PUBLISHED: [&str; 2] = ["src/so-far", "src/mistakes-large"];
+
 /// A plot of `grader cost` that the book shows.
 const PLOT_IN_BOOK: &str = "grader/pictures/triangles.svg";
 
@@ -93,7 +97,10 @@ impl<'a> FileSelection<'a> {
             let is_script = path
                 .extension()
                 .is_some_and(|end| end == "js" || end == "css");
-            return inside.starts_with("src") && !is_script && !is_only_rendered;
+            let is_published = ONLY_PUBLISHED
+                .iter()
+                .any(|folder| inside.starts_with(folder));
+            return inside.starts_with("src") && !is_script && !is_only_rendered && !is_published;
         }
         if path == Path::new(PLOT_IN_BOOK) {
             return true;

@@ -1,8 +1,9 @@
 //! Pictures of mistakes for the book: the picture of a task as the reference renders it, and as
-//! mutants do, beside each other in one small file.
+//! mutants do, beside each other in one small file, and in a large one.
 //!
 //! `grader/mutants/pictures.toml` lists them. `grader mutants TASK --pictures` makes the files
-//! below `stages/book/src/mistakes`, which the chapters show.
+//! below `stages/book/src/mistakes`, which the chapters and the gym show and every handout has, and
+//! those below `stages/book/src/mistakes-large`, which the published book shows.
 
 use super::corpus::{Corpus, Sources, reference_sources};
 use super::few_colours::few_colours;
@@ -91,7 +92,22 @@ impl Sheet {
         mistake_sheet::file(workspace, &self.task)
     }
 
-    /// What the sheet shows of a picture of the task.
+    /// The file with whole panels in all their colours.
+    pub fn large_file(&self, workspace: &Workspace) -> PathBuf {
+        let file = self.file(workspace);
+        let name = file.file_name().unwrap_or_default();
+        let folder = workspace.root().join("stages/book/src/mistakes-large");
+        folder.join(name)
+    }
+
+    /// What the large file shows of a picture of the task: its panel.
+    pub fn panel(&self, picture: &Image) -> Image {
+        let [width, height] = TILE.map(|side| 2 * side);
+        let top = self.panel * height;
+        Image::from_fn([width, height], |x, y| picture.get(x, top + y))
+    }
+
+    /// What the small file shows of a picture of the task.
     pub fn tile(&self, picture: &Image) -> Image {
         let top = self.panel * 2 * TILE[1];
         let tile = match self.corner {
@@ -103,11 +119,12 @@ impl Sheet {
 
     /// The picture that `tiles` make beside each other.
     fn compose(tiles: &[Image]) -> Image {
+        let [width, height] = tiles.first().map_or(TILE, Image::size);
+        let left = |number: u32| number * (width + GAP);
         let count = tiles.len() as u32;
-        let width = mistake_sheet::left(count) - GAP;
-        let mut sheet = Image::filled([width, TILE[1]], PAPER);
+        let mut sheet = Image::filled([left(count) - GAP, height], PAPER);
         for (i, tile) in (0..).zip(tiles) {
-            sheet.paste(tile, mistake_sheet::left(i), 0);
+            sheet.paste(tile, left(i), 0);
         }
         sheet
     }
@@ -214,18 +231,25 @@ pub fn render(
     let mut sheets = Sheet::all(workspace)?;
     sheets.retain(|sheet| tasks.iter().any(|task| task.key == sheet.task));
     let versions = Versions::build(workspace, course, &sheets)?;
-    let each = sheets.iter().map(|sheet| {
+    let mut files = Vec::new();
+    for sheet in &sheets {
         let picture = judge::pictures::of(&sheet.task)
             .ok_or_else(|| GraderError::new(format!("`{}` has no picture", sheet.task)))?;
-        let mut tiles = vec![sheet.tile(&golden(workspace, &sheet.task)?)];
+        let mut all = vec![golden(workspace, &sheet.task)?];
         for name in &sheet.mutants {
             let number = versions.number(&sheet.task, name)?;
-            tiles.push(sheet.tile(&versions.render(course, &picture, number)?));
+            all.push(versions.render(course, &picture, number)?);
         }
-        let file = png::encode(&Sheet::compose(&tiles));
-        Ok((sheet.file(workspace), file))
-    });
-    each.collect()
+        let tiles: Vec<Image> = all.iter().map(|picture| sheet.tile(picture)).collect();
+        let panels: Vec<Image> = all.iter().map(|picture| sheet.panel(picture)).collect();
+        for (path, shown) in [
+            (sheet.file(workspace), tiles),
+            (sheet.large_file(workspace), panels),
+        ] {
+            files.push((path, png::encode(&Sheet::compose(&shown))));
+        }
+    }
+    Ok(files)
 }
 
 /// The golden picture of a task.

@@ -1,7 +1,7 @@
 //! Builds the site.
 
 use crate::search_index;
-use book::source::{Links, Sources};
+use book::source::{LARGE_SHEETS, Links, OWN_PICTURES, Sources};
 use book::{page, paths};
 use mdbook_driver::MDBook;
 use mdbook_driver::config::Config;
@@ -29,6 +29,14 @@ pub(crate) fn build(out: &Path, links: Links) -> Result<(), String> {
     // The pages have the choices in their forms.
     let choices = out.join("predictions.toml");
     fs::remove_file(&choices).map_err(|e| failed("remove", &choices, &e))?;
+    // What mdBook has copied and no page shows.
+    let unused: &[&str] = match links {
+        Links::Project => &[OWN_PICTURES, LARGE_SHEETS],
+        Links::Nowhere => &["mistakes"],
+    };
+    for folder in unused.iter().map(|name| out.join(name)) {
+        fs::remove_dir_all(&folder).map_err(|e| failed("remove", &folder, &e))?;
+    }
     let script = out.join("highlight.js");
     let js = fs::read_to_string(&script).map_err(|e| failed("read", &script, &e))?;
     fs::write(&script, with_languages_of_the_book(&js))

@@ -6,11 +6,22 @@
 use kit::{Camera, Vec2, Vec3};
 use std::fmt::Write;
 
-/// Rules that do not depend on a colour.
+/// Rules that do not depend on a colour, and that every figure has.
 const STYLE: &str = "\
 .paper{fill:#fff}.line,.dots{fill:none;stroke:currentColor;stroke-width:2;stroke-linejoin:round;stroke-linecap:round}\
-.dash{stroke-dasharray:6 5}.dots{stroke-width:8}[class*=f-],text{fill:currentColor}.area{fill-opacity:.16}\
-text{font-family:sans-serif}.m{font-family:serif;font-style:italic;font-size:19px}.s{font-size:13px}";
+[class*=f-],text{fill:currentColor}text{font-family:sans-serif}";
+
+/// Rules of a figure whose elements contain the text before them.
+const STYLE_OF: [(&str, &str); 5] = [
+    (" dash\"", ".dash{stroke-dasharray:6 5}"),
+    ("\"dots ", ".dots{stroke-width:8}"),
+    ("\"area ", ".area{fill-opacity:.16}"),
+    (
+        "\"m ",
+        ".m{font-family:serif;font-style:italic;font-size:19px}",
+    ),
+    ("\"s ", ".s{font-size:13px}"),
+];
 
 /// A colour of lines (`blue`), areas (`f-blue`) and text, on a light and on a dark page. Lines have
 /// the colours of Okabe and Ito, which colour-blind readers can distinguish.
@@ -73,6 +84,8 @@ fn style(body: &str) -> String {
         .any(|use_of| body.contains(use_of.as_str()))
     };
     let (mut light, mut dark) = (STYLE.to_string(), ".paper{fill:#16181d}".to_string());
+    let needed = STYLE_OF.iter().filter(|(part, _)| body.contains(part));
+    light.extend(needed.map(|(_, rule)| *rule));
     for colour in COLOURS.iter().filter(|colour| used(colour.class)) {
         let class = colour.class;
         let rules = |line: &str, text: &str| {

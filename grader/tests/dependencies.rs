@@ -199,21 +199,11 @@ fn no_crate_depends_on_more_than_it_may() {
 /// Crates from the registry that `grader part1` may compile, on Linux: a student waits for them.
 const REGISTRY_BUDGET: usize = 70;
 
-/// What a student compiles for `grader part1`: the grader, and the worker with the stages of Part
-/// 1.
-#[test]
-fn a_students_first_build_stays_within_its_budget() {
+/// The crates that cargo compiles for some packages, with the features that the arguments select:
+/// ours have their folder in the text.
+fn compiled(packages: &[&[&str]]) -> BTreeSet<String> {
     let mut compiled = BTreeSet::new();
-    for package in [
-        &["--package", "grader"][..],
-        &[
-            "--package",
-            "worker",
-            "--no-default-features",
-            "--features",
-            "part1",
-        ],
-    ] {
+    for package in packages {
         let output = Command::new(env!("CARGO"))
             .args([
                 "tree",
@@ -224,7 +214,7 @@ fn a_students_first_build_stays_within_its_budget() {
                 "normal,build",
             ])
             .args(["--target", "x86_64-unknown-linux-gnu", "--format", "{p}"])
-            .args(package)
+            .args(*package)
             .output()
             .expect("cargo tree runs");
         assert!(
@@ -233,14 +223,41 @@ fn a_students_first_build_stays_within_its_budget() {
             String::from_utf8_lossy(&output.stderr)
         );
         let text = String::from_utf8(output.stdout).expect("package names are UTF-8");
-        assert!(
-            !text.lines().any(|line| line.starts_with("lanes ")),
-            "`grader part1` compiles `lanes`, which only Part 6 and `grader cost` need"
+        compiled.extend(
+            text.lines()
+                .map(|line| line.trim_end_matches(" (*)").to_string()),
         );
-        // Ours are printed with their folder.
-        let of_registry = text.lines().filter(|line| !line.contains("(/"));
-        compiled.extend(of_registry.map(|line| line.trim_end_matches(" (*)").to_string()));
     }
+    compiled
+}
+
+/// What a student compiles for `grader part1`: the grader, and the worker with the stages of Part
+/// 1.
+const FIRST_BUILD: &[&[&str]] = &[
+    &["--package", "grader"],
+    &[
+        "--package",
+        "worker",
+        "--no-default-features",
+        "--features",
+        "part1",
+    ],
+];
+
+fn of_registry(compiled: &BTreeSet<String>) -> BTreeSet<&str> {
+    let ours = |package: &&str| package.contains("(/");
+    let all = compiled.iter().map(String::as_str);
+    all.filter(|package| !ours(package)).collect()
+}
+
+#[test]
+fn a_students_first_build_stays_within_its_budget() {
+    let compiled = compiled(FIRST_BUILD);
+    assert!(
+        !compiled.iter().any(|package| package.starts_with("lanes ")),
+        "`grader part1` compiles `lanes`, which only Part 6 and `grader cost` need"
+    );
+    let compiled = of_registry(&compiled);
     assert!(
         compiled.len() > 20,
         "cargo tree prints something else: {compiled:?}"
@@ -257,4 +274,19 @@ fn a_students_first_build_stays_within_its_budget() {
             "`grader part1` compiles {forbidden}, which grading does not need"
         );
     }
+}
+
+/// The page of `grader look` costs a student no libraries but the one that writes pictures into it.
+#[test]
+fn look_compiles_nothing_that_the_first_report_did_not() {
+    let first = compiled(FIRST_BUILD);
+    let look = compiled(&[&["--package", "review", "--no-default-features"]]);
+    let more: Vec<&str> = of_registry(&look)
+        .difference(&of_registry(&first))
+        .copied()
+        .collect();
+    assert!(
+        more.len() <= 1 && more.iter().all(|package| package.starts_with("base64 ")),
+        "`grader look` compiles {more:?}, which `grader part1` does not"
+    );
 }

@@ -78,7 +78,7 @@ fn the_files_of_a_term_change_course_book_and_handouts() {
     edit(
         &file,
         "# \"part1.task3/range\" = 5",
-        "\"part1.task3/range\" = 5.5",
+        "\"part1.task3/range\" = 5.5\n\"part1.task2/your_examples\" = 2",
     );
     edit(
         &file,
@@ -98,6 +98,8 @@ fn the_files_of_a_term_change_course_book_and_handouts() {
         [Tier::Core, Tier::Robust].map(|tier| task.points(tier)),
         [32.5, 14.0]
     );
+    let cameras = course.select("part1.task2").expect("a task")[0];
+    assert_eq!((task.examples, cameras.examples), (0.0, 2.0));
     let error = course
         .select("part1.task4")
         .expect_err("it is left out")

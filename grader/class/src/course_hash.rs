@@ -42,6 +42,8 @@ fn without_points(mut course: Course) -> String {
         part.title.clear();
         for task in &mut part.tasks {
             task.title.clear();
+            // Whether examples are read is not a matter of points.
+            task.examples = task.examples.min(1.0).ceil();
             for case in &mut task.cases {
                 (case.tier, case.points) = (Tier::Core, 0.0);
             }

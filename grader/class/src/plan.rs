@@ -61,7 +61,9 @@ pub struct PlannedTask {
 
 impl PlannedTask {
     fn of(task: &Task) -> PlannedTask {
-        let cases = task.cases.iter().map(|case| PlannedCase {
+        let of_examples = task.entry_of_examples();
+        let cases = task.cases.iter().chain(&of_examples);
+        let cases = cases.map(|case| PlannedCase {
             name: case.name.clone(),
             tier: case.tier,
             points: case.points,

@@ -35,8 +35,8 @@ use judge::cases::Spec;
 use judge::pictures;
 use pages::picture::read_png;
 use std::collections::BTreeMap;
-use submission::clean_workspace::CleanWorkspace;
-use submission::read::Submission;
+#[cfg(feature = "submissions")]
+use submission::{clean_workspace::CleanWorkspace, read::Submission};
 
 /// The comparison of goldens and answers.
 #[derive(Clone, Debug, Default)]
@@ -122,6 +122,7 @@ impl Review {
     }
 
     /// Reviews a student's stages, each together with the reference's other stages.
+    #[cfg(feature = "submissions")]
     pub fn of_submission(
         workspace: &Workspace,
         course: &Course,

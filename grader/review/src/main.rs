@@ -3,10 +3,13 @@
 mod cli;
 
 use base::program::{arguments_of, run_to_exit_code, subprogram_command};
-use cli::{bless, look, review};
+use cli::look;
+#[cfg(feature = "submissions")]
+use cli::{bless, review};
 use grader::cli::programs;
 use std::process::ExitCode;
 
+#[cfg(feature = "submissions")]
 fn main() -> ExitCode {
     let commands = [review::command(), bless::command(), programs::look()];
     let matches = arguments_of(subprogram_command(commands));
@@ -14,6 +17,15 @@ fn main() -> ExitCode {
         Some(("bless", matches)) => bless::run(matches),
         Some(("look", matches)) => look::run(matches),
         Some((_, matches)) => review::run(matches),
+        None => unreachable!("clap requires a command"),
+    })
+}
+
+#[cfg(not(feature = "submissions"))]
+fn main() -> ExitCode {
+    let matches = arguments_of(subprogram_command([programs::look()]));
+    run_to_exit_code(|| match matches.subcommand() {
+        Some((_, matches)) => look::run(matches),
         None => unreachable!("clap requires a command"),
     })
 }

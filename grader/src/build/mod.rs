@@ -253,7 +253,15 @@ impl BuildRoot<'_> {
 /// Builds the program of `package` in the workspace `root`, in release. The program must not link a
 /// stage. Returns its path, or the compiler's messages, which were also printed to stderr.
 pub fn build_program(root: &Path, package: &str) -> Result<Result<PathBuf, String>, GraderError> {
-    build_in(root, package, None)
+    build_in(root, package, None, &[])
+}
+
+/// As [`build_program`], without the package's default features.
+pub fn build_small_program(
+    root: &Path,
+    package: &str,
+) -> Result<Result<PathBuf, String>, GraderError> {
+    build_in(root, package, None, &["--no-default-features"])
 }
 
 /// As [`build_program`], for a program that links the stages of the workspace.
@@ -261,7 +269,7 @@ pub fn build_program_with_stages(
     root: &Path,
     package: &str,
 ) -> Result<Result<PathBuf, String>, GraderError> {
-    build_in(root, package, target_folder::of(root))
+    build_in(root, package, target_folder::of(root), &[])
 }
 
 /// The folder in which cargo builds the stages of the workspace `root`; `None` for cargo's default.
@@ -273,8 +281,10 @@ fn build_in(
     root: &Path,
     package: &str,
     target: Option<PathBuf>,
+    features: &[&str],
 ) -> Result<Result<PathBuf, String>, GraderError> {
     let mut command = release_build(root, package, has_colours());
+    command.args(features);
     if let Some(target) = target {
         command.arg("--target-dir").arg(target);
     }

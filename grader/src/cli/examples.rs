@@ -2,18 +2,30 @@
 //! code.
 
 use crate::course::Course;
-use crate::examples::{parse, review, sample};
+use crate::examples::{FILE, case_of, parse, read, review, sample};
+use crate::report::table::number;
 use base::program::Exit;
 use base::{GraderError, Workspace, out, outln};
 use clap::{Arg, ArgMatches, Command};
-use judge::examples::situations_of;
+use judge::examples::why_not;
 use std::path::Path;
 
 pub(super) const NAME: &str = "examples";
 
+/// Why examples are data is said here: a student who knows `#[test]` would look for them there.
+const LONG: &str = "\
+Judges your own examples of a task, which you write before your code: are they right, and what do they miss?
+
+An example is an input and the result that you expect, in `stages/STAGE/examples.toml`. It is no Rust code, so that it \
+can be judged before any code compiles: a `#[test]` says whether your code agrees with you, not whether you are right. \
+For tests of your own there is `stages/STAGE/tests`, and `cargo test -p STAGE` runs them.
+
+Where a course gives points for examples, the report of the task counts them.";
+
 pub(super) fn command() -> Command {
     Command::new(NAME)
         .about("Judges your own examples of a task, which you write before your code: are they right, and what do they miss?")
+        .long_about(LONG)
         .arg(
             Arg::new("task")
                 .value_name("TASK")
@@ -32,15 +44,14 @@ pub(super) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
             "expected one task such as `part1.task3`, found `{what}`"
         )));
     };
-    if situations_of(&task.key).is_none() {
+    if let Some(why) = why_not(&task.key) {
         return Err(GraderError::new(format!(
-            "examples of {} cannot be judged: a single call has no single right result, or a handout cannot tell the right one without the formula that you write. Examples are for {}",
+            "examples of {} cannot be judged: {why}. Examples are for {}",
             task.key,
             judge::examples::TASKS.join(", ")
         )));
     }
-    let file = format!("stages/{}/examples.toml", task.stage);
-    let path = workspace.root().join(&file);
+    let file = format!("stages/{}/{FILE}", task.stage);
     let none = |why: &str| {
         GraderError::new(format!(
             "{why}. Write three to six examples into {file}, before your code, such as\n\n{}\nThen run `cargo grader examples {}` again.",
@@ -48,16 +59,22 @@ pub(super) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
             task.key
         ))
     };
-    if !path.exists() {
+    let Some(text) = read(&workspace, task)? else {
         return Err(none(&format!("there is no {file} yet")));
-    }
-    let text = std::fs::read_to_string(&path).map_err(|e| GraderError::file("read", &path, e))?;
+    };
     let examples = parse(&text).map_err(|e| GraderError::new(format!("{file}: {e}")))?;
     let found = review(&task.key, &examples);
     let Some(found) = found.filter(|found| !found.verdicts.is_empty()) else {
         return Err(none(&format!("{file} has no examples of {}", task.key)));
     };
     out!("{}", found.text(&file, &task.key));
+    if let Some(case) = case_of(task, Some(&text)) {
+        outln!(
+            "\npoints: {} of {}, once two thirds of the core points are yours",
+            number(case.score),
+            number(case.max_score)
+        );
+    }
     // Handouts have no mistakes to compare with.
     if workspace.root().join("grader/mutants").is_dir() {
         outln!(

@@ -9,6 +9,10 @@ use std::ffi::OsString;
 use std::path::Path;
 use std::process::Command;
 
+/// The command of `review` that students use, for which it is built without the libraries of the
+/// others.
+const LOOK: &str = "look";
+
 /// Builds the program of `package` and runs it with `arguments`. On Unix it replaces this process.
 pub fn run(package: &str, arguments: Vec<OsString>) -> Result<Exit, GraderError> {
     // The program itself says whether a term's files have to be applied first.
@@ -26,7 +30,11 @@ pub fn run(package: &str, arguments: Vec<OsString>) -> Result<Exit, GraderError>
              processor time. After that it starts at once."
         );
     }
-    let program = build::build_program(workspace.root(), package)?
+    let build = match arguments.first().is_some_and(|command| command == LOOK) {
+        true => build::build_small_program,
+        false => build::build_program,
+    };
+    let program = build(workspace.root(), package)?
         .map_err(|_| GraderError::new(format!("the package {package} does not compile")))?;
     let mut command = Command::new(&program);
     command.args(arguments);

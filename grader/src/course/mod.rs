@@ -10,6 +10,7 @@ pub mod term;
 
 use base::{GraderError, Workspace};
 use judge::Tier;
+use judge::examples;
 use judge::tally::Aspect;
 use serde::Deserialize;
 use std::collections::BTreeSet;
@@ -66,9 +67,15 @@ pub struct Task {
     /// them gets a quarter of its points.
     #[serde(default)]
     pub idea: Vec<Idea>,
+    /// The points for a student's own examples of it, as extra credit.
+    #[serde(default)]
+    pub examples: f64,
     /// The cases that test it.
     pub cases: Vec<CaseEntry>,
 }
+
+/// The name of what a task's examples earn, among the results of its cases.
+pub const YOUR_EXAMPLES: &str = "your_examples";
 
 /// An aspect of the answers to one case.
 #[derive(Clone, Debug, Deserialize)]
@@ -294,13 +301,25 @@ impl Task {
         self.key.split('.').next().unwrap_or_default()
     }
 
-    /// The sum of its core points or of its robust points.
+    /// The sum of its core points or of its robust points, with those for a student's examples.
     pub fn points(&self, tier: Tier) -> f64 {
-        self.cases
-            .iter()
-            .filter(|case| case.tier == tier)
-            .map(|case| case.points)
-            .fold(0.0, |sum, points| sum + points)
+        let of_examples = self.entry_of_examples();
+        sum_of(self.cases.iter().chain(&of_examples), tier)
+    }
+
+    /// The sum of the core points or of the robust points of its cases.
+    pub fn points_of_cases(&self, tier: Tier) -> f64 {
+        sum_of(&self.cases, tier)
+    }
+
+    /// What a student's examples are worth, in the form of a case; `None` without points.
+    pub fn entry_of_examples(&self) -> Option<CaseEntry> {
+        (self.examples > 0.0).then(|| CaseEntry {
+            name: YOUR_EXAMPLES.into(),
+            tier: Tier::Robust,
+            points: self.examples,
+            only_with: None,
+        })
     }
 
     /// The names of the cases that show its idea.
@@ -339,6 +358,7 @@ impl Task {
                 format!("`idea` of `{key}` names the case `{case}`, which the task does not have")
             })?;
         }
+        self.check_examples()?;
         ensure(self.points(Tier::Core) > 0.0, || {
             format!(
                 "task `{}` has no core points: give at least one of its cases the tier core",
@@ -346,6 +366,27 @@ impl Task {
             )
         })
     }
+}
+
+impl Task {
+    fn check_examples(&self) -> Result<(), GraderError> {
+        let (key, points) = (&self.key, self.examples);
+        ensure(points.is_finite() && points >= 0.0, || {
+            format!("the examples of `{key}` have {points} points: expected a number, at least 0")
+        })?;
+        let why_not = examples::why_not(key).filter(|_| points > 0.0);
+        why_not.map_or(Ok(()), |why| {
+            Err(GraderError::new(format!(
+                "`{key}` has points for examples, which cannot be judged: {why}"
+            )))
+        })
+    }
+}
+
+/// The sum of the points of one tier.
+fn sum_of<'a>(cases: impl IntoIterator<Item = &'a CaseEntry>, tier: Tier) -> f64 {
+    let of_tier = cases.into_iter().filter(|case| case.tier == tier);
+    of_tier.fold(0.0, |sum, case| sum + case.points)
 }
 
 /// The number of the part in a task's key.

@@ -14,7 +14,7 @@ use judge::shown::ShownCall;
 use judge::tally::{Aspect, Class, Fault, Finding, WrongAnswer};
 use judge::{Tier, repro, variations};
 use serde::Serialize;
-use wire::{Answer, Outcome};
+use wire::{Answer, Outcome, Work};
 
 /// The most failed cases for which a simple call is looked for; the first that has one is shown.
 const MOST_CASES: usize = 4;
@@ -58,17 +58,23 @@ pub fn of_task(
         Some((case, spec.filter(|spec| !spec.needs_all_stages())?))
     });
     let failed: Vec<(&CaseResult, &Spec)> = failed.collect();
-    for (case, spec) in &failed {
-        let simplest = of_questions(workers, case, &spec.simple())?;
-        if simplest.is_some() {
-            return Ok(simplest);
+    let mut answers = Answers::of(workers);
+    for is_of_many in [false, true] {
+        for (case, spec) in &failed {
+            let mut questions = spec.simple();
+            questions.retain(|question| (question.calls() > MANY_CALLS) == is_of_many);
+            let simplest = of_questions(&mut answers, case, &questions)?;
+            if simplest.is_some() {
+                return Ok(simplest);
+            }
         }
     }
     let extreme = failed.iter().filter(|(case, _)| case.crash.is_none());
     let extreme: Vec<_> = extreme.take(MOST_EXTREME_CASES).collect();
     for exponent in SCALES {
         for (case, spec) in &extreme {
-            let simplest = of_questions(workers, case, &variations::scaled(spec, exponent))?;
+            let scaled = variations::scaled(spec, exponent);
+            let simplest = of_questions(&mut answers, case, &scaled)?;
             if let Some(call) = simplest {
                 return Ok(Some(SimplestCall {
                     only: Some(only_at(exponent)),
@@ -85,6 +91,10 @@ pub fn of_task(
     }
     Ok(None)
 }
+
+/// A question with more calls is about the statistics of many samples. It takes long, so it is asked
+/// only if no other question shows what is wrong.
+const MANY_CALLS: usize = 500;
 
 /// The most failed cases that are looked at again if no simple question shows what is wrong.
 const MOST_EXTREME_CASES: usize = 2;
@@ -125,7 +135,8 @@ fn shortest(
         let mut shorter = variations::shorter(&current);
         shorter.retain(|spec| digits(spec) < before);
         shorter.sort_by_key(digits);
-        let found = answered(workers, &shorter)?;
+        let mut answers = Answers::of(workers);
+        let found = answered(&shorter, answers.to(&shorter)?);
         let found = found
             .iter()
             .find_map(|asked| Some((asked.spec, alike(case, std::slice::from_ref(asked))?)));
@@ -150,50 +161,83 @@ fn digits(spec: &Spec) -> usize {
     input.bytes().filter(u8::is_ascii_digit).count()
 }
 
+/// Questions that were asked, with how the code answered.
+type Asking = (Vec<Work>, Vec<Result<Ending, String>>);
+
+/// What the code answers to questions. Failed cases of one kind of work have the same simple
+/// questions, which are asked once.
+struct Answers<'a> {
+    workers: &'a StageWorkers,
+    known: Vec<Asking>,
+}
+
+impl<'a> Answers<'a> {
+    fn of(workers: &'a StageWorkers) -> Answers<'a> {
+        Answers {
+            workers,
+            known: Vec::new(),
+        }
+    }
+
+    fn to(&mut self, questions: &[Spec]) -> Result<&[Result<Ending, String>], GraderError> {
+        let works = || questions.iter().map(|spec| &spec.work);
+        let known = self
+            .known
+            .iter()
+            .position(|(asked, _)| asked.iter().eq(works()));
+        let at = match known {
+            Some(at) => at,
+            None => {
+                let asked: Vec<&Spec> = questions.iter().collect();
+                let endings = self.workers.run(&asked, &mut Vec::new())?;
+                self.known.push((works().cloned().collect(), endings));
+                self.known.len() - 1
+            }
+        };
+        Ok(&self.known[at].1)
+    }
+}
+
 /// The first of `questions` that shows what is wrong in a failed case.
 fn of_questions(
-    workers: &StageWorkers,
+    answers: &mut Answers<'_>,
     case: &CaseResult,
     questions: &[Spec],
 ) -> Result<Option<SimplestCall>, GraderError> {
     if questions.is_empty() {
         return Ok(None);
     }
+    let endings = answers.to(questions)?;
     if case.crash.is_some() {
-        let endings = workers.run(&questions.iter().collect::<Vec<_>>(), &mut Vec::new())?;
-        let asked = questions.iter().zip(&endings);
+        let asked = questions.iter().zip(endings);
         let mut crashed = asked.filter_map(|(spec, ending)| crash(case, spec, ending));
         return Ok(crashed.next());
     }
-    Ok(alike(case, &answered(workers, questions)?))
+    Ok(alike(case, &answered(questions, endings)))
 }
 
 /// A question with its answer, and what is wrong with it.
 struct Asked<'a> {
     spec: &'a Spec,
-    answer: Answer,
+    answer: &'a Answer,
     findings: Vec<Finding>,
     wrong: Vec<WrongAnswer>,
 }
 
 /// The questions that the code answers.
-fn answered<'a>(
-    workers: &StageWorkers,
-    questions: &'a [Spec],
-) -> Result<Vec<Asked<'a>>, GraderError> {
-    let endings = workers.run(&questions.iter().collect::<Vec<_>>(), &mut Vec::new())?;
+fn answered<'a>(questions: &'a [Spec], endings: &'a [Result<Ending, String>]) -> Vec<Asked<'a>> {
     let asked = questions.iter().zip(endings);
     // Core judgement: a simple question needs no more than textbook code.
     let answered = asked.filter_map(|(spec, ending)| {
         let Ok(Ending::Recorded(record)) = ending else {
             return None;
         };
-        let Outcome::Answered(answer) = record.outcome else {
+        let Outcome::Answered(answer) = &record.outcome else {
             return None;
         };
-        let holes = record.holes.into_iter().map(|hole| hole.called);
+        let holes = record.holes.iter().map(|hole| hole.called.clone());
         let holes: Vec<String> = holes.collect();
-        let (findings, wrong) = judge::judge_each(spec, Tier::Core, &answer, &holes);
+        let (findings, wrong) = judge::judge_each(spec, Tier::Core, answer, &holes);
         Some(Asked {
             spec,
             answer,
@@ -201,7 +245,7 @@ fn answered<'a>(
             wrong,
         })
     });
-    Ok(answered.collect())
+    answered.collect()
 }
 
 /// The first wrong call that is wrong in the way of the failed case.
@@ -227,7 +271,7 @@ fn alike(case: &CaseResult, answered: &[Asked<'_>]) -> Option<SimplestCall> {
                 return Some(SimplestCall {
                     aspect: Some(target.aspect),
                     result: message.message.clone(),
-                    shown: asked.spec.shown(Tier::Core, number, Some(&asked.answer)),
+                    shown: asked.spec.shown(Tier::Core, number, Some(asked.answer)),
                     ..call(case, asked.spec, fault.call)
                 });
             }

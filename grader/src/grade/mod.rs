@@ -6,6 +6,7 @@ pub mod speedup;
 use crate::build::{BuildLimit, BuildRoot};
 use crate::course::{Course, Task, stages_of};
 use crate::diagnosis::{self, fresh_cases::FreshCases, simplest};
+use crate::examples;
 use crate::report::{Report, TaskReport};
 use crate::score::regularity;
 use crate::score::{CaseResult, Status, TaskResult};
@@ -88,6 +89,9 @@ pub fn in_place(
             .into_iter()
             .for_each(|report| report.picture = Some(path.clone()));
     }
+    for report in &mut tasks {
+        add_examples(workspace, &course, &mut report.result)?;
+    }
     let speedups = if times && speedup::is_attempted(&tasks) {
         Some(speedup::measure(&course, &workers.whole_scene)?)
     } else {
@@ -100,6 +104,21 @@ pub fn in_place(
         limit: workers.limit,
         pictures: Vec::new(),
     })
+}
+
+/// Adds what the examples in the folder of a task's stage earn, if the course gives points for them.
+fn add_examples(
+    workspace: &Workspace,
+    course: &Course,
+    result: &mut TaskResult,
+) -> Result<(), GraderError> {
+    let with_points = course.tasks().find(|task| task.key == result.key);
+    let Some(task) = with_points.filter(|task| task.examples > 0.0) else {
+        return Ok(());
+    };
+    let text = examples::read(workspace, task)?;
+    result.add_examples(examples::case_of(task, text.as_deref()));
+    Ok(())
 }
 
 /// Grades `tasks` with the code in `build_root`, without times. With `pictures` it also renders

@@ -237,6 +237,19 @@ fn score(report: &Report, page: Page) -> Block {
     }
     let mut lines = vec![String::new()];
     lines.extend(wrap_to(&text, 2, page.width, 2));
+    for TaskReport { result, .. } in &report.tasks {
+        let of_examples = result.cases.iter().filter(|case| case.is_of_examples());
+        lines.extend(of_examples.flat_map(|case| {
+            let points = points(case.score, case.max_score);
+            let why: String = case
+                .reductions
+                .iter()
+                .map(|why| format!("; {why}"))
+                .collect();
+            let text = format!("your examples of {}: {points}{why}", result.key);
+            wrap_to(&text, 2, page.width, 2)
+        }));
+    }
     Block { rank: 0, lines }
 }
 

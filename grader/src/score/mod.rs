@@ -10,7 +10,7 @@ pub mod functions;
 pub(crate) mod order;
 pub mod regularity;
 
-use crate::course::{CaseEntry, Task};
+use crate::course::{CaseEntry, Task, YOUR_EXAMPLES};
 use crate::workers::crash::Crash;
 use functions::{FunctionResult, FunctionShare};
 use judge::Tier;
@@ -195,7 +195,12 @@ impl CaseResult {
     /// that the idea of the task is missing.
     pub fn is_only_reduced(&self) -> bool {
         let is_right = !self.findings.is_empty() && self.findings.iter().all(Finding::passed);
-        is_right && !self.reductions.is_empty()
+        (is_right || self.is_of_examples()) && !self.reductions.is_empty()
+    }
+
+    /// Whether this is no case of the grader's, but what the student's examples earn.
+    pub fn is_of_examples(&self) -> bool {
+        self.name == YOUR_EXAMPLES
     }
 
     /// Whether its answers are right and complete, and only the idea of the task is missing.
@@ -229,6 +234,18 @@ impl TaskResult {
         })
     }
 
+    /// Adds what a student's examples earn ([`crate::examples::case_of`]). The status stays that of
+    /// the code.
+    pub fn add_examples(&mut self, case: Option<CaseResult>) {
+        let Some(mut case) = case else { return };
+        if !earns_extra(self.score, self.max_score) {
+            case.reduce(0.0, WAITS_FOR_CORE.into());
+        }
+        self.robust_score += case.score;
+        self.robust_max_score += case.max_score;
+        self.cases.push(case);
+    }
+
     /// Adds up the points of a task's cases.
     pub fn new(task: &Task, mut cases: Vec<CaseResult>) -> TaskResult {
         functions::require_idea(task, &mut cases);
@@ -255,9 +272,9 @@ impl TaskResult {
             key: task.key.clone(),
             title: task.title.clone(),
             score: sum(Tier::Core),
-            max_score: task.points(Tier::Core),
+            max_score: task.points_of_cases(Tier::Core),
             robust_score: sum(Tier::Robust),
-            robust_max_score: task.points(Tier::Robust),
+            robust_max_score: task.points_of_cases(Tier::Robust),
             status,
             stage: task.stage.clone(),
             functions: functions::results(task, &cases),
@@ -284,6 +301,10 @@ fn require_others(task: &Task, cases: &mut [CaseResult]) {
     }
 }
 
+/// Why extra credit gives no points yet.
+const WAITS_FOR_CORE: &str =
+    "extra credit counts from two thirds of the core points of the task on";
+
 /// Whether the robust points of a task count, with `core` of its `of` core points.
 pub fn earns_extra(core: f64, of: f64) -> bool {
     core >= (CORE_FOR_ROBUST - ROUNDING) * of
@@ -293,11 +314,10 @@ pub fn earns_extra(core: f64, of: f64) -> bool {
 fn require_core(task: &Task, cases: &mut [CaseResult]) {
     let core = cases.iter().filter(|case| case.tier == Tier::Core);
     let core: f64 = core.map(|case| case.score).sum();
-    if earns_extra(core, task.points(Tier::Core)) {
+    if earns_extra(core, task.points_of_cases(Tier::Core)) {
         return;
     }
-    let why = "extra credit counts from two thirds of the core points of the task on";
     for case in cases.iter_mut().filter(|case| case.tier == Tier::Robust) {
-        case.reduce(0.0, why.into());
+        case.reduce(0.0, WAITS_FOR_CORE.into());
     }
 }

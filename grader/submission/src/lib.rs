@@ -40,6 +40,7 @@ use base::{GraderError, Workspace};
 use clean_workspace::CleanWorkspace;
 use grader::build::BuildLimit;
 use grader::course::{Course, Task};
+use grader::examples;
 use grader::grade;
 use grader::report::{Report, TaskReport};
 use grader::score::{CaseResult, Status, TaskResult};
@@ -180,6 +181,12 @@ impl SubmissionReport {
             }
             results.extend(judged);
             graded_tasks.extend(of_stage);
+        }
+        let text = |stage: &str| submission.examples.get(stage).map(String::as_str);
+        for graded in results.iter_mut().chain(&mut ungraded) {
+            let task = tasks.iter().find(|task| task.key == graded.result.key);
+            let case = task.and_then(|task| examples::case_of(task, text(&task.stage)));
+            graded.result.add_examples(case);
         }
         report.scores = combine(results, &ungraded);
         if *together {

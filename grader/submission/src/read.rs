@@ -6,7 +6,8 @@ use crate::graders_code::GradersCode;
 use crate::untrusted::{Layout, Untrusted, shown};
 use crate::{scan, source_file};
 use base::GraderError;
-use grader::course::Course;
+use grader::course::{Course, Task};
+use grader::examples;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -16,6 +17,9 @@ use std::path::Path;
 pub struct Submission {
     /// For each stage that was handed in, its files by their paths below `src/`.
     pub stages: BTreeMap<String, Files>,
+    /// The examples of stages that were handed in, as text.
+    #[serde(default)]
+    pub examples: BTreeMap<String, String>,
     /// Paths of files that are not graded: they are not source files of a stage, and they differ
     /// from the course's own.
     pub ignored: Vec<Untrusted>,
@@ -73,10 +77,20 @@ impl Submission {
             top.clone()
         };
         let mut submission = Submission::default();
+        let has_examples = |stage: &str| {
+            let of_stage = |task: &&Task| task.stage == stage && task.examples > 0.0;
+            course.tasks().any(|task| of_stage(&task))
+        };
         let mut notes = Notes::new();
         let stages = course.stages();
         let graders = GradersCode::read(trusted)?;
         for stage in &stages {
+            let examples = stages_folder.join(stage).join(examples::FILE);
+            if has_examples(stage) && exists(&examples)? {
+                let text = source_file::read(&top, &examples)?.text;
+                let text = String::from_utf8_lossy(&text).into_owned();
+                submission.examples.insert((*stage).to_string(), text);
+            }
             let src = stages_folder.join(stage).join("src");
             if exists(&src)? {
                 let files = sources(&top, &src, &mut notes)?;
@@ -107,9 +121,14 @@ impl Submission {
                 .into_iter()
                 .flat_map(Path::iter)
                 .map(|name| name.to_string_lossy());
-            names.next().is_some_and(|stage| stages.contains(&&*stage))
-                && names.next().is_some_and(|src| src == "src")
-                && path.extension().is_some_and(|extension| extension == "rs")
+            let Some(stage) = names.next().filter(|stage| stages.contains(&&**stage)) else {
+                return false;
+            };
+            let is_rust = path.extension().is_some_and(|extension| extension == "rs");
+            names.next().is_some_and(|name| {
+                name == "src" && is_rust
+                    || name == examples::FILE && submission.examples.contains_key(&*stage)
+            })
         };
         let given = Given::of(&top, &stages_folder, trusted);
         let mut entries = 0;
@@ -372,6 +391,24 @@ mod tests {
             "stages/kit/src/lib.rs",
         ];
         assert_eq!(ignored, expected.map(Untrusted::from));
+    }
+
+    /// They are text from outside, read as data.
+    #[test]
+    fn examples_are_read_where_the_course_gives_points_for_them() {
+        let files: [(&str, &[u8]); 2] = [
+            ("stages/intersect/src/lib.rs", b""),
+            ("stages/intersect/examples.toml", b"a = 1"),
+        ];
+        let (folder, without) = read(&files);
+        let without = without.unwrap();
+        assert!(without.examples.is_empty());
+        assert_eq!(without.ignored.len(), 1);
+        let course = COURSE.replace("holes =", "examples = 2\nholes =");
+        let course = Course::parse(&course).unwrap();
+        let with = Submission::read(folder.path(), &course, Path::new("/nowhere")).unwrap();
+        assert_eq!(with.examples["intersect"], "a = 1");
+        assert_eq!(with.ignored, [] as [Untrusted; 0]);
     }
 
     #[test]

@@ -3,6 +3,7 @@
 use crate::handout::Handout;
 use base::{GraderError, Workspace, child_processes};
 use grader::course::Course;
+use judge::Tier;
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -151,18 +152,20 @@ impl StudentProject {
         };
         let tasks: Vec<&Value> = report["tasks"].as_array().into_iter().flatten().collect();
         let mut problems = Vec::new();
-        for (number, key) in course
+        let of_all = course
             .parts
             .iter()
-            .flat_map(|p| p.tasks.iter().map(|task| (p.number, &task.key)))
-        {
+            .flat_map(|part| part.tasks.iter().map(|task| (part.number, task)));
+        for (number, of_course) in of_all {
+            let key = &of_course.key;
             let Some(task) = tasks.iter().find(|task| task["key"] == key.as_str()) else {
                 problems.push(format!("its grader does not report {key}"));
                 continue;
             };
             let carved = number >= part;
+            // A handout has no examples of a student's.
             let full = task["score"] == task["max_score"]
-                && task["robust_score"] == task["robust_max_score"];
+                && task["robust_score"] == of_course.points_of_cases(Tier::Robust);
             let as_expected = if carved {
                 task["status"] == "not_attempted"
                     && task["score"] == 0.0

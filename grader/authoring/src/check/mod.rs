@@ -20,6 +20,7 @@ use grader::course::moved_points::MovedPoints;
 use grader::course::{Course, Part};
 use grader::grade::{self, GradeRequest};
 use grader::report::Report;
+use grader::score::TaskResult;
 use judge::cases;
 use std::collections::BTreeSet;
 
@@ -131,11 +132,20 @@ fn check_text(
 
 /// Checks that the reference earns all points.
 fn check_reference_score(course: &Course, report: &Report) -> Vec<String> {
+    // Nobody writes examples of what is given.
+    let of_examples = |key: &str| {
+        let task = course.tasks().find(|task| task.key == key);
+        task.map_or(0.0, |task| task.examples)
+    };
+    let lacks = |task: &TaskResult| {
+        let extra = task.robust_score + of_examples(&task.key);
+        task.score < task.max_score || extra < task.robust_max_score
+    };
     let mut problems: Vec<String> = report
         .tasks
         .iter()
         .map(|task| &task.result)
-        .filter(|task| task.score < task.max_score || task.robust_score < task.robust_max_score)
+        .filter(|task| lacks(task))
         .map(|task| {
             format!(
                 "the reference earns {} of {} core points and {} of {} robust points in {}",

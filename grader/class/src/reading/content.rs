@@ -85,6 +85,9 @@ pub fn read(
     for (stage, hash) in &sources {
         hasher.part(stage).part(hash);
     }
+    for (stage, text) in &submission.examples {
+        hasher.part("examples").part(stage).part(text);
+    }
     hasher.part("ignored");
     for path in &submission.ignored {
         hasher.part(path.raw());

@@ -5,8 +5,9 @@ use crate::term::own_case::OwnCase;
 use crate::term::settings::Changes;
 use base::GraderError;
 use grader::course::term::Term;
-use grader::course::{Course, Task};
+use grader::course::{Course, Task, YOUR_EXAMPLES};
 use judge::Tier;
+use judge::examples;
 use std::collections::BTreeSet;
 use toml_edit::{ArrayOfTables, DocumentMut, InlineTable, Item, Table, Value};
 
@@ -31,6 +32,10 @@ pub(super) fn with_changes(
             tasks.retain(|task| !left_out.contains(&text(task, "key")));
             for task in tasks.iter_mut() {
                 let key = text(task, "key");
+                let of_examples = format!("{key}/{YOUR_EXAMPLES}");
+                if let Some(points) = points.get(of_examples.as_str()) {
+                    task.insert("examples", Item::Value(number(*points)));
+                }
                 let Some(cases) = task.get_mut("cases").and_then(Item::as_array_mut) else {
                     continue;
                 };
@@ -109,12 +114,21 @@ fn left_out(before: &Course, changes: &Changes) -> Result<BTreeSet<String>, Grad
 fn check_points(before: &Course, changes: &Changes) -> Result<(), GraderError> {
     for (name, points) in changes.points() {
         let (key, case) = name.split_once('/').unwrap_or((name, ""));
-        ensure(has_case(task(before, key, name)?, case), || {
-            format!(
-                "`points` names `{name}`: expected a case such as `part1.task3/range`; `cargo grader explain {key}` lists \
+        let of_examples = case == YOUR_EXAMPLES;
+        if let Some(why) = examples::why_not(key).filter(|_| of_examples) {
+            return Err(GraderError::new(format!(
+                "course.toml: `points` names `{name}`, but examples of {key} cannot be judged: {why}"
+            )));
+        }
+        ensure(
+            of_examples || has_case(task(before, key, name)?, case),
+            || {
+                format!(
+                    "`points` names `{name}`: expected a case such as `part1.task3/range`; `cargo grader explain {key}` lists \
                  those of {key}"
-            )
-        })?;
+                )
+            },
+        )?;
         ensure(are_quarters(points), || {
             format!(
                 "`points` gives {points} to `{name}`: expected quarters of a point, and more than 0. To ask the case no \

@@ -54,7 +54,8 @@ pub(super) fn verdict(example: &CameraExample) -> Option<String> {
         return Some("its fields of view are not between 0 and 180 degrees".into());
     }
     let length = expected.length();
-    if (length - 1.0).abs() > BY_HAND {
+    let is_unit = (length - 1.0).abs() <= BY_HAND;
+    if !is_unit {
         return Some(format!(
             "its direction has the length {length:.4}; a camera ray has the length 1"
         ));
@@ -68,7 +69,8 @@ pub(super) fn verdict(example: &CameraExample) -> Option<String> {
     let met = 0.5 * (on_sensor / size + 1.0);
     // A digit of the direction is one of the film, where the picture is not wide.
     let allowed = 3.0 * BY_HAND / (size.min_element() * depth * depth);
-    ((met - film).length() > allowed).then(|| {
+    let passes = (met - film).length() <= allowed;
+    (!passes).then(|| {
         format!(
             "its direction passes through the point ({:.3}, {:.3}) of the film, not through ({}, {})",
             met.x, met.y, film.x, film.y
@@ -157,6 +159,10 @@ mod tests {
             ..turned
         };
         assert!(verdict(&inverse).is_some_and(|why| why.contains("backward")));
+        // No comparison with NaN holds.
+        let unknown = example([f64::NAN, 0.5], [0.0, 0.0, -1.0]);
+        assert!(verdict(&unknown).is_some());
+        assert!(verdict(&example([0.5, 0.5], [f64::NAN; 3])).is_some());
         let long = example([1.0, 0.5], [1.0, 0.0, -1.0]);
         assert!(verdict(&long).is_some_and(|why| why.contains("length 1.4142")));
     }

@@ -47,7 +47,8 @@ pub(super) fn verdict(example: &SpecularExample) -> Option<String> {
         wo,
         expected,
     } = *example;
-    if (wo.length() - 1.0).abs() > BY_HAND || wo.z == 0.0 {
+    let is_unit = |w: Vec3| (w.length() - 1.0).abs() <= BY_HAND;
+    if !is_unit(wo) || wo.z == 0.0 {
         return Some("its wo has not the length 1, or is in the plane of the surface".into());
     }
     // The indices of the side of wo and of the side of the expected direction.
@@ -74,9 +75,11 @@ pub(super) fn verdict(example: &SpecularExample) -> Option<String> {
             "it says a direction; by Snell's law the sine would be {tangential:.3}: total internal reflection"
         ));
     }
-    let length = wi.length();
-    if (length - 1.0).abs() > BY_HAND {
-        return Some(format!("its direction has the length {length:.4}, not 1"));
+    if !is_unit(wi) {
+        return Some(format!(
+            "its direction has the length {:.4}, not 1",
+            wi.length()
+        ));
     }
     let stays = wi.z * wo.z > 0.0;
     if stays != (function == SpecularFunction::Reflect) {
@@ -151,6 +154,7 @@ mod tests {
         assert_eq!(verdict(&reflect([-0.6, 0.0, 0.8])), None);
         let through = verdict(&reflect([-0.6, 0.0, -0.8])).expect("it is wrong");
         assert_eq!(through, "its direction leaves the side of wo");
+        assert!(verdict(&reflect([f64::NAN, 0.0, 0.8])).is_some());
         let back = verdict(&reflect([0.6, 0.0, 0.8])).expect("it is wrong");
         assert!(back.contains("wrong by 1.200"), "{back}");
     }

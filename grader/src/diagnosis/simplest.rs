@@ -136,7 +136,7 @@ fn shortest(
         shorter.retain(|spec| digits(spec) < before);
         shorter.sort_by_key(digits);
         let mut answers = Answers::of(workers);
-        let found = answered(&shorter, answers.to(&shorter)?);
+        let found = answered(case, &shorter, answers.to(&shorter)?);
         let found = found
             .iter()
             .find_map(|asked| Some((asked.spec, alike(case, std::slice::from_ref(asked))?)));
@@ -213,7 +213,7 @@ fn of_questions(
         let mut crashed = asked.filter_map(|(spec, ending)| crash(case, spec, ending));
         return Ok(crashed.next());
     }
-    Ok(alike(case, &answered(questions, endings)))
+    Ok(alike(case, &answered(case, questions, endings)))
 }
 
 /// A question with its answer, and what is wrong with it.
@@ -224,10 +224,14 @@ struct Asked<'a> {
     wrong: Vec<WrongAnswer>,
 }
 
-/// The questions that the code answers.
-fn answered<'a>(questions: &'a [Spec], endings: &'a [Result<Ending, String>]) -> Vec<Asked<'a>> {
+/// The questions that the code answers, judged as the answers to a failed `case`: simple questions
+/// need no more than textbook code, extra credit does.
+fn answered<'a>(
+    case: &CaseResult,
+    questions: &'a [Spec],
+    endings: &'a [Result<Ending, String>],
+) -> Vec<Asked<'a>> {
     let asked = questions.iter().zip(endings);
-    // Core judgement: a simple question needs no more than textbook code.
     let answered = asked.filter_map(|(spec, ending)| {
         let Ok(Ending::Recorded(record)) = ending else {
             return None;
@@ -237,7 +241,7 @@ fn answered<'a>(questions: &'a [Spec], endings: &'a [Result<Ending, String>]) ->
         };
         let holes = record.holes.iter().map(|hole| hole.called.clone());
         let holes: Vec<String> = holes.collect();
-        let (findings, wrong) = judge::judge_each(spec, Tier::Core, answer, &holes);
+        let (findings, wrong) = judge::judge_each(spec, case.tier, answer, &holes);
         Some(Asked {
             spec,
             answer,
@@ -271,7 +275,7 @@ fn alike(case: &CaseResult, answered: &[Asked<'_>]) -> Option<SimplestCall> {
                 return Some(SimplestCall {
                     aspect: Some(target.aspect),
                     result: message.message.clone(),
-                    shown: asked.spec.shown(Tier::Core, number, Some(asked.answer)),
+                    shown: asked.spec.shown(case.tier, number, Some(asked.answer)),
                     ..call(case, asked.spec, fault.call)
                 });
             }
@@ -368,7 +372,7 @@ fn call(case: &CaseResult, spec: &Spec, call: u32) -> SimplestCall {
         result: String::new(),
         test: repro::of_work(
             &spec.work,
-            Tier::Core,
+            case.tier,
             call as usize,
             "On this call the code was wrong as in a failed case of the grader.",
             "simple_call",

@@ -15,6 +15,7 @@ use crate::course::given;
 use crate::course::sources::Place;
 use crate::score::{CaseResult, Status, TaskResult};
 use crate::workers::printed::Printed;
+use judge::cases::checked;
 use judge::{Tier, plural};
 
 /// What a screen says besides the report.
@@ -335,22 +336,33 @@ fn success(report: &Report, context: &Context, page: Page) -> Vec<Block> {
     blocks
 }
 
-/// The simplest call that extra credit asks for and the code gets wrong: what there is to think
-/// about after the last core point.
+/// The simplest call that extra credit asks for and the code gets wrong, or the worst if none is
+/// simple: what there is to think about after the last core point.
 fn invitation(report: &Report, page: Page) -> Option<Block> {
-    let call = report.tasks.iter().find_map(|task| {
-        let has_lost = task.result.robust_score < task.result.robust_max_score;
-        task.simplest.as_ref().filter(|_| has_lost)
+    let mut tasks = report.tasks.iter();
+    let (case, input, found) = tasks.find_map(|task| match &task.simplest {
+        Some(call) if task.result.robust_score < task.result.robust_max_score => {
+            Some((&call.case, message::input(call), message::found(call)))
+        }
+        _ => worst_of_extra(&task.result),
     })?;
-    let (input, found) = (message::input(call), message::found(call));
-    let mut lines = wrap_to(
-        &format!("  it asks for {}: {input}", call.case),
-        4,
-        page.width,
-        4,
-    );
+    let asks = format!("  it asks for {case}: {input}");
+    let mut lines = wrap_to(&asks, 4, page.width, 4);
     lines.extend(wrap_to(&format!("    {found}"), 4, page.width, 3));
     Some(Block { rank: 1, lines })
+}
+
+/// The first failed case of extra credit, with the question of its worst answer, or else what it
+/// checks, and this answer.
+fn worst_of_extra(task: &TaskResult) -> Option<(&String, String, String)> {
+    let mut extra = task.failed_cases().filter(|case| case.tier == Tier::Robust);
+    extra.find_map(|case| {
+        let (_, worst) = case.worst()?;
+        let (found, question) = message::parts(&worst.message);
+        let question = question.unwrap_or_else(|| checked(&case.about));
+        let found = message::with_telling_digits(found);
+        Some((&case.name, question.to_owned(), found))
+    })
 }
 
 /// The speedup on the largest mesh.

@@ -290,3 +290,24 @@ fn look_compiles_nothing_that_the_first_report_did_not() {
         "`grader look` compiles {more:?}, which `grader part1` does not"
     );
 }
+
+/// `x - 1` at x = 0 panics in a stage. Generic functions, such as `raytrace_pixel`, are compiled with
+/// the worker, and would wrap in silence without its own line.
+#[test]
+fn overflow_is_checked_wherever_code_of_a_stage_is_compiled() {
+    let root = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
+    let read = |file: &str| -> toml::Table {
+        let text = std::fs::read_to_string(format!("{root}/{file}")).expect("a file");
+        text.parse().expect("TOML")
+    };
+    let course = grader::course::Course::parse(&read("stages/course.toml").to_string());
+    let course = course.expect("the course is valid");
+    let manifest = read("Cargo.toml");
+    let packages = &manifest["profile"]["release"]["package"];
+    for package in course.stages().into_iter().chain(["worker"]) {
+        let checks = packages
+            .get(package)
+            .and_then(|of| of.get("overflow-checks"));
+        assert_eq!(checks, Some(&toml::Value::Boolean(true)), "{package}");
+    }
+}

@@ -24,13 +24,18 @@ pub fn run(package: &str, arguments: Vec<OsString>) -> Result<Exit, GraderError>
             workspace.root().display()
         )));
     }
+    let is_look = arguments.first().is_some_and(|command| command == LOOK);
     if !is_built(package) {
+        let how_long = match is_look {
+            true => "some ten seconds",
+            false => "about a minute",
+        };
         errln!(
-            "The program of this command is built once, with the libraries that only it needs: about a minute of \
-             processor time. After that it starts at once."
+            "The program of this command is built once, with the libraries that only it needs: {how_long} of processor \
+             time. After that it starts at once."
         );
     }
-    let build = match arguments.first().is_some_and(|command| command == LOOK) {
+    let build = match is_look {
         true => build::build_small_program,
         false => build::build_program,
     };

@@ -40,10 +40,13 @@ pub fn found(call: &SimplestCall) -> String {
 }
 
 /// How the question begins that judges repeat after a result.
-const QUESTIONS: [&str; 10] = [
+const QUESTIONS: [&str; 13] = [
     ". Ray: ",
     ". Sensor point ",
     ". Pixel ",
+    ". Box: (",
+    ". Point [",
+    ". lambert_",
     ". play_roulette(",
     ". Fresnel {",
     ". Reflect {",

@@ -59,11 +59,13 @@ pub fn of_task(
     });
     let failed: Vec<(&CaseResult, &Spec)> = failed.collect();
     let mut answers = Answers::of(workers);
-    for is_of_many in [false, true] {
-        for (case, spec) in &failed {
-            let mut questions = spec.simple();
-            questions.retain(|question| (question.calls() > MANY_CALLS) == is_of_many);
-            let simplest = of_questions(&mut answers, case, &questions)?;
+    for (case, spec) in &failed {
+        let questions = spec.simple();
+        let is_of_many = |question: &Spec| question.calls() > MANY_CALLS;
+        let first_of_many = questions.iter().position(is_of_many);
+        let (few, many) = questions.split_at(first_of_many.unwrap_or(questions.len()));
+        for questions in [few, many] {
+            let simplest = of_questions(&mut answers, case, questions)?;
             if simplest.is_some() {
                 return Ok(simplest);
             }
@@ -92,8 +94,8 @@ pub fn of_task(
     Ok(None)
 }
 
-/// A question with more calls is about the statistics of many samples. It takes long, so it is asked
-/// only if no other question shows what is wrong.
+/// A question with more calls takes long, such as one about the statistics of many samples. It is
+/// asked only if those before it do not show what is wrong.
 const MANY_CALLS: usize = 500;
 
 /// The most failed cases that are looked at again if no simple question shows what is wrong.

@@ -47,7 +47,7 @@ const LEFT_OUT: [&str; 7] = [
     "scenes/pictures",
     "scenes/tests",
     "scenes/dae/dusk.dae",
-    "scenes/dae/gems.dae",
+    "scenes/dae/gallery.dae",
     "scenes/dae/materials.dae",
     "scenes/dae/window_room.dae",
     "stages/pathtracer/cluster",

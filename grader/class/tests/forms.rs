@@ -285,6 +285,14 @@ fn a_clone_says_when_it_was_committed() {
     let doubt = read("main").doubt.expect("it cannot be");
     assert_eq!(doubt, "committed before the commit that it follows");
     assert!(read("main~1").doubt.is_none());
+    // A clock that is wrong is no reason to be late for years.
+    git(
+        folder.path(),
+        "2090-11-18T10:00:00Z",
+        &["commit", "-q", "--allow-empty", "-m", "wrong clock"],
+    );
+    let doubt = read("main").doubt.expect("it cannot be");
+    assert_eq!(doubt, "committed in the future");
 
     let other = tempfile::tempdir().expect("a folder");
     write(other.path(), &[(LIB, b"text")]);
@@ -318,7 +326,10 @@ fn the_commit_that_counts_is_read() {
         Ok("in time".to_string())
     );
     for (revision, expected) in [
-        (before("2026-11-18T00:00:00Z"), "its first commit is later"),
+        (
+            before("2026-11-18T00:00:00Z"),
+            "has no commit before 2026-11-18T00:00:00Z: its first commit is later",
+        ),
         (
             Some(Revision::Commit("--help".into())),
             "has no commit, tag or branch --help",

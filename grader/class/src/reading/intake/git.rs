@@ -14,6 +14,7 @@ use std::fmt;
 use std::io::{BufRead, BufReader, Read, Write};
 use std::path::{Path, PathBuf};
 use std::process::{ChildStdout, Command, Stdio};
+use std::time::{SystemTime, UNIX_EPOCH};
 
 /// Which commit of a clone counts.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -119,11 +120,13 @@ pub struct CommitTimes {
 const CLOCKS: i64 = 10 * 60;
 
 impl CommitTimes {
-    /// The times of a commit whose parents were committed at the times `parents`.
-    fn new(author: i64, committer: i64, parents: &[i64]) -> CommitTimes {
+    /// The times of a commit whose parents were committed at the times `parents`, read at the time
+    /// `now`.
+    fn new(author: i64, committer: i64, parents: &[i64], now: i64) -> CommitTimes {
         let is_earlier = parents.iter().any(|parent| committer + CLOCKS < *parent);
         let doubt = match author > committer + CLOCKS {
             _ if is_earlier => Some("committed before the commit that it follows".to_string()),
+            _ if committer > now + CLOCKS => Some("committed in the future".to_string()),
             true => Some("written after it was committed".to_string()),
             false => None,
         };
@@ -154,15 +157,22 @@ pub(super) fn unpack(
             })?
         }
         Revision::Before(time) => {
-            git.text(&["rev-list", "-1", &format!("--before={time}"), "HEAD", "--"])?
+            let found = git.text(&["rev-list", "-1", &format!("--before={time}"), "HEAD", "--"]);
+            let found = found.map_err(|error| match error {
+                Unreadable::Damaged(why) if why.contains("bad revision 'HEAD'") => {
+                    Unreadable::Damaged("is a clone without a commit".into())
+                }
+                error => error,
+            })?;
+            if found.is_empty() {
+                return Err(Unreadable::Damaged(format!(
+                    "has no commit before {time}: its first commit is later"
+                )));
+            }
+            found
         }
     };
     let commit = commit.trim();
-    if commit.is_empty() {
-        return Err(Unreadable::Damaged(format!(
-            "{revision} does not exist: its first commit is later"
-        )));
-    }
     let listed = git.text(&["ls-tree", "-r", "-l", "-z", "--full-tree", commit])?;
     let mut blobs = Vec::new();
     for line in listed.split_terminator('\0') {
@@ -383,7 +393,9 @@ impl Git {
             .lines()
             .filter_map(|line| line.parse().ok())
             .collect();
-        Ok(CommitTimes::new(author, committer, &parents))
+        let now = SystemTime::now().duration_since(UNIX_EPOCH);
+        let now = now.map_or(0, |now| now.as_secs() as i64);
+        Ok(CommitTimes::new(author, committer, &parents, now))
     }
 
     /// Writes the contents of `blobs`, each a path and the hash of its contents.

@@ -69,11 +69,10 @@ pub(super) fn write(matches: &ArgMatches, out: &Out, class: &Class) -> Result<bo
     if !late.is_empty() && lateness.is_none() {
         outln!("late, as the course system says: {}", late.join(", "));
     }
-    let is_marked = |i: &usize| marked.rows[*i].score.is_some();
     let missing = join
         .submissions
         .iter()
-        .filter(|submission| !submission.is_some_and(|i| is_marked(&i)));
+        .filter(|submission| submission.is_none_or(|i| marked.rows[i].score.is_none()));
     outln!(
         "marks: {}: {} students, {} without a mark from this folder",
         file.display(),

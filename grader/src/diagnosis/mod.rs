@@ -422,7 +422,7 @@ fn two_at_once(ranked: &[Ranked], student: &Signature, alone: f64) -> Option<Dia
     });
     let wrong = student.wrong();
     let (first, second, together) = pairs
-        .filter(|(first, second)| first.known.mistakes != second.known.mistakes)
+        .filter(|(first, second)| !is_same(first, second) || is_in_two_functions(first, second))
         .map(|(first, second)| {
             let [one, other] = [first, second].map(|one| &one.known.signature);
             (first, second, student.agreement_with_both(one, other))
@@ -435,7 +435,11 @@ fn two_at_once(ranked: &[Ranked], student: &Signature, alone: f64) -> Option<Dia
             let of_rest = together.equal - first.agreement.equal;
             together.alone.iter().all(is_made) && of_rest as f64 >= OF_THE_REST * rest as f64
         })
-        .max_by(|a, b| a.2.likeness().total_cmp(&b.2.likeness()))?;
+        .max_by(|a, b| {
+            let likeness = a.2.likeness().total_cmp(&b.2.likeness());
+            // One mistake, made twice, needs fewer assumptions than two.
+            likeness.then(is_same(a.0, a.1).cmp(&is_same(b.0, b.1)))
+        })?;
     let likeness = together.likeness();
     let explains = likeness >= TOGETHER && 1.0 - likeness <= LEFT * (1.0 - alone);
     if !explains || likeness <= alone {
@@ -447,20 +451,43 @@ fn two_at_once(ranked: &[Ranked], student: &Signature, alone: f64) -> Option<Dia
         true => format!("the other {by_second}"),
         false => format!("{by_second} more"),
     };
+    let is_same = is_same(first, second);
     let [mut first, second] = [with_twins(ranked, first)?, with_twins(ranked, second)?];
-    first.mistakes.extend(second.mistakes);
+    let (preface, description) = match is_same {
+        true => ("", format!("{}, in two functions", first.says)),
+        false => (
+            "two mistakes at once: ",
+            format!("{}, and that {}", first.says, second.says),
+        ),
+    };
+    if !is_same {
+        first.mistakes.extend(second.mistakes);
+        first.others.push_str(&second.others);
+        first.hint = format!("{} {}", first.hint, second.hint);
+    }
     Some(Diagnosis {
         mistakes: first.mistakes,
         says: format!(
-            "two mistakes at once: your answers look like those of code that {}, and that {}: the first explains {by_first} of {wrong} wrong values, the second {second_explains}{}{}",
-            first.says, second.says, first.others, second.others,
+            "{preface}your answers look like those of code that {description}: the first explains {by_first} of {wrong} wrong values, the second {second_explains}{}",
+            first.others,
         ),
-        description: format!("{}, and that {}", first.says, second.says),
-        hint: format!("{} {}", first.hint, second.hint),
+        description,
+        hint: first.hint,
         equal: together.equal,
         of: together.either,
         certainty: Certainty::of(likeness, student),
     })
+}
+
+/// Whether two versions make the same mistake.
+fn is_same(first: &Ranked, second: &Ranked) -> bool {
+    first.known.mistakes == second.known.mistakes
+}
+
+/// Whether two versions make their mistakes in different functions.
+fn is_in_two_functions(first: &Ranked, second: &Ranked) -> bool {
+    let [first, second] = [first, second].map(|one| one.known.signature.functions());
+    !first.is_empty() && !second.is_empty() && first.is_disjoint(&second)
 }
 
 #[cfg(test)]
@@ -541,6 +568,26 @@ mod tests {
         // Half of the rest is not enough: a second mistake is not invented.
         let one = of("20*b 20*c").map(|diagnosis| diagnosis.mistakes);
         assert_ne!(one.as_deref().map(<[_]>::len), Some(2));
+    }
+
+    #[test]
+    fn one_mistake_in_two_functions_is_not_told_as_two() {
+        let in_one = ("case t@one", "90*a");
+        let in_two = ("case t@two", "20*b");
+        let all = [
+            known("this", signature(&[in_one])),
+            known("other", signature(&[in_two])),
+            known("this", signature(&[in_two])),
+        ];
+        let diagnosis = diagnose(&all, &signature(&[in_one, in_two])).expect("it is known");
+        assert_eq!(diagnosis.mistakes, ["this"]);
+        assert!(
+            diagnosis
+                .says
+                .contains("code that does this, in two functions: the first explains 90"),
+            "{}",
+            diagnosis.says
+        );
     }
 
     #[test]

@@ -35,9 +35,14 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         .only(&[Radiance, Rays]),
         case(
             "depth",
-            "A path has at most -m rays, including the first, however large -m is. Pitfall: a \
-             limit of your own on the number of bounces.",
-            [every(&["D D D D D D"], &[2, 3, 4, 5, 6, 9]), vec![long()]].concat(),
+            "A path has at most -m rays, including the first, however large -m is, and goes on \
+             from surfaces in shadow. Pitfall: a limit of your own on the number of bounces.",
+            [
+                every(&["D D D D D D"], &[2, 3, 4, 5, 6, 9]),
+                vec![long()],
+                every(&["S D", "D S S D"], &[5]),
+            ]
+            .concat(),
         )
         .only(&[Radiance, Rays]),
         case(
@@ -119,8 +124,8 @@ fn case(name: &'static str, about: &'static str, paths: Vec<ScriptedPath>) -> Sp
     Spec::new::<kind::Paths>("part4.task2", name, about, paths)
 }
 
-/// A path over the surfaces in `letters`: D for diffuse, M for a mirror, G for glass, L for a lamp,
-/// B for the back of one.
+/// A path over the surfaces in `letters`: D for diffuse, S for diffuse in shadow, M for a mirror, G
+/// for glass, L for a lamp, B for the back of one.
 fn path(letters: &str, max_depth: u32, rng: &mut ProbeRng) -> ScriptedPath {
     let first = rng.direction();
     let mut d = first;
@@ -191,12 +196,12 @@ fn step(letter: &str, d: Vec3, rng: &mut ProbeRng) -> Step {
             (Material::Diffuse(tint), Some(sample))
         }
     };
-    let is_lamp = matches!(material, Material::Emission(_));
+    let is_dark = letter == "S" || matches!(material, Material::Emission(_));
     Step {
         p: (3.0 * rng.in_cube()).into(),
         n: n.into(),
         material,
-        direct: if is_lamp {
+        direct: if is_dark {
             [0.0; 3]
         } else {
             [1.0, 2.0, 3.0].map(|most| rng.range(0.1, most))

@@ -291,8 +291,8 @@ fn look_compiles_nothing_that_the_first_report_did_not() {
     );
 }
 
-/// `x - 1` at x = 0 panics in a stage. Generic functions, such as `raytrace_pixel`, are compiled with
-/// the worker, and would wrap in silence without its own line.
+/// `x - 1` at x = 0 panics in a stage. Generic functions, such as `raytrace_pixel`, are compiled
+/// with the worker, and would wrap in silence without its own line.
 #[test]
 fn overflow_is_checked_wherever_code_of_a_stage_is_compiled() {
     let root = concat!(env!("CARGO_MANIFEST_DIR"), "/..");

@@ -150,8 +150,8 @@ fn names_and_texts_are_shown_and_not_obeyed() {
     assert!(gradebook.contains(",'=1+1</p>"), "{gradebook}");
 }
 
-/// What could not be read is a question to the teacher. It has no points, and no mark in a file for a
-/// course system, until the teacher says that it has none.
+/// What could not be read is a question to the teacher. Until the teacher gives it 0 points, it has
+/// no mark in a file for a course system.
 #[test]
 fn what_could_not_be_read_is_a_question_and_no_zero() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -422,8 +422,8 @@ fn a_stage_that_was_refused_is_not_said_to_be_broken() {
     );
 }
 
-/// A file whose name is corrected takes its score along; one that had none leaves nothing when it is
-/// removed.
+/// A file whose name is corrected takes its score along. A file without a score leaves nothing when
+/// it is removed.
 #[test]
 fn a_new_name_keeps_the_score_and_a_removed_file_asks_no_more() {
     let folder = tempfile::tempdir().expect("a folder");

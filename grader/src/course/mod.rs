@@ -366,9 +366,7 @@ impl Task {
             )
         })
     }
-}
 
-impl Task {
     fn check_examples(&self) -> Result<(), GraderError> {
         let (key, points) = (&self.key, self.examples);
         ensure(points.is_finite() && points >= 0.0, || {

@@ -451,16 +451,16 @@ fn two_at_once(ranked: &[Ranked], student: &Signature, alone: f64) -> Option<Dia
         true => format!("the other {by_second}"),
         false => format!("{by_second} more"),
     };
-    let is_same = is_same(first, second);
+    let is_one_mistake = is_same(first, second);
     let [mut first, second] = [with_twins(ranked, first)?, with_twins(ranked, second)?];
-    let (preface, description) = match is_same {
+    let (preface, description) = match is_one_mistake {
         true => ("", format!("{}, in two functions", first.says)),
         false => (
             "two mistakes at once: ",
             format!("{}, and that {}", first.says, second.says),
         ),
     };
-    if !is_same {
+    if !is_one_mistake {
         first.mistakes.extend(second.mistakes);
         first.others.push_str(&second.others);
         first.hint = format!("{} {}", first.hint, second.hint);

@@ -28,48 +28,53 @@ struct File {
     boxes: Vec<OfBox>,
 }
 
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct OfTriangle {
+/// A shape with the fields of a ray and what is expected of it. `flatten` would lose the names of
+/// unknown fields and their lines.
+macro_rules! shape_and_ray {
+    ($name:ident { $($field:ident: $of:ty),* }) => {
+        #[derive(Debug, Deserialize)]
+        #[serde(deny_unknown_fields)]
+        struct $name {
+            $($field: $of,)*
+            o: [f64; 3],
+            d: [f64; 3],
+            #[serde(default)]
+            min_t: f64,
+            #[serde(default = "infinity")]
+            max_t: f64,
+            expected: Written,
+        }
+
+        impl $name {
+            fn with(self, shape: Shape) -> RayExample {
+                RayExample {
+                    shape,
+                    ray: Ray {
+                        o: self.o.into(),
+                        d: self.d.into(),
+                        min_t: self.min_t,
+                        max_t: self.max_t,
+                    },
+                    expected: self.expected.into(),
+                }
+            }
+        }
+    };
+}
+
+shape_and_ray!(OfTriangle {
     p0: [f64; 3],
     p1: [f64; 3],
-    p2: [f64; 3],
-    o: [f64; 3],
-    d: [f64; 3],
-    #[serde(default)]
-    min_t: f64,
-    #[serde(default = "infinity")]
-    max_t: f64,
-    expected: Written,
-}
-
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct OfSphere {
+    p2: [f64; 3]
+});
+shape_and_ray!(OfSphere {
     center: [f64; 3],
-    radius: f64,
-    o: [f64; 3],
-    d: [f64; 3],
-    #[serde(default)]
-    min_t: f64,
-    #[serde(default = "infinity")]
-    max_t: f64,
-    expected: Written,
-}
-
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct OfBox {
+    radius: f64
+});
+shape_and_ray!(OfBox {
     min: [f64; 3],
-    max: [f64; 3],
-    o: [f64; 3],
-    d: [f64; 3],
-    #[serde(default)]
-    min_t: f64,
-    #[serde(default = "infinity")]
-    max_t: f64,
-    expected: Written,
-}
+    max: [f64; 3]
+});
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -169,12 +174,6 @@ pub fn parse(text: &str) -> Result<Vec<Example>, GraderError> {
         sphere,
         boxes,
     } = toml::from_str(text).map_err(|e| GraderError::new(e.to_string()))?;
-    let ray = |o: [f64; 3], d: [f64; 3], min_t: f64, max_t: f64| Ray {
-        o: o.into(),
-        d: d.into(),
-        min_t,
-        max_t,
-    };
     let pixels = pixel.into_iter().map(|of| PixelExample {
         film: of.film,
         pixel: of.pixel,
@@ -199,26 +198,18 @@ pub fn parse(text: &str) -> Result<Vec<Example>, GraderError> {
             Refracted::Direction(wi) => Some(wi.into()),
         },
     });
-    let triangles = triangle.into_iter().map(|of| RayExample {
-        shape: Shape::Triangle(Triangle::flat(of.p0.into(), of.p1.into(), of.p2.into())),
-        ray: ray(of.o, of.d, of.min_t, of.max_t),
-        expected: of.expected.into(),
+    let triangles = triangle.into_iter().map(|of| {
+        let flat = Triangle::flat(of.p0.into(), of.p1.into(), of.p2.into());
+        of.with(Shape::Triangle(flat))
     });
-    let spheres = sphere.into_iter().map(|of| RayExample {
-        shape: Shape::Sphere(Sphere {
-            center: of.center.into(),
-            radius: of.radius,
-        }),
-        ray: ray(of.o, of.d, of.min_t, of.max_t),
-        expected: of.expected.into(),
+    let spheres = sphere.into_iter().map(|of| {
+        let center = of.center.into();
+        let radius = of.radius;
+        of.with(Shape::Sphere(Sphere { center, radius }))
     });
-    let boxes = boxes.into_iter().map(|of| RayExample {
-        shape: Shape::Box(Aabb {
-            min: of.min.into(),
-            max: of.max.into(),
-        }),
-        ray: ray(of.o, of.d, of.min_t, of.max_t),
-        expected: of.expected.into(),
+    let boxes = boxes.into_iter().map(|of| {
+        let [min, max] = [of.min, of.max].map(Into::into);
+        of.with(Shape::Box(Aabb { min, max }))
     });
     let rays = triangles.chain(spheres).chain(boxes).map(Example::Ray);
     let specular = mirrors.chain(boundaries).map(Example::Specular);

@@ -60,17 +60,24 @@ pub fn review(task: &str, examples: &[Example]) -> Option<Review> {
 impl Review {
     /// Whether every example is right.
     pub fn is_right(&self) -> bool {
-        self.verdicts.iter().all(Option::is_none)
+        self.wrong() == 0
+    }
+
+    /// How many examples are wrong.
+    fn wrong(&self) -> usize {
+        self.verdicts.iter().flatten().count()
+    }
+
+    /// How many situations are touched.
+    fn touched(&self) -> usize {
+        let touched = self.situations.iter().filter(|(_, by)| !by.is_empty());
+        touched.count()
     }
 
     /// The verdicts, then a table of the situations: by which examples each is touched.
     pub fn text(&self, file: &str, task: &str) -> String {
         let count = self.verdicts.len();
-        let right = self
-            .verdicts
-            .iter()
-            .filter(|verdict| verdict.is_none())
-            .count();
+        let right = count - self.wrong();
         let mut text = format!(
             "{file}: {} of {task}, {right} right\n",
             plural(count, "example", "examples")
@@ -80,16 +87,8 @@ impl Review {
                 let _ = writeln!(text, "  {} is wrong: {why}", at + 1);
             }
         }
-        let touched = self
-            .situations
-            .iter()
-            .filter(|(_, by)| !by.is_empty())
-            .count();
-        let _ = writeln!(
-            text,
-            "\nsituations: {touched} of {} touched",
-            self.situations.len()
-        );
+        let (touched, of) = (self.touched(), self.situations.len());
+        let _ = writeln!(text, "\nsituations: {touched} of {of} touched");
         let widest = self.situations.iter().map(|(name, _)| name.len()).max();
         let width = widest.unwrap_or(0);
         for (name, by) in &self.situations {

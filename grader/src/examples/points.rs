@@ -10,8 +10,8 @@ use judge::plural;
 const ABOUT: &str = "Your own examples of the task are right, and touch several of its situations.";
 
 /// What the examples of `task` earn, if the course gives points for them: all points if they touch
-/// half of its situations, a share if they touch fewer, and none as long as one of them is wrong. `text` is
-/// `examples.toml` of the task's stage, if there is such a file.
+/// half of its situations, a share if they touch fewer, and none as long as one of them is wrong.
+/// `text` is `examples.toml` of the task's stage, if there is such a file.
 pub fn case_of(task: &Task, text: Option<&str>) -> Option<CaseResult> {
     let entry = task.entry_of_examples()?;
     let (earned, why) = share(&task.key, text.unwrap_or_default());
@@ -52,13 +52,12 @@ fn share(task: &str, text: &str) -> (Option<f64>, String) {
     let Some(found) = found.filter(|found| !found.verdicts.is_empty()) else {
         return (None, "none are written".into());
     };
-    let wrong = found.verdicts.iter().filter(|why| why.is_some()).count();
+    let wrong = found.wrong();
     if wrong > 0 {
         let why = plural(wrong, "example is wrong", "examples are wrong");
         return (Some(0.0), why);
     }
-    let touched = found.situations.iter().filter(|(_, by)| !by.is_empty());
-    let touched = touched.count();
+    let touched = found.touched();
     let wanted = found.situations.len().div_ceil(2);
     let share = touched.min(wanted) as f64 / wanted as f64;
     (

@@ -106,7 +106,8 @@ pub fn in_place(
     })
 }
 
-/// Adds what the examples in the folder of a task's stage earn, if the course gives points for them.
+/// Adds what the examples in the folder of a task's stage earn, if the course gives points for
+/// them.
 fn add_examples(
     workspace: &Workspace,
     course: &Course,

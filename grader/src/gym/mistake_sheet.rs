@@ -20,7 +20,12 @@ pub fn file(workspace: &Workspace, key: &str) -> PathBuf {
 
 /// The left edge of the picture at the place `number`.
 pub fn left(number: u32) -> u32 {
-    number * (TILE[0] + GAP)
+    left_among(TILE[0], number)
+}
+
+/// The left edge of the picture at the place `number` among pictures of this width.
+pub fn left_among(width: u32, number: u32) -> u32 {
+    number * (width + GAP)
 }
 
 /// The picture at the place `number` in a sheet; the right one is at 0. `None` if the sheet has

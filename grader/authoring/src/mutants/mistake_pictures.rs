@@ -120,7 +120,7 @@ impl Sheet {
     /// The picture that `tiles` make beside each other.
     fn compose(tiles: &[Image]) -> Image {
         let [width, height] = tiles.first().map_or(TILE, Image::size);
-        let left = |number: u32| number * (width + GAP);
+        let left = |number| mistake_sheet::left_among(width, number);
         let count = tiles.len() as u32;
         let mut sheet = Image::filled([left(count) - GAP, height], PAPER);
         for (i, tile) in (0..).zip(tiles) {

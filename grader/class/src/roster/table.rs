@@ -4,16 +4,16 @@
 //!   one column for the assignment, and makes an assignment of every other column
 //!   (<https://community.canvaslms.com/t5/Instructor-Guide/How-do-I-import-grades-in-the-Gradebook/ta-p/807>).
 //!   A line `Points Possible` follows the names of columns.
-//! - Moodle's grading worksheet wants `Identifier`, `Grade` and `Last modified (grade)`, by which it
-//!   sees that a mark was changed since; `Feedback comments` is shown to the student
+//! - Moodle's grading worksheet wants `Identifier`, `Grade` and `Last modified (grade)`, by which
+//!   Moodle sees that a mark was changed since; `Feedback comments` is shown to the student
 //!   (<https://docs.moodle.org/en/Offline_grading_worksheet>; `importgradeslib.php` in Moodle's
 //!   `mod/assign/feedback/offline`). Without numbers of participants the import of grades matches
 //!   `ID number` or `Email address` (<https://docs.moodle.org/en/Grade_import>).
 //! - `csv` is the gradebook of the project, with the identifiers and names of the roster.
 //!
-//! A student without a mark is not in the file of a system, which then changes nothing. An empty cell
-//! would: Canvas posts it in the place of a mark that it has (`process_gradebook_upload.js`), Moodle
-//! in the place of a comment. The gradebook has a row for each student.
+//! A student without a mark is not in the file for Canvas or Moodle, so nothing changes there. An
+//! empty cell would overwrite: in Canvas the old mark (`process_gradebook_upload.js`), in Moodle
+//! the old comment. The gradebook has a row for each student.
 
 use super::join::Join;
 use super::{Roster, Student};

@@ -1,6 +1,6 @@
-//! The labels of figures, laid out with the widths of two families of fonts: none leaves its drawing
-//! or covers another one. What `sans-serif` and `serif` are depends on the reader's machine; DejaVu
-//! is among the widest, Liberation has the widths of Arial and Times.
+//! The labels of figures, laid out with the widths of two families of fonts: none leaves its
+//! drawing or covers another one. What `sans-serif` and `serif` are depends on the reader's
+//! machine; DejaVu is among the widest, Liberation has the widths of Arial and Times.
 
 mod widths;
 

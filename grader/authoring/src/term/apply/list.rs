@@ -114,21 +114,19 @@ fn left_out(before: &Course, changes: &Changes) -> Result<BTreeSet<String>, Grad
 fn check_points(before: &Course, changes: &Changes) -> Result<(), GraderError> {
     for (name, points) in changes.points() {
         let (key, case) = name.split_once('/').unwrap_or((name, ""));
+        let of_course = task(before, key, name)?;
         let of_examples = case == YOUR_EXAMPLES;
         if let Some(why) = examples::why_not(key).filter(|_| of_examples) {
             return Err(GraderError::new(format!(
                 "course.toml: `points` names `{name}`, but examples of {key} cannot be judged: {why}"
             )));
         }
-        ensure(
-            of_examples || has_case(task(before, key, name)?, case),
-            || {
-                format!(
-                    "`points` names `{name}`: expected a case such as `part1.task3/range`; `cargo grader explain {key}` lists \
+        ensure(of_examples || has_case(of_course, case), || {
+            format!(
+                "`points` names `{name}`: expected a case such as `part1.task3/range`; `cargo grader explain {key}` lists \
                  those of {key}"
-                )
-            },
-        )?;
+            )
+        })?;
         ensure(are_quarters(points), || {
             format!(
                 "`points` gives {points} to `{name}`: expected quarters of a point, and more than 0. To ask the case no \

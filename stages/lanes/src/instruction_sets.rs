@@ -1,4 +1,4 @@
-//! The instruction sets that code in lanes is tested with.
+//! The instruction sets that code in lanes is compiled for and tested with.
 
 use fearless_simd::Level;
 
@@ -7,9 +7,45 @@ use fearless_simd::Level;
 pub fn instruction_sets() -> Vec<Level> {
     let mut levels = vec![Level::new(), Level::baseline()];
     #[cfg(target_arch = "x86_64")]
-    {
-        levels.extend(Level::new().as_avx2().map(Level::Avx2));
-        levels.extend(Level::new().as_sse4_2().map(Level::Sse4_2));
-    }
+    levels.extend(Level::new().as_avx2().map(Level::Avx2));
     levels
+}
+
+/// Computes the expression with the best instruction set that the [`Level`] allows, as
+/// `fearless_simd::dispatch!` does, but without code of its own for SSE4.2.
+///
+/// Processors of the years before AVX2 do with the code for every x86-64: a second large copy for
+/// them would take half of the time that these crates take to compile.
+#[macro_export]
+macro_rules! dispatch {
+    ($level:expr, $simd:pat => $result:expr) => {{
+        #[cfg(target_arch = "x86_64")]
+        {
+            let level: fearless_simd::Level = $level;
+            if let Some(simd) = level.as_avx512() {
+                $crate::compiled_for!(simd, $simd => $result)
+            } else if let Some(simd) = level.as_avx2() {
+                $crate::compiled_for!(simd, $simd => $result)
+            } else {
+                let simd = level.as_sse2().expect("each x86-64 has SSE2");
+                $crate::compiled_for!(simd, $simd => $result)
+            }
+        }
+        #[cfg(not(target_arch = "x86_64"))]
+        fearless_simd::dispatch!($level, $simd => $result)
+    }};
+}
+
+/// The expression, compiled for the instruction set of `$token`. For [`dispatch!`].
+#[doc(hidden)]
+#[macro_export]
+macro_rules! compiled_for {
+    ($token:expr, $simd:pat => $result:expr) => {{
+        let $simd = $token;
+        fearless_simd::Simd::vectorize(
+            $token,
+            #[inline(always)]
+            || $result,
+        )
+    }};
 }

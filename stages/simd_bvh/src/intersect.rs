@@ -5,7 +5,7 @@ use crate::kernels::ray_in_tree::RayInTree;
 use crate::many_rays::region;
 use crate::one_ray::traversal::Traversal;
 use crate::one_ray::unusual_ray;
-use fearless_simd::dispatch;
+use lanes::dispatch;
 // END SOLUTION(part6.task1)
 
 use crate::wide::{Subset, WideBvh};

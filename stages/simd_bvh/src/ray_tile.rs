@@ -3,7 +3,7 @@
 // BEGIN SOLUTION(part6.task1)
 use crate::tile::rays::TileRays;
 use crate::tile::traversal;
-use fearless_simd::dispatch;
+use lanes::dispatch;
 // END SOLUTION(part6.task1)
 
 use crate::intersect::{ExactTest, TestCounts};

@@ -4,7 +4,7 @@
 use crate::many_rays::ray_slot::RaySlot;
 use crate::many_rays::slot_queue::GROUP_SIZE;
 use crate::many_rays::stream_traversal::StreamTraversal;
-use fearless_simd::dispatch;
+use lanes::dispatch;
 // END SOLUTION(part6.task1)
 
 use crate::intersect::{ExactTest, TestCounts};

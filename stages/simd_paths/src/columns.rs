@@ -82,7 +82,8 @@ impl<const N: usize> Columns<N> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use fearless_simd::{Level, dispatch};
+    use fearless_simd::Level;
+    use lanes::dispatch;
 
     #[test]
     fn rows_are_loaded_in_the_order_in_which_they_were_pushed() {

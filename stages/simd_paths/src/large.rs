@@ -147,8 +147,8 @@ fn closest_pair(boxes: &[Aabb]) -> Option<(usize, usize, f64)> {
 mod tests {
     use super::*;
     use crate::ray_packet::RayPacket;
-    use fearless_simd::dispatch;
     use kit::{PixelSampler, Ray, Sphere, Triangle};
+    use lanes::dispatch;
     use lanes::instruction_sets;
 
     /// A floor, and above it two heaps of small triangles and a sphere. `scale` is the size of all.

@@ -12,9 +12,8 @@ use crate::specular::SpecularMaterial;
 use crate::trace;
 use crate::visible::VisiblePixels;
 use fearless_simd::Simd;
-#[cfg(not(target_arch = "x86_64"))]
-use fearless_simd::dispatch;
 use kit::{Material, Triangle};
+use lanes::dispatch;
 use std::mem;
 // END SOLUTION(part6.task2)
 
@@ -160,8 +159,8 @@ impl<'a> PathScene<'a> {
     }
 
     // BEGIN SOLUTION(part6.task2)
-    /// [`PathScene::trace`] of the job `(view, settings, starts, samples)`, compiled for `simd`.
-    #[inline(never)]
+    /// [`PathScene::trace`] of the job `(view, settings, starts, samples)`.
+    #[inline(always)]
     fn trace_in_lanes<S: Simd>(
         &self,
         simd: S,
@@ -170,23 +169,18 @@ impl<'a> PathScene<'a> {
         fallback: &mut dyn ScalarFallback,
         radiance: &mut [Spectrum],
     ) {
-        simd.vectorize(
-            #[inline(always)]
-            || {
-                let mut visible = mem::take(&mut memory.visible);
-                visible.find(simd, self, view, starts, samples, memory, fallback);
-                let paths = CameraPaths {
-                    starts,
-                    pixels: visible.pixels(),
-                    samples,
-                };
-                for first in (0..paths.pixels.len() * samples).step_by(BATCH_SIZE) {
-                    camera::generate_paths(simd, view, paths, first, &mut memory.queue, fallback);
-                    trace::trace_paths(simd, self, settings, view, memory, fallback, radiance);
-                }
-                memory.visible = visible;
-            },
-        );
+        let mut visible = mem::take(&mut memory.visible);
+        visible.find(simd, self, view, starts, samples, memory, fallback);
+        let paths = CameraPaths {
+            starts,
+            pixels: visible.pixels(),
+            samples,
+        };
+        for first in (0..paths.pixels.len() * samples).step_by(BATCH_SIZE) {
+            camera::generate_paths(simd, view, paths, first, &mut memory.queue, fallback);
+            trace::trace_paths(simd, self, settings, view, memory, fallback, radiance);
+        }
+        memory.visible = visible;
     }
 
     /// The class and the colour of the material of primitive number `id`.
@@ -235,19 +229,6 @@ impl<'a> PathScene<'a> {
         let samples = samples as usize;
         let mut radiance = vec![Spectrum::BLACK; starts.len() * samples];
         let job = (view, settings, starts, samples);
-        #[cfg(target_arch = "x86_64")]
-        {
-            // Not `dispatch!`: it also compiles all of it for SSE4.2, for processors of the years
-            // before AVX2, which do with the code for every x86-64.
-            if let Some(simd) = self.level.as_avx512() {
-                self.trace_in_lanes(simd, job, memory, fallback, &mut radiance);
-            } else if let Some(simd) = self.level.as_avx2() {
-                self.trace_in_lanes(simd, job, memory, fallback, &mut radiance);
-            } else if let Some(simd) = self.level.as_sse2() {
-                self.trace_in_lanes(simd, job, memory, fallback, &mut radiance);
-            }
-        }
-        #[cfg(not(target_arch = "x86_64"))]
         dispatch!(self.level, simd => {
             self.trace_in_lanes(simd, job, memory, fallback, &mut radiance);
         });

@@ -1,8 +1,8 @@
 // BEGIN SOLUTION(part6.task2)
 //! Computes a formula with one number and with eight.
 
-use fearless_simd::{Simd, dispatch, f32x8, f64x8, prelude::*};
-use lanes::{Mask, Real, instruction_sets};
+use fearless_simd::{Simd, f32x8, f64x8, prelude::*};
+use lanes::{Mask, Real, dispatch, instruction_sets};
 
 /// A formula with `I` numbers as input and `O` as result.
 pub(crate) trait Formula<const I: usize, const O: usize> {

@@ -11,8 +11,9 @@ use crate::layout::space::TreeSpace;
 use crate::layout::sphere_block::SphereBlock;
 use crate::layout::triangle_block::{TriangleBlock, exact_block};
 use crate::wide::WideBvh;
-use fearless_simd::{Level, dispatch};
+use fearless_simd::Level;
 use kit::{Aabb, PrimId, Sphere, Triangle, Vec3};
+use lanes::dispatch;
 use rayon::prelude::*;
 use std::ops::Range;
 

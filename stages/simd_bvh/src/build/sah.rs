@@ -3,8 +3,9 @@
 
 use crate::layout::LANES;
 use crate::layout::packed_box::PackedBox;
-use fearless_simd::{Level, Simd, dispatch, f32x4, f32x8, i32x4, prelude::*};
+use fearless_simd::{Level, Simd, f32x4, f32x8, i32x4, prelude::*};
 use kit::Aabb;
+use lanes::dispatch;
 use rayon::prelude::*;
 
 /// Bins along an axis, with a candidate plane between neighbours. Twice as many save 0.5 % of the

@@ -1,6 +1,7 @@
 // BEGIN SOLUTION(part6.task1)
 //! Tests a ray against the eight boxes of a node at once.
 
+use crate::kernels::fused::mul_add;
 use crate::kernels::ray_in_tree::RayInTree;
 use crate::layout::LANES;
 use crate::layout::node::{Node, Side, order_along};
@@ -80,8 +81,8 @@ impl<N: Splat> Lines<N> {
         let entering = self.entering[axis].splat(simd);
         let leaving = self.leaving[axis].splat(simd);
         [
-            first.mul_add_precise(slope, entering).bitcast(),
-            last.mul_add_precise(slope, leaving).bitcast(),
+            mul_add(simd, first, slope, entering).bitcast(),
+            mul_add(simd, last, slope, leaving).bitcast(),
         ]
     }
 }
@@ -116,8 +117,8 @@ impl SimdBoxTest {
         // too. It does not depend on the inverse, so it does not wait for the division.
         let error = (o.abs() * (2.0 * f32::EPSILON)).copysign(d);
         let absolute = f32x4::splat(simd, ABSOLUTE);
-        let entering = (-o - error).mul_sub_precise(inverse, absolute);
-        let leaving = (error - o).mul_add_precise(inverse, absolute);
+        let entering = mul_add(simd, -o - error, inverse, -absolute);
+        let leaving = mul_add(simd, error - o, inverse, absolute);
         let [x, y, z] = [
             Side::crossed(ray.d.x),
             Side::crossed(ray.d.y),

@@ -44,6 +44,7 @@
 //! A comparison with NaN or infinity leaves a lane possible and not sure. The tests of the crate
 //! compare with brute force, bit for bit, also at the borders of these bounds.
 
+use crate::kernels::fused::mul_add;
 use crate::kernels::ray_in_tree::RayInTree;
 use crate::kernels::woop::axes_along;
 use crate::layout::triangle_block::TriangleBlock;
@@ -172,15 +173,15 @@ impl TriangleFilter {
         let a = self.project(simd, &block.vertices[0], a_z, offset);
         let b = self.project(simd, &block.vertices[1], b_z, offset);
         let c = self.project(simd, &block.vertices[2], c_z, offset);
-        let u = c[0].mul_sub_precise(b[1], c[1] * b[0]);
-        let v = a[0].mul_sub_precise(c[1], a[1] * c[0]);
-        let w = b[0].mul_sub_precise(a[1], b[1] * a[0]);
+        let u = mul_add(simd, c[0], b[1], -(c[1] * b[0]));
+        let v = mul_add(simd, a[0], c[1], -(a[1] * c[0]));
+        let w = mul_add(simd, b[0], a[1], -(b[1] * a[0]));
         let reach = a[0].abs().max(a[1].abs()).max(b[0].abs().max(b[1].abs()));
         let reach = reach.max(c[0].abs().max(c[1].abs()));
         let noise = self.noise * per_unit as f32;
         let f = self.error + noise;
-        let error = reach.mul_add_precise(20.0 * E, 4.0 * f);
-        let error = reach.mul_add_precise(error, 2.0 * f * f);
+        let error = mul_add(simd, reach, 20.0 * E, 4.0 * f);
+        let error = mul_add(simd, reach, error, 2.0 * f * f);
         let (least, most) = (u.min(v.min(w)), u.max(v.max(w)));
         let missed = least.simd_lt(-error) & error.simd_lt(most);
         FilterEdges {
@@ -240,16 +241,16 @@ impl TriangleFilter {
         let height = b_z.abs().max(c_z.abs());
         let reciprocal = 1.0 / (u + v + w);
         let inside = error.simd_lt(least) | most.simd_lt(-error);
-        let depth = v.mul_add_precise(b_z, w * c_z);
-        let depth = depth.mul_add_precise(reciprocal, a_z);
+        let depth = mul_add(simd, v, b_z, w * c_z);
+        let depth = mul_add(simd, depth, reciprocal, a_z);
         let depth = inside.select(depth, a_z);
         let slack = inside.select(error * 2.25 * reciprocal.abs(), f32x8::splat(simd, 1.0));
-        let slack = slack.mul_add_precise(height, 0.7 + noise);
+        let slack = mul_add(simd, slack, height, 0.7 + noise);
         let per_depth = (f64::from(block.unit) * self.inverse) as f32;
         let at_origin = (start * self.inverse) as f32;
         let rounding = 4.0 * E * (at_origin.abs() + (1 << 17) as f32 * per_depth.abs());
-        let t = depth.mul_add_precise(per_depth, at_origin);
-        let t_error = slack.mul_add_precise(1.001 * per_depth.abs(), rounding);
+        let t = mul_add(simd, depth, per_depth, at_origin);
+        let t_error = mul_add(simd, slack, 1.001 * per_depth.abs(), rounding);
         let (nearest, farthest) = (t - t_error, t + t_error);
         let outside = nearest.simd_gt(limit) | farthest.simd_lt(self.min_t[0]);
         let sure = inside & nearest.simd_ge(self.min_t[1]) & farthest.simd_le(self.max_t);
@@ -275,8 +276,8 @@ impl TriangleFilter {
         let x = widened(simd, &coordinates[self.axes[0]]);
         let y = widened(simd, &coordinates[self.axes[1]]);
         [
-            z.mul_add_precise(self.shear[0] as f32, x) + offset[0],
-            z.mul_add_precise(self.shear[1] as f32, y) + offset[1],
+            mul_add(simd, z, self.shear[0] as f32, x) + offset[0],
+            mul_add(simd, z, self.shear[1] as f32, y) + offset[1],
         ]
     }
 }

@@ -105,7 +105,7 @@ impl SlotStack {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use fearless_simd::dispatch;
+    use lanes::dispatch;
     use lanes::instruction_sets;
 
     /// The entries of a stack from the top, after `count` children with ascending keys were pushed

@@ -104,7 +104,8 @@ impl StackMemory {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use fearless_simd::{Level, dispatch};
+    use fearless_simd::Level;
+    use lanes::dispatch;
 
     #[test]
     fn entries_come_back_in_reverse_however_many_there_are() {

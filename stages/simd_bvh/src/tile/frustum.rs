@@ -17,6 +17,7 @@
 //! margin by which a kernel may report hits beside a primitive. Slopes are computed with three
 //! roundings and that of two components, less than `5e·2.1`; [`SLOPE_MARGIN`] is twice as much.
 
+use crate::kernels::fused::mul_add;
 use crate::layout::LANES;
 use crate::layout::node::{Node, Side, order_along};
 use fearless_simd::{Simd, f32x8, prelude::*};
@@ -122,11 +123,19 @@ impl Frustum {
         let mut outside = far.simd_lt(0.0) | near.simd_gt(end);
         for (conditions, axis) in self.conditions.iter().zip([u, v]) {
             let [lower, upper] = conditions;
-            let distance =
-                planes(w, lower.side).mul_add_precise(-lower.slope, planes(axis, Side::Lower));
+            let distance = mul_add(
+                simd,
+                planes(w, lower.side),
+                -lower.slope,
+                planes(axis, Side::Lower),
+            );
             outside |= distance.simd_gt(lower.bound);
-            let distance =
-                planes(w, upper.side).mul_add_precise(-upper.slope, planes(axis, Side::Upper));
+            let distance = mul_add(
+                simd,
+                planes(w, upper.side),
+                -upper.slope,
+                planes(axis, Side::Upper),
+            );
             outside |= distance.simd_lt(upper.bound);
         }
         (near.to_array(), !outside.to_bitmask() as u32)

@@ -42,6 +42,7 @@
 //! A comparison with NaN or infinity leaves a lane possible and not sure. Numbers too small for
 //! single precision are far below `E`, which is at least `5|d|·δ²` with `δ > 2⁻³⁹`.
 
+use crate::kernels::fused::mul_add;
 use crate::kernels::triangle_filter::widened;
 use crate::layout::LANES;
 use crate::layout::triangle_block::TriangleBlock;
@@ -269,7 +270,7 @@ impl<F: Copy> Planes<F> {
         for normal in &self.normals {
             let (mut all_below, mut all_above) = (u64::MAX, u64::MAX);
             for corner in corners {
-                let value = product(normal, &corner.map(|x| F::splat(simd, x)));
+                let value = product(simd, normal, &corner.map(|x| F::splat(simd, x)));
                 all_below &= value.simd_lt(-error).to_bitmask();
                 all_above &= error.simd_lt(value).to_bitmask();
             }
@@ -281,13 +282,13 @@ impl<F: Copy> Planes<F> {
 
     /// Step 1 to 3 of the module.
     #[inline(always)]
-    pub(crate) fn edges<S: Simd>(&self, d: &[F; 3]) -> EdgeValues<F>
+    pub(crate) fn edges<S: Simd>(&self, simd: S, d: &[F; 3]) -> EdgeValues<F>
     where
         F: SimdFloat<S, Element = f32>,
     {
-        let u = product(&self.normals[0], d);
-        let v = product(&self.normals[1], d);
-        let w = product(&self.normals[2], d);
+        let u = product(simd, &self.normals[0], d);
+        let v = product(simd, &self.normals[1], d);
+        let w = product(simd, &self.normals[2], d);
         let (least, most) = (u.min(v.min(w)), u.max(v.max(w)));
         let missed = least.simd_lt(-self.error) & self.error.simd_lt(most);
         EdgeValues {
@@ -312,13 +313,15 @@ impl<F: Copy> Planes<F> {
     {
         let det = edges.det.abs();
         let volume = self.volume * F::splat(simd, 1.0).copysign(edges.det);
-        let slack = det.mul_add_precise(F::splat(simd, SHARE), self.det_error);
+        let slack = mul_add(simd, det, F::splat(simd, SHARE), self.det_error);
         let nearest = (volume - self.volume_error) / (det + slack);
         let farthest = (volume + self.volume_error) / (det - slack);
         let is_bounded = (self.error * 4.0).simd_lt(det);
         let is_outside = is_bounded & (nearest.simd_gt(end) | farthest.simd_lt(start));
         let is_inside = self.error.simd_lt(edges.least) | edges.most.simd_lt(-self.error);
-        let first = start.mul_add_precise(
+        let first = mul_add(
+            simd,
+            start,
             F::splat(simd, 1.0 + SHARE),
             F::splat(simd, f32::MIN_POSITIVE),
         );
@@ -335,7 +338,12 @@ impl<F: Copy> Planes<F> {
 }
 
 #[inline(always)]
-fn product<S: Simd, F: SimdFloat<S, Element = f32>>(normal: &[F; 3], d: &[F; 3]) -> F {
-    normal[0].mul_add_precise(d[0], normal[1].mul_add_precise(d[1], normal[2] * d[2]))
+fn product<S: Simd, F: SimdFloat<S, Element = f32>>(simd: S, normal: &[F; 3], d: &[F; 3]) -> F {
+    mul_add(
+        simd,
+        normal[0],
+        d[0],
+        mul_add(simd, normal[1], d[1], normal[2] * d[2]),
+    )
 }
 // END SOLUTION(part6.task1)

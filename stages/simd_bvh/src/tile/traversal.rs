@@ -207,7 +207,7 @@ impl<S: Simd> TileTraversal<'_, '_, S> {
                 f32x8::splat(simd, d[1][i]),
                 f32x8::splat(simd, d[2][i]),
             ];
-            let edges = planes.edges(&d);
+            let edges = planes.edges(simd, &d);
             if edges.possible & present == 0 {
                 continue;
             }
@@ -273,7 +273,7 @@ impl<S: Simd> TileTraversal<'_, '_, S> {
                     f32x16::from_slice(simd, &d[1][first..first + GROUP]),
                     f32x16::from_slice(simd, &d[2][first..first + GROUP]),
                 ];
-                let edges = planes.edges(&d);
+                let edges = planes.edges(simd, &d);
                 if edges.possible & active == 0 {
                     continue;
                 }

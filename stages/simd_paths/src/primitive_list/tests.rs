@@ -5,11 +5,12 @@ use super::{PrimitiveList, Scratch};
 use crate::fallback::{Beam, NextRay, ScalarFallback, ScalarPath};
 use crate::ray_packet::{NONE, RayPacket};
 use crate::vec3x8::{LANES, Vec3x8};
-use fearless_simd::{Level, Simd, dispatch, f64x8, prelude::*};
+use fearless_simd::{Level, Simd, f64x8, prelude::*};
 use kit::{
     Hit, PixelSampler, PrimId, Primitive, Ray, Scene, Spectrum, Sphere, Triangle, TriangleHit,
     Vec3, warp,
 };
+use lanes::dispatch;
 
 /// The scalar kernels; nothing else is called.
 struct Kernels<'a>(&'a Scene);

@@ -1,7 +1,7 @@
 //! Files that are written whole or not at all.
 
 use crate::{GraderError, without_path};
-use std::io::Write;
+use std::io::{BufWriter, Write};
 use std::path::Path;
 
 /// The folder that the new file or folder `path` is written to. Fails if it does not exist.
@@ -25,6 +25,14 @@ pub fn folder_of(path: &Path) -> Result<&Path, GraderError> {
 
 /// Writes `text` to the file `path` atomically: on an error the old file stays as it was.
 pub fn write_whole(path: &Path, text: &[u8]) -> Result<(), GraderError> {
+    write_whole_by(path, |file| file.write_all(text))
+}
+
+/// The same for what `write` writes piece by piece.
+pub fn write_whole_by(
+    path: &Path,
+    write: impl FnOnce(&mut dyn Write) -> std::io::Result<()>,
+) -> Result<(), GraderError> {
     let folder = folder_of(path)?;
     let failed = |e: &std::io::Error| GraderError::file("write", path, without_path(e));
     let mut file = tempfile::Builder::new();
@@ -32,7 +40,10 @@ pub fn write_whole(path: &Path, text: &[u8]) -> Result<(), GraderError> {
     #[cfg(unix)]
     file.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
     let mut file = file.tempfile_in(folder).map_err(|e| failed(&e))?;
-    file.write_all(text).map_err(|e| failed(&e))?;
+    let mut buffered = BufWriter::new(file.as_file_mut());
+    let written = write(&mut buffered).and_then(|()| buffered.flush());
+    drop(buffered);
+    written.map_err(|e| failed(&e))?;
     file.persist(path).map_err(|e| failed(&e.error))?;
     Ok(())
 }

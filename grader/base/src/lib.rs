@@ -24,7 +24,7 @@ pub mod utc;
 mod workspace;
 
 pub use error::{GraderError, without_path};
-pub use files::{bytes_below, folder_of, write_whole};
+pub use files::{bytes_below, folder_of, write_whole, write_whole_by};
 pub use workspace::Workspace;
 
 /// The version of the course and of all its programs.

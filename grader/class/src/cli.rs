@@ -94,7 +94,7 @@ pub fn command() -> Command {
         )
         .arg(flag("list", "Print a command for each submission that is not graded yet, and grade none").conflicts_with("shard"))
         .arg(flag("collect", "Make the tables of what is graded, and grade none").conflicts_with_all(["shard", "list"]))
-        .arg(flag("alike", "Compare the code of all submissions, and grade none: writes OUT/alike.html, and OUT/jplag for the program JPlag").conflicts_with_all(["shard", "list", "collect", "regrade"]))
+        .arg(flag("alike", "Compare the code of all submissions, and grade none: writes OUT/alike.html and alike.csv, and OUT/jplag for the program JPlag").conflicts_with_all(["shard", "list", "collect", "regrade"]))
         .arg(flag("regrade", "Grade again what changed since, and show old and new scores; `--yes` replaces them"))
         .arg(flag("yes", "With --regrade: replace the old scores").requires("regrade"))
         .arg(flag(

@@ -1,8 +1,11 @@
 //! Which code in common is found, and what is said about it.
 
 use base::Workspace;
-use class::alike::page;
+use class::alike::common;
+use class::alike::owners::Owners;
+use class::alike::page::{self, Contents};
 use class::alike::pairs::{self, Pair, Student};
+use class::alike::table;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use submission::code::passages::Known;
@@ -51,6 +54,23 @@ fn class(extra: &dyn Fn(u64) -> String) -> Vec<Student> {
     (0..20).map(student).collect()
 }
 
+/// All pairs of a class, with their passages.
+fn pairs(students: &[Student]) -> Vec<Pair> {
+    let owners = Owners::new(students);
+    let found = pairs::pairs(students, &owners, pairs::COMPARED);
+    assert_eq!(found.not_compared, 0);
+    let pairs = found.listed.iter().map(|found| {
+        let pair = pairs::pair(students, &owners, found);
+        assert_eq!((pair.share(), pair.expected), (found.share, found.expected));
+        pair
+    });
+    pairs.collect()
+}
+
+fn common(students: &[Student]) -> Vec<common::Common> {
+    common::common(students, &Owners::new(students), 100).0
+}
+
 fn names(pairs: &[Pair]) -> Vec<[&str; 2]> {
     let names = pairs
         .iter()
@@ -61,8 +81,8 @@ fn names(pairs: &[Pair]) -> Vec<[&str; 2]> {
 #[test]
 fn code_of_ones_own_is_in_no_pair() {
     let students = class(&|_| String::new());
-    assert_eq!(pairs::pairs(&students), []);
-    assert_eq!(pairs::common(&students), []);
+    assert_eq!(pairs(&students), []);
+    assert_eq!(common(&students), []);
 }
 
 #[test]
@@ -77,13 +97,13 @@ fn a_copy_with_other_blanks_comments_and_names_is_found() {
         _ => String::new(),
     });
     // One passage that two of twenty have may be chance.
-    assert_eq!(pairs::pairs(&students), []);
+    assert_eq!(pairs(&students), []);
     let students = class(&|i| match i {
         4 => SHARED.to_string() + &own_code(100, 9) + &own_code(300, 9),
         9 => own_code(300, 9) + &own_code(200, 9) + &renamed,
         _ => String::new(),
     });
-    let found = pairs::pairs(&students);
+    let found = pairs(&students);
     assert_eq!(names(&found), [["04", "09"]]);
     let stage = &found[0].stages[0];
     assert_eq!(stage.passages.len(), 2, "{stage:?}");
@@ -107,7 +127,10 @@ fn a_copy_with_other_blanks_comments_and_names_is_found() {
         "{}",
         found[0].expected
     );
-    let page = page::page(students.len(), &found, &[], &[]);
+    let page = page::page(&Contents {
+        pairs: found,
+        ..Contents::default()
+    });
     assert!(
         page.contains("let total = ") || page.contains("let mut total = "),
         "{page}"
@@ -124,8 +147,8 @@ fn a_whole_copy_is_found_even_if_it_is_one_passage() {
         }
     });
     // Student 7 has all of student 3's code beside code of the same length.
-    assert_eq!(names(&pairs::pairs(&students)), [["03", "07"]]);
-    assert!(pairs::pairs(&students)[0].share() > 0.9);
+    assert_eq!(names(&pairs(&students)), [["03", "07"]]);
+    assert!(pairs(&students)[0].share() > 0.9);
 }
 
 #[test]
@@ -137,14 +160,86 @@ fn what_many_have_is_told_once_and_accuses_no_pair() {
             String::new()
         }
     });
-    assert_eq!(pairs::pairs(&students), []);
-    let common = pairs::common(&students);
+    assert_eq!(pairs(&students), []);
+    let common = common(&students);
     assert_eq!(common.len(), 1, "{common:?}");
     assert_eq!(common[0].names.len(), 11);
     assert!(
         common[0].excerpt.text.raw().contains("corner - ray.o"),
         "{common:?}"
     );
+}
+
+/// Of a class in which everybody copied, a bounded number of pairs is compared and shown, the
+/// strongest first, and the page says what is not.
+#[test]
+fn many_pairs_are_a_table_and_the_strongest_of_them_a_page() {
+    // Three have each text; what two of them share grows with their number.
+    let students = class(&|i| own_code(500 + i / 3, 60 + 10 * (i / 3)));
+    let owners = Owners::new(&students);
+    let all = pairs::pairs(&students, &owners, pairs::COMPARED);
+    assert_eq!((all.listed.len(), all.not_compared), (6 * 3 + 1, 0));
+    let shares: Vec<f64> = all.listed.iter().map(|found| found.share).collect();
+    assert!(shares.is_sorted_by(|a, b| a >= b), "{shares:?}");
+    let few = pairs::pairs(&students, &owners, 4);
+    assert_eq!((few.listed.len(), few.not_compared), (4, 15));
+    // The longest texts are compared first: those of 18 and 19, and of 15, 16 and 17.
+    let members: Vec<usize> = few.listed.iter().flat_map(|found| found.both).collect();
+    assert!(members.iter().all(|i| *i >= 15), "{members:?}");
+
+    let shown = all.listed[..4].iter();
+    let shown = shown.map(|found| pairs::pair(&students, &owners, found));
+    let page = page::page(&Contents {
+        students: students.len(),
+        pairs: shown.collect(),
+        found: all.listed.len(),
+        not_compared: few.not_compared,
+        ..Contents::default()
+    });
+    let says = |words: &str| assert!(page.contains(words), "no {words:?} in {page}");
+    says("19 pairs were found. The 4 with the largest shares are shown, the other 15 are lines of");
+    says("15 with less were not");
+    // A passage of two stands twice, one of three students three times and not six times.
+    assert_eq!(page.matches("<pre>").count(), 2 + 3, "{page}");
+    assert_eq!(page.matches("shown above").count(), 3, "{page}");
+
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("alike.csv");
+    table::write(&path, &students, &all.listed).expect("it is written");
+    let table = std::fs::read_to_string(path).expect("a table");
+    let rows: Vec<&str> = table.lines().collect();
+    assert_eq!(rows.len(), 1 + 19, "{table}");
+    assert_eq!(rows[0], "first,second,share,expected,passages,tokens");
+    let [a, b] = all.listed[0].both;
+    assert!(rows[1].starts_with(&format!("{a:02},{b:02},0.")), "{table}");
+}
+
+/// Two students with much code on one line: each passage would show all of it.
+#[test]
+fn a_long_line_and_many_passages_are_cut() {
+    let line = |i: u64| -> String {
+        let passages =
+            (0..60).map(|passage| own_code(900 + passage, 8) + &own_code(1000 * i + passage, 1));
+        passages.collect::<String>().replace('\n', " ")
+    };
+    let students = class(&|i| match i {
+        2 | 5 => line(i),
+        _ => String::new(),
+    });
+    let found = pairs(&students);
+    assert_eq!(names(&found), [["02", "05"]]);
+    let stage = &found[0].stages[0];
+    assert_eq!(stage.passages.len(), pairs::SHOWN);
+    assert!(stage.more >= 30, "{}", stage.more);
+    let page = page::page(&Contents {
+        pairs: found.clone(),
+        ..Contents::default()
+    });
+    assert!(
+        page.contains(&format!("and {} are not.", stage.more)),
+        "{page}"
+    );
+    assert!(page.len() < 100_000, "{} bytes", page.len());
 }
 
 #[test]
@@ -199,9 +294,13 @@ fn code_of_the_grader_in_a_stage_is_shown() {
             )
         }));
     let students = [student("honest", &reference), student("pasted", &pasted)];
-    let found = pairs::pasted(&student("the grader", &graders), &students);
+    let (found, all) = pairs::pasted(&student("the grader", &graders), &students, 9);
+    assert_eq!(all, 1);
     assert_eq!(names(&found), [["pasted", "the grader"]]);
-    let page = page::page(2, &[], &[], &found);
+    let page = page::page(&Contents {
+        pasted: found,
+        ..Contents::default()
+    });
     assert!(page.contains("Passages of the grader's own code"));
     assert!(page.contains("tree_tests.rs"));
 }

@@ -8,6 +8,10 @@ use judge::examples::{
 use kit::{Aabb, Ray, Sphere, Triangle, Vec2};
 use serde::Deserialize;
 
+/// The most examples of a file. Nobody writes more by hand, and each is judged in exact arithmetic
+/// by the process that grades.
+const MOST: usize = 500;
+
 /// The file of a stage.
 #[derive(Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -213,10 +217,16 @@ pub fn parse(text: &str) -> Result<Vec<Example>, GraderError> {
     });
     let rays = triangles.chain(spheres).chain(boxes).map(Example::Ray);
     let specular = mirrors.chain(boundaries).map(Example::Specular);
-    Ok(pixels
+    let all: Vec<Example> = pixels
         .map(Example::Pixel)
         .chain(cameras.map(Example::Camera))
         .chain(rays)
         .chain(specular)
-        .collect())
+        .collect();
+    match all.len() {
+        0..=MOST => Ok(all),
+        many => Err(GraderError::new(format!(
+            "{many} examples: expected at most {MOST} in a file"
+        ))),
+    }
 }

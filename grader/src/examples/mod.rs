@@ -43,12 +43,16 @@ pub fn review(task: &str, examples: &[Example]) -> Option<Review> {
     let of_task = examples.iter().filter(|of| of.task() == task);
     let of_task: Vec<&Example> = of_task.collect();
     let verdicts: Vec<Option<String>> = of_task.iter().map(|of| verdict(of)).collect();
+    let right = of_task.iter().zip(&verdicts).enumerate();
+    let right = right.filter(|(_, (_, verdict))| verdict.is_none());
+    let touched: Vec<(usize, Vec<&str>)> = right
+        .map(|(at, (of, _))| (at + 1, of.situations()))
+        .collect();
     let touching = |situation: &str| {
-        let right = of_task.iter().zip(&verdicts).enumerate();
-        right
-            .filter(|(_, (of, verdict))| verdict.is_none() && of.situations().contains(&situation))
-            .map(|(at, _)| at + 1)
-            .collect()
+        let by = touched
+            .iter()
+            .filter(|(_, touches)| touches.contains(&situation));
+        by.map(|(number, _)| *number).collect()
     };
     let situations = situations_of(task)?.iter();
     Some(Review {
@@ -151,6 +155,13 @@ mod tests {
         let text = sample("part1.task4").replace("expected = 2 ", "expected = \"hit\" ");
         let word = parse(&text).expect_err("a hit needs its t").to_string();
         assert!(word.contains("expected \"miss\", the t of a hit"), "{word}");
+        let most = sample("part1.task4").repeat(500);
+        assert_eq!(parse(&most).map(|all| all.len()).ok(), Some(500));
+        let many = parse(&(most + sample("part1.task3"))).expect_err("501");
+        assert_eq!(
+            many.to_string(),
+            "501 examples: expected at most 500 in a file"
+        );
         assert!(review("part2.task1", &[]).is_none());
     }
 }

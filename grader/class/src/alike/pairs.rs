@@ -5,8 +5,9 @@
 //! `(c + 1/2) / (n - 1)`; the passages of a pair count as independent, so `n (n - 1) / 2` times the
 //! product of their probabilities is how many pairs would be expected to have all of them.
 
+use super::owners::Owners;
 use std::cmp::Reverse;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use submission::Untrusted;
 use submission::code::passages::Passage;
 use submission::code::source::{Excerpt, Source};
@@ -21,7 +22,14 @@ pub const LARGE_SHARE: f64 = 0.6;
 const SMALLEST: usize = 100;
 
 /// Passages that more students have come from a book, a lecture or a page, not from each other.
-const SHARED_BY_FEW: usize = 4;
+pub(super) const SHARED_BY_FEW: usize = 4;
+
+/// How many pairs are compared passage by passage: those with the most rare fingerprints in common.
+/// A class of a thousand has half a million pairs.
+pub const COMPARED: usize = 20_000;
+
+/// The most passages of a pair in one stage that are shown: the longest.
+pub const SHOWN: usize = 20;
 
 /// A student, and the code of each stage that was handed in.
 #[derive(Clone, Debug)]
@@ -39,8 +47,10 @@ pub struct SharedStage {
     pub stage: String,
     /// Which part of the shorter code is in passages that at most four students have, 0 to 1.
     pub share: f64,
-    /// The passages, in the order of the first student's code.
+    /// The passages, in the order of the first student's code; of more than [`SHOWN`] the longest.
     pub passages: Vec<SharedPassage>,
+    /// How many more there are.
+    pub more: usize,
 }
 
 /// A passage that two students have in common.
@@ -76,32 +86,77 @@ impl Pair {
     }
 }
 
-/// The pairs to look at, those with the largest shares first.
-pub fn pairs(students: &[Student]) -> Vec<Pair> {
-    let owners = owners(students);
-    let mut candidates: BTreeSet<[usize; 2]> = BTreeSet::new();
-    for owners in owners.values().filter(|owners| is_few(owners.len())) {
-        let owners: Vec<usize> = owners.iter().copied().collect();
-        for (i, a) in owners.iter().enumerate() {
-            candidates.extend(owners[i + 1..].iter().map(|b| [*a, *b]));
+/// How much two students have in common, without the passages: a class may have many such pairs.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Found {
+    /// The numbers of both in the class.
+    pub both: [usize; 2],
+    /// The largest share of a stage, as in [`SharedStage::share`].
+    pub share: f64,
+    /// As in [`Pair::expected`].
+    pub expected: f64,
+    /// The number of common passages.
+    pub passages: usize,
+    /// The number of their tokens.
+    pub tokens: usize,
+}
+
+/// The pairs of a class.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Pairs {
+    /// Those to look at, with the largest shares first.
+    pub listed: Vec<Found>,
+    /// How many pairs have rare code in common and were not compared, because [`COMPARED`] pairs
+    /// have more.
+    pub not_compared: usize,
+}
+
+/// The pairs of `students`, whose fingerprints are `owners`. At most `compared` are compared.
+pub fn pairs(students: &[Student], owners: &Owners<'_>, compared: usize) -> Pairs {
+    let candidates = candidates(owners);
+    let all = candidates.iter().take(compared).map(|both| {
+        let common = compare_both(students, owners, *both);
+        Found {
+            both: *both,
+            share: common.share(),
+            expected: common.expected,
+            passages: common.stages.iter().map(|stage| stage.passages.len()).sum(),
+            tokens: common.stages.iter().map(CommonStage::tokens).sum(),
         }
-    }
-    let all = candidates.into_iter().map(|both| {
-        let [a, b] = both.map(|i| &students[i]);
-        pair([a, b], students.len(), |stage, one, passage| {
-            others(&owners, both, stage, one, passage)
-        })
     });
-    let mut listed: Vec<Pair> = all
-        .filter(|pair| pair.expected < EXPECTED || pair.share() >= LARGE_SHARE)
+    let mut listed: Vec<Found> = all
+        .filter(|found| found.expected < EXPECTED || found.share >= LARGE_SHARE)
         .collect();
     listed.sort_by(|a, b| {
-        let share = b.share().total_cmp(&a.share());
+        let share = b.share.total_cmp(&a.share);
         share
             .then(a.expected.total_cmp(&b.expected))
-            .then(a.names.cmp(&b.names))
+            .then(a.both.cmp(&b.both))
     });
-    listed
+    Pairs {
+        listed,
+        not_compared: candidates.len().saturating_sub(compared),
+    }
+}
+
+/// A pair that [`pairs`] found, with its passages.
+pub fn pair(students: &[Student], owners: &Owners<'_>, found: &Found) -> Pair {
+    compare_both(students, owners, found.both).shown()
+}
+
+/// The pairs that have fingerprints of few in common, those with the most first.
+fn candidates(owners: &Owners<'_>) -> Vec<[usize; 2]> {
+    let mut all: Vec<[usize; 2]> = Vec::new();
+    for (_, group) in owners.groups().filter(|(_, group)| is_few(group.len())) {
+        for (i, (_, a)) in group.iter().enumerate() {
+            all.extend(group[i + 1..].iter().map(|(_, b)| [*a, *b]));
+        }
+    }
+    all.sort_unstable();
+    let pairs = all.chunk_by(|a, b| a == b);
+    let mut counted: Vec<(usize, [usize; 2])> = pairs.map(|pair| (pair.len(), pair[0])).collect();
+    counted.sort_unstable_by_key(|(count, both)| (Reverse(*count), *both));
+    counted.into_iter().map(|(_, both)| both).collect()
 }
 
 /// The fewest tokens of a passage that looks pasted from the grader: the grader has so much code
@@ -109,38 +164,109 @@ pub fn pairs(students: &[Student]) -> Vec<Pair> {
 pub const PASTED: usize = 60;
 
 /// The long passages that students have in common with the code of the grader, which is each stage
-/// of `grader`. The students with the largest shares come first.
-pub fn pasted(grader: &Student, students: &[Student]) -> Vec<Pair> {
-    let with_passages = students.iter().filter_map(|student| {
-        let mut pair = pair([student, grader], 2, |_, _, _| 0);
-        for stage in &mut pair.stages {
-            stage.passages.retain(|passage| passage.tokens >= PASTED);
-        }
-        pair.stages.retain(|stage| !stage.passages.is_empty());
-        (!pair.stages.is_empty()).then_some(pair)
+/// of `grader`. The students with the largest shares come first; at most `most` are kept, and how
+/// many there are is returned, too.
+pub fn pasted(grader: &Student, students: &[Student], most: usize) -> (Vec<Pair>, usize) {
+    let found = students.iter().enumerate().filter_map(|(i, student)| {
+        let common = with_the_grader(student, grader);
+        (!common.stages.is_empty()).then(|| (i, common.share()))
     });
-    let mut pasted: Vec<Pair> = with_passages.collect();
-    pasted.sort_by(|a, b| b.share().total_cmp(&a.share()).then(a.names.cmp(&b.names)));
-    pasted
+    let mut found: Vec<(usize, f64)> = found.collect();
+    let name = |i: usize| &students[i].name;
+    found.sort_by(|(a, share_a), (b, share_b)| {
+        share_b.total_cmp(share_a).then(name(*a).cmp(name(*b)))
+    });
+    let shown = found.iter().take(most);
+    let shown = shown.map(|(i, _)| with_the_grader(&students[*i], grader).shown());
+    (shown.collect(), found.len())
 }
 
-/// Who has each fingerprint of each stage.
-type Owners<'a> = BTreeMap<(&'a str, u64), BTreeSet<usize>>;
+fn with_the_grader<'a>(student: &'a Student, grader: &'a Student) -> CommonCode<'a> {
+    let mut common = compare([student, grader], 2, |_, _, _| 0);
+    for stage in &mut common.stages {
+        stage
+            .passages
+            .retain(|(passage, _)| passage.length >= PASTED);
+    }
+    common.stages.retain(|stage| !stage.passages.is_empty());
+    common
+}
 
-fn owners(students: &[Student]) -> Owners<'_> {
-    let mut owners = Owners::new();
-    for (i, student) in students.iter().enumerate() {
-        for (stage, source) in &student.stages {
-            for hash in source.text.fingerprints() {
-                owners.entry((stage, hash)).or_default().insert(i);
-            }
+pub(super) fn is_few(owners: usize) -> bool {
+    (2..=SHARED_BY_FEW).contains(&owners)
+}
+
+/// The code that two students have in common.
+struct CommonCode<'a> {
+    students: [&'a Student; 2],
+    stages: Vec<CommonStage<'a>>,
+    expected: f64,
+}
+
+/// The same of one stage.
+struct CommonStage<'a> {
+    stage: &'a str,
+    sources: [&'a Source; 2],
+    /// The passages, and how many others have each.
+    passages: Vec<(Passage, usize)>,
+    share: f64,
+}
+
+impl CommonCode<'_> {
+    fn share(&self) -> f64 {
+        let shares = self.stages.iter().map(|stage| stage.share);
+        shares.fold(0.0, f64::max)
+    }
+
+    fn shown(&self) -> Pair {
+        Pair {
+            names: self.students.map(|student| student.name.clone()),
+            stages: self.stages.iter().map(CommonStage::shown).collect(),
+            expected: self.expected,
         }
     }
-    owners
 }
 
-fn is_few(owners: usize) -> bool {
-    (2..=SHARED_BY_FEW).contains(&owners)
+impl CommonStage<'_> {
+    fn tokens(&self) -> usize {
+        let lengths = self.passages.iter().map(|(passage, _)| passage.length);
+        lengths.sum()
+    }
+
+    fn shown(&self) -> SharedStage {
+        let mut longest: Vec<&(Passage, usize)> = self.passages.iter().collect();
+        longest.sort_by_key(|(passage, _)| (Reverse(passage.length), passage.starts));
+        longest.truncate(SHOWN);
+        longest.sort_by_key(|(passage, _)| passage.starts);
+        let [one, other] = self.sources;
+        let passages = longest.into_iter().map(|(passage, others)| SharedPassage {
+            excerpts: [
+                one.excerpt(passage.starts[0], passage.length),
+                other.excerpt(passage.starts[1], passage.length),
+            ],
+            tokens: passage.length,
+            has_same_names: one.text.has_same_names(&other.text, passage),
+            others: *others,
+        });
+        SharedStage {
+            stage: self.stage.to_string(),
+            share: self.share,
+            passages: passages.collect(),
+            more: self.passages.len().saturating_sub(SHOWN),
+        }
+    }
+}
+
+fn compare_both<'a>(
+    students: &'a [Student],
+    owners: &Owners<'_>,
+    both: [usize; 2],
+) -> CommonCode<'a> {
+    compare(
+        both.map(|i| &students[i]),
+        students.len(),
+        |stage, one, passage| others(owners, both, stage, one, passage),
+    )
 }
 
 /// How many students have a passage of `stage` besides the two students `both`. `one` is the code
@@ -155,18 +281,24 @@ fn others(
     let [start, _] = passage.starts;
     let hashes = one.text.fingerprints_in(start, passage.length);
     // At the ends of a passage, the fingerprint of one is not that of the other.
-    let owners = hashes.filter_map(|hash| owners.get(&(stage, hash)));
-    let of_both = owners.filter(|owners| both.iter().all(|i| owners.contains(i)));
-    of_both.map(|owners| owners.len() - 2).min().unwrap_or(0)
+    let owners = hashes.map(|hash| (hash, owners.of(stage, hash)));
+    let of_both = owners.filter(|(hash, owners)| {
+        both.iter()
+            .all(|i| owners.binary_search(&(*hash, *i)).is_ok())
+    });
+    of_both
+        .map(|(_, owners)| owners.len() - 2)
+        .min()
+        .unwrap_or(0)
 }
 
 /// What `a` and `b`, two of `students` students, have in common. `others` returns how many others
 /// have a passage: its arguments are the stage, the code of `a` and the passage.
-fn pair(
-    [a, b]: [&Student; 2],
+fn compare<'a>(
+    [a, b]: [&'a Student; 2],
     students: usize,
     others: impl Fn(&str, &Source, &Passage) -> usize,
-) -> Pair {
+) -> CommonCode<'a> {
     let n = students as f64;
     let mut expected = n * (n - 1.0) / 2.0;
     let mut stages = Vec::new();
@@ -174,94 +306,35 @@ fn pair(
         let Some(other) = b.stages.get(stage) else {
             continue;
         };
-        let mut passages = Vec::new();
-        for passage in one.text.common(&other.text) {
+        let common = one.text.common(&other.text).into_iter();
+        let passages = common.map(|passage| {
             let others = others(stage, one, &passage);
-            expected *= (others as f64 + 0.5) / (n - 1.0);
-            passages.push(SharedPassage {
-                excerpts: [
-                    one.excerpt(passage.starts[0], passage.length),
-                    other.excerpt(passage.starts[1], passage.length),
-                ],
-                tokens: passage.length,
-                has_same_names: one.text.has_same_names(&other.text, &passage),
-                others,
-            });
+            (passage, others)
+        });
+        let passages: Vec<(Passage, usize)> = passages.collect();
+        for (_, others) in &passages {
+            expected *= (*others as f64 + 0.5) / (n - 1.0);
         }
         let shorter = one.text.own().min(other.text.own());
-        let rare = passages.iter().filter(|passage| is_few(passage.others + 2));
-        let rare: usize = rare.map(|passage| passage.tokens).sum();
+        let rare = passages.iter().filter(|(_, others)| is_few(others + 2));
+        let rare: usize = rare.map(|(passage, _)| passage.length).sum();
         let share = if shorter < SMALLEST {
             0.0
         } else {
             rare as f64 / shorter as f64
         };
         if !passages.is_empty() {
-            stages.push(SharedStage {
-                stage: stage.clone(),
-                share: share.min(1.0),
+            stages.push(CommonStage {
+                stage,
+                sources: [one, other],
                 passages,
+                share: share.min(1.0),
             });
         }
     }
-    Pair {
-        names: [a.name.clone(), b.name.clone()],
+    CommonCode {
+        students: [a, b],
         stages,
         expected,
     }
-}
-
-/// Passages that too many students have to be asked about one by one.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Common {
-    /// The stage.
-    pub stage: String,
-    /// Who has them, in the order of the class.
-    pub names: Vec<Untrusted>,
-    /// One of them, in the code of the first.
-    pub excerpt: Excerpt,
-}
-
-/// What many students have in common, the largest groups first.
-pub fn common(students: &[Student]) -> Vec<Common> {
-    let mut groups: BTreeMap<(&str, Vec<usize>), BTreeSet<u64>> = BTreeMap::new();
-    for ((stage, hash), owners) in owners(students) {
-        if owners.len() > SHARED_BY_FEW {
-            let group = groups.entry((stage, owners.into_iter().collect()));
-            group.or_default().insert(hash);
-        }
-    }
-    let mut groups: Vec<_> = groups.into_iter().collect();
-    groups.sort_by_key(|((_, group), _)| Reverse(group.len()));
-    let mut common = Vec::new();
-    let mut told: BTreeSet<(&str, u64)> = BTreeSet::new();
-    for ((stage, group), hashes) in groups {
-        let [first, second] = [group[0], group[1]].map(|i| &students[i].stages[stage]);
-        let fingerprints = |passage: &Passage| -> Vec<u64> {
-            let inside = first
-                .text
-                .fingerprints_in(passage.starts[0], passage.length);
-            inside.collect()
-        };
-        let passages = first.text.common(&second.text).into_iter();
-        let of_group = passages.filter(|passage| {
-            fingerprints(passage)
-                .iter()
-                .any(|hash| hashes.contains(hash))
-        });
-        let Some(longest) = of_group.max_by_key(|passage| passage.length) else {
-            continue;
-        };
-        // Where some of a group go on in the same way, the passage of the group is enough.
-        let is_told = |hash: &u64| told.contains(&(stage, *hash));
-        if !fingerprints(&longest).iter().any(is_told) {
-            common.push(Common {
-                stage: stage.to_string(),
-                names: group.iter().map(|i| students[*i].name.clone()).collect(),
-                excerpt: first.excerpt(longest.starts[0], longest.length),
-            });
-            told.extend(hashes.iter().map(|hash| (stage, *hash)));
-        }
-    }
-    common
 }

@@ -1,7 +1,9 @@
 //! Runs `grader class --alike`.
 
+use crate::alike::owners::Owners;
+use crate::alike::page::{self, Contents};
 use crate::alike::pairs::{self, Student};
-use crate::alike::{jplag, page};
+use crate::alike::{common, jplag, table};
 use crate::entries;
 use crate::out::Out;
 use crate::reading::Reader;
@@ -12,6 +14,7 @@ use grader::course::Course;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 use submission::Untrusted;
+use submission::code::passages::Known;
 use submission::code::{self, source::Source};
 
 /// The most bytes of a stage that are compared: a hundred times what a student writes. The tokens of
@@ -75,34 +78,61 @@ pub(super) fn run(
         }
         students.push(Student { name, stages });
     }
-    let (pairs, common) = (pairs::pairs(&students), pairs::common(&students));
-    let of_the_grader = code::of_the_grader(workspace.root())?;
-    let handed_in: BTreeSet<&String> = students
-        .iter()
-        .flat_map(|student| student.stages.keys())
-        .collect();
-    let as_stages = handed_in.into_iter().map(|stage| {
-        let source = Source::new(&of_the_grader, &known[stage.as_str()]);
-        (stage.clone(), source)
-    });
-    let grader = Student {
-        name: Untrusted::from("the grader"),
-        stages: as_stages.collect(),
+    let owners = Owners::new(&students);
+    let pairs = pairs::pairs(&students, &owners, pairs::COMPARED);
+    let strongest = pairs.listed.iter().take(page::LISTED);
+    let strongest = strongest.map(|found| pairs::pair(&students, &owners, found));
+    let (common, more_common) = common::common(&students, &owners, page::LISTED);
+    let grader = the_grader(workspace, &students, &known)?;
+    let (pasted, with_pasted) = pairs::pasted(&grader, &students, page::LISTED);
+    let contents = Contents {
+        students: students.len(),
+        pairs: strongest.collect(),
+        found: pairs.listed.len(),
+        not_compared: pairs.not_compared,
+        common,
+        more_common,
+        pasted,
+        with_pasted,
     };
-    let pasted = pairs::pasted(&grader, &students);
     let path = out.join("alike.html");
-    write_whole(
-        &path,
-        page::page(students.len(), &pairs, &common, &pasted).as_bytes(),
-    )?;
+    write_whole(&path, page::page(&contents).as_bytes())?;
+    let all = out.join("alike.csv");
+    table::write(&all, &students, &pairs.listed)?;
     outln!(
         "{} submissions compared: {} pairs to ask about, {} passages that many have, {} with code of the grader: {}",
-        students.len(),
-        pairs.len(),
-        common.len(),
-        pasted.len(),
+        contents.students,
+        contents.found,
+        contents.common.len(),
+        contents.with_pasted,
         path.display()
     );
+    if contents.found > contents.pairs.len() {
+        outln!(
+            "the page shows the strongest {}; all pairs: {}",
+            contents.pairs.len(),
+            all.display()
+        );
+    }
     outln!("the same with JPlag: {}", jplag::command(&folder));
     Ok(Exit::Passed)
+}
+
+/// The code of the grader, as if a student had handed it in as each of the stages.
+fn the_grader(
+    workspace: &Workspace,
+    students: &[Student],
+    known: &BTreeMap<&str, Known>,
+) -> Result<Student, GraderError> {
+    let files = code::of_the_grader(workspace.root())?;
+    let stages = students.iter().flat_map(|student| student.stages.keys());
+    let handed_in: BTreeSet<&String> = stages.collect();
+    let as_stages = handed_in.into_iter().map(|stage| {
+        let source = Source::new(&files, &known[stage.as_str()]);
+        (stage.clone(), source)
+    });
+    Ok(Student {
+        name: Untrusted::from("the grader"),
+        stages: as_stages.collect(),
+    })
 }

@@ -6,6 +6,10 @@ use crate::Untrusted;
 use crate::file_tree::Files;
 use std::ops::Range;
 
+/// The most characters of a passage that are shown, some hundred lines. A line may be as long as its
+/// file, and every passage of it would repeat it.
+const MOST_SHOWN: usize = 6_000;
+
 /// The code of a stage that one student handed in.
 #[derive(Clone, Debug, Default)]
 pub struct Source {
@@ -29,7 +33,7 @@ pub struct Excerpt {
     pub path: Untrusted,
     /// Its lines, counted from 1.
     pub lines: Range<usize>,
-    /// Their text.
+    /// Their text; of a long one the beginning.
     pub text: Untrusted,
 }
 
@@ -64,11 +68,50 @@ impl Source {
         let file = &self.files[after.saturating_sub(1)];
         let lines = self.text.lines(start, length);
         let shown = file.text.lines().skip(lines.start.saturating_sub(1));
-        let shown: Vec<&str> = shown.take(lines.len()).collect();
         Excerpt {
             path: file.path.clone(),
-            text: shown.join("\n").into(),
+            text: beginning(shown.take(lines.len())).into(),
             lines,
         }
+    }
+}
+
+/// The lines, at most [`MOST_SHOWN`] characters of them.
+fn beginning<'a>(lines: impl Iterator<Item = &'a str>) -> String {
+    let mut text = String::new();
+    let mut left = MOST_SHOWN;
+    for line in lines {
+        let shown: String = line.chars().take(left).collect();
+        text += &shown;
+        left -= shown.chars().count();
+        if left == 0 || shown.len() < line.len() {
+            return text + " ...";
+        }
+        text.push('\n');
+        left -= 1;
+    }
+    text.pop();
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn of_a_long_passage_the_beginning_is_shown() {
+        let short = ["fn f() {", "}"];
+        assert_eq!(beginning(short.into_iter()), "fn f() {\n}");
+        let long = "ä".repeat(MOST_SHOWN);
+        assert_eq!(
+            beginning([long.as_str()].into_iter()),
+            long.clone() + " ..."
+        );
+        assert_eq!(
+            beginning(["a", &long].into_iter()).chars().count(),
+            MOST_SHOWN + 4
+        );
+        let lines = vec!["a"; MOST_SHOWN];
+        assert_eq!(beginning(lines.into_iter()).chars().count(), MOST_SHOWN + 4);
     }
 }

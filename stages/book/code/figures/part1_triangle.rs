@@ -87,7 +87,7 @@ fn triangle_mistakes() -> String {
         Vec2::new(-0.1, -0.5),
         Vec2::new(6.6, 1.7),
         "What a triangle becomes if a comparison of its weights is wrong: a wedge without b1 + b2 <= 1, \
-         a parallelogram with b2 <= 1 instead, a strip without b1 >= 0.",
+         a parallelogram with b2 <= 1 instead, a wedge with its tip at p1 without b1 >= 0.",
     );
     let shape = |d: &mut Drawing, corner: Vec2, points: &[Vec2], words: &str| {
         let at = |w: &Vec2| corner + w.x * e1 + w.y * e2;

@@ -70,7 +70,7 @@ fn noise() -> String {
         w(-0.6, -3.0),
         w(3.9, 1.2),
         "Relative error against the number of samples on logarithmic axes: uniform directions begin at 5, points \
-         of the lamp at about 0.04; both fall as the square root of the number of samples.",
+         of the lamp at 0.05; both fall as the square root of the number of samples.",
     );
     let log = |x: f64| math::ln(x) / std::f64::consts::LN_10;
     let counts = [1_u32, 4, 16, 64, 256, 1024];

@@ -104,7 +104,7 @@
         say(`✗ One side is empty, so the same ${COUNT} boxes come back for ever. Another rule must cut here, such as the median.`);
       } else {
         const isBest = at.expected.cmp(best) === 0;
-        say(`A ray that hits the node tests ${number(at.expected)} boxes on average, instead of ${COUNT}.${isBest ? " ★ No split of this axis is better." : ` The best split has ${number(best)}.`}`);
+        say(`A ray that hits the node tests ${number(at.expected)} primitives on average, instead of ${COUNT}.${isBest ? " ★ No split of this axis is better." : ` The best split has ${number(best)}.`}`);
       }
       drawScene(scene, state, boxes, at);
       drawGraph(graph, state, boxes, found, at);

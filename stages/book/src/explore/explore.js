@@ -6,7 +6,8 @@
 // script, in print, or if a file is missing, the picture in the figure stays.
 //
 // NAME.js calls `Explore.figure(NAME, {needs, kernels, start})`. `start(ui)` makes the controls and
-// sets `ui.render`, which draws everything from `ui.state`. What a figure draws as right comes from
+// sets `ui.render`, which draws everything from `ui.state`. With `keepsPicture` the picture stays
+// above, because the chapter speaks of what only it shows. What a figure draws as right comes from
 // exact fractions (exact.js). Numbers in `kernels` have the bits of the course's Rust code:
 // stages/book/tests/explore compares them.
 (function () {
@@ -132,6 +133,7 @@
       this.controls.append(reset);
       this.element.insertBefore(this.live, caption);
       this.element.classList.add("explore-ready");
+      this.element.classList.toggle("explore-both", Boolean(figures[this.name].keepsPicture));
       this.initial = structuredClone(this.state);
       // Keys that move a point must not turn the page.
       this.live.addEventListener("keydown", (event) => event.stopPropagation());

@@ -211,5 +211,5 @@
     });
   }
 
-  Explore.figure("lamp", { needs: ["libm", "sampler"], kernels: { byDirection, byPoint }, start });
+  Explore.figure("lamp", { needs: ["libm", "sampler"], kernels: { byDirection, byPoint }, keepsPicture: true, start });
 })();

@@ -154,7 +154,7 @@
           ...rows.map(([name, { good, bad, right }]) => [
             name,
             { parts: [{ text: good }, { tag: "mark", text: bad }] },
-            `${right === 0 ? "✗ none" : right > 16 ? "✓ all" : right}`,
+            `${right === 0 ? "✗ none" : right > 16 ? "✓ all, ± 1 ulp" : right}`,
           ]),
         ]);
         const [first, second] = rows.map(([, { right }]) => (right > 16 ? "all digits" : right === 0 ? "no digit" : `${right} digit${right > 1 ? "s" : ""}`));
@@ -211,5 +211,5 @@
     stage.line([[exponent, -17], [exponent, 0.6]], "ink dot");
   }
 
-  Explore.figure("sphere", { needs: ["exact"], kernels: { textbook, remedied }, exact, start });
+  Explore.figure("sphere", { needs: ["exact"], kernels: { textbook, remedied }, keepsPicture: true, exact, start });
 })();

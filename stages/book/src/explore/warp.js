@@ -85,7 +85,7 @@
       ]);
       say(
         fits
-          ? `χ² is ${sum.toFixed(1)}. With 31 degrees of freedom this is no surprise: the points may well be uniform on the disk.`
+          ? `χ² is ${sum.toFixed(1)}. About 31 is expected of right code: the points may well be uniform on the disk.`
           : `✗ χ² is ${sum.toFixed(1)}. Points that are uniform on the disk exceed ${RARE} once in a thousand times.`,
       );
       drawSquare(square, numbers, u);

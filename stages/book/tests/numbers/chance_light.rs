@@ -123,7 +123,7 @@ pub(super) fn claims() -> Vec<Claim> {
         (
             "chance.md",
             format!(
-                "about {spread:.2}. Its square divided by 0.01 is {:.0} samples: about 10 000",
+                "about {spread:.2}. Its square divided by 0.01 is {:.0} samples: about 10,000",
                 (spread / 0.1).powi(2)
             ),
         ),

@@ -95,6 +95,15 @@ fn subject(task: &str) -> Subject {
         .subject
 }
 
+/// A limit of the grader: the constant `name` in `file` of the judge.
+fn limit(file: &str, name: &str) -> f64 {
+    let source = book::folder().join("../../grader/judge/src").join(file);
+    let source = fs::read_to_string(source).expect("the judge");
+    let value = source.split(&format!("{name} = ")).nth(1);
+    let value = value.and_then(|rest| rest.split(';').next());
+    value.and_then(|x| x.parse().ok()).expect("a number")
+}
+
 fn part2() -> Vec<Claim> {
     let tests = 480.0 * 360.0 * 100_000.0;
     let traversal = book::folder().join("../bvh/src/traverse.rs");
@@ -102,6 +111,12 @@ fn part2() -> Vec<Claim> {
     let slack = traversal.split("const SLACK: f64 = ").nth(1);
     let slack = slack.and_then(|rest| rest.split(" * f64::EPSILON;").next());
     let slack: f64 = slack.and_then(|x| x.parse().ok()).expect("a number");
+    let deepest = limit("tasks/part2_task1/judge.rs", "DEPTH_FACTOR: u32");
+    assert_eq!(
+        limit("tasks/part2_task1/judge.rs", "COST_FACTOR: f64"),
+        2.0,
+        "twice"
+    );
     // The unit roundoff is half of the machine epsilon.
     let slack = 2.0 * slack;
     let empty = 100.0 * (1.0 - std::f64::consts::PI / 6.0);
@@ -127,7 +142,7 @@ fn part2() -> Vec<Claim> {
         (
             "part2/README.md",
             format!(
-                "A picture of 480 by 360 pixels of a mesh with 100 000 triangles takes {:.0} billion tests; at 10 nanoseconds \
+                "A picture of 480 by 360 pixels of a mesh with 100,000 triangles takes {:.0} billion tests; at 10 nanoseconds \
                  each that is {:.0} seconds",
                 (tests / 1e9_f64).floor(),
                 tests * 1e-8
@@ -145,12 +160,31 @@ fn part2() -> Vec<Claim> {
             format!("at most {max_leaf_size} triangles in a leaf"),
         ),
         (
+            "part2/task1.md",
+            format!("The height may be {deepest} times the reference's"),
+        ),
+        (
+            "part2/task1.md",
+            format!(
+                "The time to build must grow slower than $n^{{{}}}$",
+                limit("tasks/part2_task1/growth.rs", "MAX_EXPONENT: f64")
+            ),
+        ),
+        (
+            "part2/task3.md",
+            format!(
+                "At most {} times as many as with a fixed order of children pass; for `occludes_bvh`, {} times",
+                limit("tools/truth/tree_tests.rs", "const WORK_FACTOR: f64"),
+                limit("tools/truth/tree_tests.rs", "ANY_HIT_WORK_FACTOR: f64")
+            ),
+        ),
+        (
             "part2/task2.md",
             format!("A sphere in a box leaves {empty:.0} % of the box empty"),
         ),
         (
             "part2/task3.md",
-            format!("whose range is longer by ${slack} u$, relative to"),
+            format!("Each $t$ moves by ${slack} u$ times the sum"),
         ),
         (
             "part2/task3.md",
@@ -302,7 +336,7 @@ const GIVEN: &[(&str, &str)] = &[
     // Of the report above it, which tests/course.rs compares with the README's.
     ("grading.md", "*hit or miss wrong on 150 of 630 calls*"),
     ("grading.md", "fewer than 95 % of your wrong answers equal"),
-    ("debugging.md", "Scale it by 1000, with"),
+    ("debugging.md", "Scale it by 1024, with"),
     (
         "part1/task1.md",
         "at 0.35 of its width and 0.4 of its height",
@@ -318,7 +352,9 @@ const GIVEN: &[(&str, &str)] = &[
     ("part1/task2.md", "and near 180 degrees it does not project"),
     ("part1/task2.md", "Perspective at 150 degrees"),
     // tests/course.rs compares this number with the README's table.
-    ("part1/task3.md", "about 65 300 leak"),
+    ("part1/task3.md", "one of them of needles, 6.5 % leak"),
+    // Proved in the paper that intersect/src/exact.rs names.
+    ("part1/task3.md", "an error of 1.5 ulp at most"),
     // Once, with the reference and another slack.
     ("part2/task3.md", "of 2.4 million rays"),
     ("part3/task2.md", "A fixed offset such as 0.001"),

@@ -189,6 +189,11 @@ fn small_lamp() -> Vec<Claim> {
     assert!(error(5000) > 0.13 && (0.09..0.11).contains(&error(10_000)));
     let [directions, points] = deviations();
     assert_eq!(one_digit(directions / points), 100.0, "a hundred times");
+    let figure = book::folder().join("src/figures/part3-noise.svg");
+    let title =
+        format!("uniform directions begin at {directions:.0}, points of the lamp at {points:.2};");
+    let figure = std::fs::read_to_string(figure).expect("the figure");
+    assert!(figure.contains(&title), "the figure does not say: {title}");
     // A light in one of a thousand samples.
     let mut rare = Tally::of_equal(0.0, 999);
     rare.push(1.0);
@@ -204,6 +209,10 @@ fn small_lamp() -> Vec<Claim> {
             "The error for points starts a hundred times lower.".into(),
         ),
         (
+            "part3/task3.md",
+            "For the lamp of the worked example by about a hundred.".into(),
+        ),
+        (
             "part3/task2.md",
             "A small lamp covers 1/100 of the hemisphere. Of 100 pixels with one sample each, how many are lit".into(),
         ),
@@ -217,7 +226,7 @@ fn small_lamp() -> Vec<Claim> {
         (
             "part3/task2.md",
             format!(
-                "with $q = 0.01$ it is about {}, and about {} 000 samples are needed for an error of 10 %",
+                "with $q = 0.01$ it is about {}, and about {},000 samples are needed for an error of 10 %",
                 one_digit(spread),
                 one_digit((spread / 0.1).powi(2)) / 1000.0
             ),

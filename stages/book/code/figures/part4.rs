@@ -114,14 +114,6 @@ fn snell() -> String {
 
 /// The reflected fraction for glass against the angle, from outside and from inside.
 fn fresnel() -> String {
-    let mut d = Drawing::graph(
-        640.0,
-        320.0,
-        w(-8.0, -0.1),
-        w(95.0, 1.05),
-        "The reflected fraction F of glass with the index 1.5 against the angle in degrees: from outside 0.04 up to \
-         60 degrees and 1 at 90; from inside 1 from the critical angle of 41.8 degrees on.",
-    );
     let fraction = |degrees: f64, eta: f64| {
         let (sin, cos) = math::sin_cos(degrees.to_radians());
         let sin_t = eta * sin;
@@ -141,6 +133,18 @@ fn fresnel() -> String {
         let p = math::tan(a - b) / math::tan(a + b);
         0.5 * (s * s + p * p)
     };
+    let mut d = Drawing::graph(
+        640.0,
+        320.0,
+        w(-8.0, -0.1),
+        w(95.0, 1.05),
+        &format!(
+            "The reflected fraction F of glass with the index 1.5 against the angle in degrees: from outside {:.2} head \
+             on, {:.2} at 60 degrees and 1 at 90; from inside 1 from the critical angle of 41.8 degrees on.",
+            fraction(0.0, 1.0 / 1.5),
+            fraction(60.0, 1.0 / 1.5)
+        ),
+    );
     for y in [0.0, 0.5, 1.0] {
         d.line(w(0.0, y), w(90.0, y), "soft");
         d.note(w(0.0, y), Side::Left, &y.to_string(), "ink");

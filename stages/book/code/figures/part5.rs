@@ -151,7 +151,7 @@ fn bias() -> String {
         w(0.65, -0.15),
         w(3.75, 1.35),
         "The mean of many pixels with the exact value 1, against how rarely a sample meets the light: the plain \
-         criterion falls from 1 to nearly 0, the other one stays at 1.",
+         criterion falls from 1 to nearly 0; with both conditions no pixel stops early, and the mean stays at 1.",
     );
     let rarities = [10.0, 20.0, 40.0, 80.0, 160.0, 320.0, 640.0, 1280.0, 3000.0];
     let log = |x: f64| math::ln(x) / std::f64::consts::LN_10;

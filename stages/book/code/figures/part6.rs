@@ -115,13 +115,21 @@ fn packets(batch: u32, alive: f64) -> f64 {
 
 /// Both shares against the probability to go on.
 fn busy() -> String {
+    let shares = |share: &dyn Fn(f64) -> f64| {
+        let [start, half, most] = [0.0, 0.5, 0.9].map(share);
+        format!("{start} at q = 0, {half:.2} at 0.5, {most:.2} at 0.9")
+    };
     let mut d = Drawing::graph(
         640.0,
         300.0,
         w(-0.08, -0.12),
         w(1.14, 1.05),
-        "Share of busy lanes against the probability q that a path goes on. Eight paths that stay together: 1 at q = 0, \
-         0.45 at 0.5, 0.4 at 0.9. A batch of 64 whose living paths move up: from 0.92 down to 0.75.",
+        &format!(
+            "Share of busy lanes against the probability q that a path goes on. Eight paths that stay together: {}. A \
+             batch of 64 whose living paths move up: {}.",
+            shares(&together),
+            shares(&|q| moved_up(q, 64))
+        ),
     );
     for y in [0.0, 0.5, 1.0] {
         d.line(w(0.0, y), w(1.0, y), "soft");

@@ -144,5 +144,5 @@
     stage.circle([n, Math.min(2, mean)], 5, "solid red");
   }
 
-  Explore.figure("stopping", { needs: ["sampler"], kernels: { pixel }, start });
+  Explore.figure("stopping", { needs: ["sampler"], kernels: { pixel }, keepsPicture: true, start });
 })();

@@ -147,9 +147,12 @@ pub(super) fn answers() -> Vec<Claim> {
         let degrees = 0.1 * f64::from(tenth);
         let cos = degrees.to_radians().cos();
         let right = fraction(cos, 1.0 / 1.5);
-        ((right - schlick(cos)).abs(), degrees, right)
+        (schlick(cos) - right, degrees, right)
     });
-    let (error, degrees, right) = outside.max_by(|a, b| a.0.total_cmp(&b.0)).expect("angles");
+    let worst = outside.max_by(|a, b| a.0.abs().total_cmp(&b.0.abs()));
+    let (error, degrees, right) = worst.expect("angles");
+    let sign = if error > 0.0 { "much" } else { "little" };
+    let error = error.abs();
     let critical = (1.0_f64 - (1.0 / 1.5_f64).powi(2)).sqrt();
     let inside = 1.0 - schlick(critical);
     let [_, below] = square_above(2.0);
@@ -185,7 +188,7 @@ pub(super) fn answers() -> Vec<Claim> {
         (
             "part4/task1.md",
             format!(
-                "From outside the largest error is {error:.3}, at {degrees:.0} degrees, where the true fraction is {right:.3}. From inside the error grows up to {inside:.2} at the critical angle"
+                "From outside the largest error is {error:.3}, too {sign}, at {degrees:.0} degrees, where the true fraction is {right:.3}. From inside the error grows up to {inside:.2} at the critical angle"
             ),
         ),
         (

@@ -42,6 +42,7 @@ fn task2() {
     let exact = text.n(p * value);
     let batch = text.n(32.0);
     let most = text.n(2048.0);
+    let tolerance = text.n(0.05);
     text.n(1.0 - p);
     let missed = text.n((1.0 - p).powi(32));
     text.n(0.0);
@@ -60,7 +61,6 @@ fn task2() {
     text.n(exact);
     text.n((exact / biased).round());
     text.n(most);
-    let tolerance = text.n(0.05);
     text.n((1.96_f64 / tolerance).powi(2).ceil());
     text.n(exact);
     check("part5/task2.md", text);

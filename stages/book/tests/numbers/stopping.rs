@@ -138,6 +138,14 @@ pub(super) fn claims() -> Vec<Claim> {
         (0.8..0.945).contains(&right),
         "right in {right} of the pixels"
     );
+    // Of the figure's pixels, those that meet the light most often.
+    let figure = Pixels {
+        p: 0.1,
+        tolerance: 0.05,
+        most: 2048,
+    };
+    let mean = figure.mean(sure);
+    assert!((mean - 1.0).abs() < 1e-12, "some stop: {mean}");
     vec![
         (
             "part5/task1.md",
@@ -146,8 +154,15 @@ pub(super) fn claims() -> Vec<Claim> {
         (
             "part5/task2.md",
             format!(
-                "by 1/1537 here, and by {:.0} % with a tolerance of 25 %.",
+                "by 1/1537, or by {:.0} % with a tolerance of 25 %,",
                 100.0 * loose
+            ),
+        ),
+        (
+            "part5/task2.md",
+            format!(
+                "With both conditions no pixel stops before its {} samples",
+                figure.most
             ),
         ),
         (

@@ -392,7 +392,7 @@ fn simplified(points: &[Vec2]) -> Vec<Vec2> {
 }
 
 /// In pixels: less than can be seen.
-const TOLERANCE: f64 = 0.06;
+const TOLERANCE: f64 = 0.2;
 
 /// Rounds to a tenth of a pixel: figures are compared as text.
 fn number(x: f64) -> String {

@@ -277,6 +277,20 @@ fn an_archive_or_a_folder_stops_only_itself() {
     archives_are_read(Containment::None);
 }
 
+/// As in the commands of the book: `grader class ../submissions`.
+#[cfg(unix)]
+#[test]
+fn a_class_is_named_from_the_current_folder() {
+    let folder = tempfile::tempdir().expect("a folder");
+    write(&folder.path().join("anna").join(LIB), b"mod a;\n");
+    let here = std::env::current_dir().expect("a folder");
+    let up: PathBuf = here.ancestors().skip(1).map(|_| "..").collect();
+    let folder = folder.path().canonicalize().expect("a folder");
+    let relative = up.join(folder.strip_prefix("/").expect("it begins at the root"));
+    let said = read(&relative, Containment::None, None);
+    assert_said(&said, &[("anna", "read")]);
+}
+
 /// In the sandbox, reading is limited in the same way, and can write nothing but its temporary folder.
 #[cfg(target_os = "linux")]
 #[test]

@@ -107,6 +107,8 @@ impl Reader {
     /// Reads the folder or file `path`, at a commit of it if there is a `revision`.
     pub fn read(&self, path: &Path, revision: Option<&Revision>) -> Result<Content, Unreadable> {
         let temporary = interrupt::temp_folder()?;
+        // The process has another current folder.
+        let path = &std::path::absolute(path).map_err(|e| machine(&e))?;
         let mut command = self.command(path, temporary.path());
         command.arg(COMMAND).arg(&self.course).arg(path);
         if let Some(revision) = revision {

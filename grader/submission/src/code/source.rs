@@ -56,6 +56,8 @@ impl Source {
             all.extend(tokens);
             all.push(Token::END_OF_FILE);
         }
+        // A class has a thousand of them.
+        all.shrink_to_fit();
         Source {
             files: kept,
             text: Text::new(all, known),

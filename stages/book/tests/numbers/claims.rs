@@ -83,7 +83,8 @@ fn constant(path: &str, name: &str) -> f64 {
 fn grading() -> Vec<Claim> {
     let growth = "grader/judge/src/tasks/part2_task1/growth.rs";
     let lines = constant("grader/harness/src/watch.rs", "MOST_WRITES");
-    let sure = constant("grader/src/diagnosis/mod.rs", "SURE");
+    let diagnosis = "grader/src/diagnosis/mod.rs";
+    let [likely, sure] = ["LIKELY", "SURE"].map(|name| 100.0 * constant(diagnosis, name));
     vec![
         (
             "grading.md",
@@ -94,10 +95,7 @@ fn grading() -> Vec<Claim> {
         ),
         (
             "grading.md",
-            format!(
-                "fewer than {:.0} % of your wrong answers equal",
-                100.0 * sure
-            ),
+            format!("if {likely:.0} to {sure:.0} % of your wrong answers equal"),
         ),
         (
             "grading.md",

@@ -4,7 +4,8 @@
 //! a student would read about the wrong answers is compared with these answers. `grader mutants
 //! TASK` does the same for the code of each mutant of a task, `.ci/nightly mutants` for all tasks.
 
-use super::mistakes::{SPECS, TRIANGLE_MISTAKES, TriangleMistake, reference};
+use super::mistakes::{TRIANGLE_MISTAKES, TriangleMistake};
+use crate::shared::{SPECS, reference};
 use base::Workspace;
 use grader::course::Course;
 use grader::diagnosis;
@@ -22,7 +23,7 @@ fn right_answers() -> Vec<(&'static Spec, Answer)> {
     let of_task = SPECS.iter().filter(|spec| spec.task == TASK);
     let triangles = of_task.filter(|spec| matches!(spec.work, Work::Triangles(_)));
     triangles
-        .filter_map(|spec| Some((spec, reference(spec)?)))
+        .filter_map(|spec| Some((spec, reference(spec)?.clone())))
         .collect()
 }
 

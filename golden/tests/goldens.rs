@@ -5,15 +5,15 @@
 //! `cargo insta review` finds it. `cargo grader review` shows every difference on a page, and
 //! `cargo grader bless` accepts them; neither reads these files.
 
+use crate::shared::{SPECS, record};
 use base::Workspace;
 use grader::course::{Course, Task};
-use judge::cases::{self, Spec};
 use judge::pictures;
 use judge::plural;
 use review::bless::{Change, ChangeKind, Proposal, SNAPSHOT_HEADER};
 use std::path::Path;
 use wire::work::{NodeKind, SceneWork, VisitsWork};
-use wire::{Answer, Outcome, Work};
+use wire::{Answer, Outcome, Record, Work};
 
 /// The lines about goldens that a failed test prints: with the test's own lines they fit a screen.
 const LINES: usize = 12;
@@ -24,12 +24,11 @@ const WIDTH: usize = 100;
 #[test]
 fn the_goldens_are_what_the_reference_answers() {
     let (workspace, course) = course();
-    let specs = cases::all(0);
     let parts: Vec<&str> = ["part1", "part2", "part3", "part4", "part5"].to_vec();
     let proposal = std::thread::scope(|scope| {
         let run = |part| {
-            let (workspace, course, specs) = (&workspace, &course, &specs);
-            scope.spawn(move || differences(workspace, course, specs, part))
+            let (workspace, course) = (&workspace, &course);
+            scope.spawn(move || differences(workspace, course, part))
         };
         let threads: Vec<_> = parts.into_iter().map(run).collect();
         let mut all = Proposal::default();
@@ -69,23 +68,23 @@ fn course() -> (Workspace, Course) {
 }
 
 /// How the goldens of a part differ from what the reference answers.
-fn differences(workspace: &Workspace, course: &Course, specs: &[Spec], part: &str) -> Proposal {
+fn differences(workspace: &Workspace, course: &Course, part: &str) -> Proposal {
     let mut proposal = Proposal::default();
     for task in course.tasks().filter(|task| task.part_key() == part) {
-        let of_task = specs.iter();
+        let of_task = SPECS.iter();
         let of_task =
             of_task.filter(|spec| task.cases.iter().any(|case| spec.is(&task.key, &case.name)));
         let mut judged = Vec::new();
         for spec in of_task {
-            match answer(spec) {
+            match answer(record(spec)) {
                 Ok(answer) => {
-                    let case = proposal.add_case(workspace, spec, &answer);
+                    let case = proposal.add_case(workspace, spec, answer);
                     judged.push(case.expect("the golden can be read"));
                 }
                 Err(why) => proposal.refuse(spec.task, spec.name, &why),
             }
         }
-        let list = proposal.add_not_judged(workspace, task, specs, &judged);
+        let list = proposal.add_not_judged(workspace, task, &SPECS, &judged);
         list.expect("the list can be read");
         add_picture(&mut proposal, workspace, task);
     }
@@ -96,8 +95,8 @@ fn add_picture(proposal: &mut Proposal, workspace: &Workspace, task: &Task) {
     let Some(picture) = pictures::of(&task.key) else {
         return;
     };
-    let actual = match answer(&picture.spec()) {
-        Ok(Answer::Picture(answer)) => ::pictures::tone::compose(&picture, &answer),
+    let actual = match answer(&worker::run(0, &picture.spec().case())) {
+        Ok(Answer::Picture(answer)) => ::pictures::tone::compose(&picture, answer),
         Ok(other) => {
             let why = format!("the worker's answer is {}", other.kind());
             return proposal.refuse(&task.key, pictures::NAME, &why);
@@ -109,9 +108,8 @@ fn add_picture(proposal: &mut Proposal, workspace: &Workspace, task: &Task) {
 }
 
 /// The reference's answer, or why there is none.
-fn answer(spec: &Spec) -> Result<Answer, String> {
-    let record = worker::run(0, &spec.case());
-    match record.outcome {
+fn answer(record: &Record) -> Result<&Answer, String> {
+    match &record.outcome {
         Outcome::Answered(answer) if record.untouched.is_empty() => Ok(answer),
         outcome => Err(format!("no answer: {outcome:?}")),
     }
@@ -230,8 +228,7 @@ fn insta_reads_the_goldens() {
 
 #[test]
 fn every_box_that_is_counted_is_a_visit() {
-    let specs = cases::all(0);
-    let spec = specs
+    let spec = SPECS
         .iter()
         .find(|spec| spec.is("part2.task3", "mesh_in_cornell_box"));
     let case = spec.expect("the case is there").case();

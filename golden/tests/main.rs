@@ -6,5 +6,6 @@ mod goldens;
 mod main_answers;
 mod mistakes;
 mod moves;
+mod shared;
 mod simple_questions;
 mod untrusted_records;

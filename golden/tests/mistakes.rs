@@ -3,14 +3,14 @@
 //! say what it does not judge. `grader mutants TASK --against-bless` does the same with the code of
 //! every mutant.
 
+use crate::shared::{SPECS, reference};
 use judge::Tier;
-use judge::cases::{self, Spec};
+use judge::cases::Spec;
 use judge::tally::Aspect;
 use judge::whole::{Verdict, Whole, judge_whole};
-use std::sync::LazyLock;
 use wire::answer::{Hit, TriangleAnswer};
 use wire::work::{NodeKind, Ray, TriangleWork};
-use wire::{Answer, Outcome, Work};
+use wire::{Answer, Work};
 
 /// A mistake in the answer to one call of `part1.task3`.
 pub(crate) type TriangleMistake = fn(&[[f64; 3]; 6], &Ray, &mut TriangleAnswer);
@@ -88,18 +88,6 @@ fn interpolated(triangle: &[[f64; 3]; 6], [b1, b2]: [f64; 2]) -> [f64; 3] {
     [0, 1, 2].map(|i| (1.0 - b1 - b2) * n0[i] + b1 * n1[i] + b2 * n2[i])
 }
 
-/// The reference's answer; `None` in a handout.
-pub(crate) fn reference(spec: &Spec) -> Option<Answer> {
-    let record = worker::run(0, &spec.case());
-    match record.outcome {
-        Outcome::Answered(answer) if record.untouched.is_empty() => Some(answer),
-        _ => None,
-    }
-}
-
-/// All cases; each keeps the exact results that were computed for it.
-pub(crate) static SPECS: LazyLock<Vec<Spec>> = LazyLock::new(|| cases::all(0));
-
 fn spec(task: &str, name: &str) -> &'static Spec {
     let found = SPECS.iter().find(|spec| spec.is(task, name));
     found.expect("the case exists")
@@ -130,7 +118,7 @@ fn a_mistake_about_triangles_is_refused_or_not_judged() {
     let specs: Vec<(&Spec, Answer)> = SPECS
         .iter()
         .filter(|spec| spec.task == "part1.task3" && matches!(spec.work, Work::Triangles(_)))
-        .filter_map(|spec| Some((spec, reference(spec)?)))
+        .filter_map(|spec| Some((spec, reference(spec)?.clone())))
         .collect();
     println!("| mistake | case | refused | not judged | confirmed |\n|---|---|--:|--:|--:|");
     for (name, mistake) in TRIANGLE_MISTAKES {
@@ -173,7 +161,7 @@ fn a_false_miss_fails_the_cases_about_normals() {
     ] {
         let spec = spec(task, name);
         assert!(!spec.about_aspects.contains(&Aspect::HitOrMiss), "{name}");
-        let Some(mut answer) = reference(spec) else {
+        let Some(mut answer) = reference(spec).cloned() else {
             return;
         };
         let passes = |answer: &Answer| {
@@ -201,7 +189,7 @@ fn a_false_miss_fails_the_cases_about_normals() {
 /// a handout.
 fn spoiled(task: &str, name: &str, spoil: impl FnOnce(&mut Answer)) -> Option<Whole> {
     let spec = spec(task, name);
-    let mut answer = reference(spec)?;
+    let mut answer = reference(spec)?.clone();
     spoil(&mut answer);
     Some(judge_whole(spec, Tier::Robust, &answer))
 }

@@ -30,14 +30,18 @@ pub struct Unfinished {
     pub result: TaskResult,
 }
 
-/// Grades the empty and half-written solutions of all tasks, with seed 0. One worker contains all
-/// of them.
-pub fn all(workspace: &Workspace, course: &Course) -> Result<Vec<Unfinished>, GraderError> {
+/// Grades the empty and half-written solutions of the tasks of `stages_graded`, with seed 0. One
+/// worker contains all of them.
+pub fn of_stages(
+    workspace: &Workspace,
+    course: &Course,
+    stages_graded: &[&str],
+) -> Result<Vec<Unfinished>, GraderError> {
     workspace.ensure_full("it does not contain the lists of unfinished solutions")?;
     let mut listed: Vec<(&Task, usize, bool)> = Vec::new();
     let mut kinds = vec![("reference".to_string(), Kind::Correct)];
     let mut stages: Vec<(&str, Vec<Sources>)> = Vec::new();
-    for stage in course.stages() {
+    for &stage in stages_graded {
         let mut sources = vec![reference_sources(workspace, stage)?];
         let of_stage = course.tasks().filter(|task| task.stage == stage);
         let lists = of_stage.flat_map(|task| [(task, "empty"), (task, "half")]);

@@ -1,0 +1,27 @@
+//! The cases and what the reference answers, computed once for all tests.
+
+use judge::cases::{self, Spec};
+use std::sync::{LazyLock, OnceLock};
+use wire::{Answer, Outcome, Record};
+
+/// All cases; each keeps the exact results that were computed for it.
+pub(crate) static SPECS: LazyLock<Vec<Spec>> = LazyLock::new(|| cases::all(0));
+
+static RECORDS: LazyLock<Vec<OnceLock<Record>>> =
+    LazyLock::new(|| SPECS.iter().map(|_| OnceLock::new()).collect());
+
+/// What the worker records of a case of [`SPECS`].
+pub(crate) fn record(spec: &Spec) -> &'static Record {
+    let place = SPECS.iter().position(|s| s.is(spec.task, spec.name));
+    let place = place.expect("the case is one of the list");
+    RECORDS[place].get_or_init(|| worker::run(0, &SPECS[place].case()))
+}
+
+/// The reference's answer to a case of [`SPECS`]; `None` in a handout.
+pub(crate) fn reference(spec: &Spec) -> Option<&'static Answer> {
+    let record = record(spec);
+    match &record.outcome {
+        Outcome::Answered(answer) if record.untouched.is_empty() => Some(answer),
+        _ => None,
+    }
+}

@@ -27,9 +27,9 @@ pub struct Camera {
     /// Rotation from camera space to world space. Its columns are the camera's right, up and
     /// backward directions.
     pub c2w: Mat3,
-    /// Horizontal field of view in degrees, in (0, 180).
+    /// Horizontal field of view in degrees, in (0, 180].
     pub h_fov: f64,
-    /// Vertical field of view in degrees, in (0, 180).
+    /// Vertical field of view in degrees, in (0, 180].
     pub v_fov: f64,
     /// Near clip distance: the smallest visible `t`, measured along the unit ray.
     pub n_clip: f64,
@@ -80,7 +80,7 @@ impl Camera {
     }
 }
 
-/// Tangent of half of a field of view. `fov` is in degrees, in [0, 180).
+/// Tangent of half of a field of view. `fov` is in degrees, in [0, 180].
 pub fn half_tan(fov: f64) -> f64 {
     math::tan(0.5 * fov.to_radians())
 }

@@ -202,33 +202,34 @@ const REGISTRY_BUDGET: usize = 70;
 /// The crates that cargo compiles for some packages, with the features that the arguments select:
 /// ours have their folder in the text.
 fn compiled(packages: &[&[&str]]) -> BTreeSet<String> {
-    let mut compiled = BTreeSet::new();
-    for package in packages {
-        let output = Command::new(env!("CARGO"))
-            .args([
-                "tree",
-                "--offline",
-                "--prefix",
-                "none",
-                "--edges",
-                "normal,build",
-            ])
-            .args(["--target", "x86_64-unknown-linux-gnu", "--format", "{p}"])
-            .args(*package)
-            .output()
-            .expect("cargo tree runs");
-        assert!(
-            output.status.success(),
-            "{}",
-            String::from_utf8_lossy(&output.stderr)
-        );
-        let text = String::from_utf8(output.stdout).expect("package names are UTF-8");
-        compiled.extend(
-            text.lines()
-                .map(|line| line.trim_end_matches(" (*)").to_string()),
-        );
-    }
-    compiled
+    let trees = packages.iter().map(|package| tree(package, "{p}"));
+    trees.flatten().collect()
+}
+
+/// The lines that `cargo tree` prints about the crates that are compiled for a package.
+fn tree(package: &[&str], format: &str) -> BTreeSet<String> {
+    let output = Command::new(env!("CARGO"))
+        .args([
+            "tree",
+            "--offline",
+            "--prefix",
+            "none",
+            "--edges",
+            "normal,build",
+        ])
+        .args(["--target", "x86_64-unknown-linux-gnu", "--format", format])
+        .args(package)
+        .output()
+        .expect("cargo tree runs");
+    assert!(
+        output.status.success(),
+        "{}",
+        String::from_utf8_lossy(&output.stderr)
+    );
+    let text = String::from_utf8(output.stdout).expect("package names are UTF-8");
+    text.lines()
+        .map(|line| line.trim_end_matches(" (*)").to_string())
+        .collect()
 }
 
 /// What a student compiles for `grader part1`: the grader, and the worker with the stages of Part
@@ -288,6 +289,46 @@ fn look_compiles_nothing_that_the_first_report_did_not() {
     assert!(
         more.len() <= 1 && more.iter().all(|package| package.starts_with("base64 ")),
         "`grader look` compiles {more:?}, which `grader part1` does not"
+    );
+}
+
+/// A library with other features is another library to cargo, and all above it is compiled again:
+/// the whole grader, if it is one of these.
+#[test]
+fn no_command_of_the_grader_compiles_the_grader_again() {
+    let with_features = |package: &[&str]| tree(package, "{p} {f}");
+    let grader = with_features(&["--package", "grader"]);
+    for program in [
+        "authoring",
+        "class",
+        "export",
+        "formats",
+        "review",
+        "submission",
+    ] {
+        let other = with_features(&["--package", program]);
+        let again: Vec<&String> = grader.difference(&other).collect();
+        assert!(
+            again.is_empty(),
+            "{program} has other features of {again:?}: name the libraries in grader/Cargo.toml"
+        );
+    }
+    let part1 = [
+        "--package",
+        "worker",
+        "--no-default-features",
+        "--features",
+        "part1",
+    ];
+    let worker = with_features(&part1);
+    let name = |package: &str| package.split(" v").next().unwrap_or(package).to_string();
+    let shared: BTreeSet<String> = worker.iter().map(|package| name(package)).collect();
+    let of_worker = |package: &&String| shared.contains(&name(package));
+    let again: Vec<&String> = grader.iter().filter(of_worker).collect();
+    let again: Vec<&&String> = again.iter().filter(|of| !worker.contains(**of)).collect();
+    assert!(
+        shared.len() > 10 && again.is_empty(),
+        "the worker has other features of {again:?}: name the libraries in grader/wire/Cargo.toml"
     );
 }
 

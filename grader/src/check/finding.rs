@@ -3,6 +3,7 @@
 use crate::diagnosis::simplest::SimplestCall;
 use crate::report::{HintLevel, TaskReport, message};
 use crate::score::functions::FunctionStatus;
+use crate::score::regularity;
 use crate::score::{CaseResult, Status, TaskResult, order};
 use judge::cases::checked;
 use judge::plural;
@@ -10,26 +11,28 @@ use judge::tally::Finding as Counted;
 use serde::{Deserialize, Serialize};
 
 /// What is wrong in a task. It is stored until a file that it depends on changes.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Finding {
     /// The function to show it at, if the answers name one of those to write.
     pub function: Option<String>,
+    /// Whether only cases fail that also run functions of other tasks, which may be wrong instead.
+    pub only_with_others: bool,
     /// Which cases fail.
-    cases: String,
+    pub(super) cases: String,
     /// What each of the first cases tests.
-    about: Vec<String>,
+    pub(super) about: Vec<String>,
     /// What is wrong, or how the code crashed.
-    wrong: String,
+    pub(super) wrong: String,
     /// The simplest call that shows it, with the result and the expected one.
-    simplest: Option<String>,
+    pub(super) simplest: Option<String>,
     /// What else is known: what the wrong answers have in common, other wrong functions.
-    others: Vec<String>,
+    pub(super) others: Vec<String>,
     /// The likely mistake.
-    mistake: Option<String>,
+    pub(super) mistake: Option<String>,
     /// Where to look.
-    remedy: Option<String>,
+    pub(super) remedy: Option<String>,
     /// Where the code panicked: file and line.
-    panicked_at: Option<(String, usize)>,
+    pub(super) panicked_at: Option<(String, usize)>,
 }
 
 /// The most failed cases that a message names.
@@ -61,6 +64,7 @@ impl Finding {
             .or_else(|| wrong_functions(task).first().map(|(name, _)| name.clone()));
         let diagnosis = report.diagnosis.as_ref();
         Some(Finding {
+            only_with_others: failed.iter().all(|case| case.with_neighbours),
             cases: listed(&failed),
             about: failed
                 .iter()
@@ -207,7 +211,10 @@ fn wrong_functions(task: &TaskResult) -> Vec<(String, String)> {
 fn others(report: &TaskReport, shown: Option<&str>) -> Vec<String> {
     let mut notes = Vec::new();
     if !report.regularities.is_empty() {
-        notes.push(format!("in common: {}", report.regularities.join("; ")));
+        notes.push(format!(
+            "in common: {}",
+            regularity::joined(&report.regularities)
+        ));
     }
     let wrong = wrong_functions(&report.result);
     let wrong = wrong

@@ -30,9 +30,16 @@ impl StoredFindings {
         self.0.get(key).is_some_and(|entry| entry.code == code)
     }
 
-    /// What is wrong in the task `key`.
-    pub fn of(&self, key: &str) -> Option<&Finding> {
-        self.0.get(key)?.finding.as_ref()
+    /// What is wrong in the tasks `keys`. A task is left out whose failed cases run functions of
+    /// other tasks, too, if one of those is wrong by itself.
+    pub fn of_tasks<'a>(&self, keys: &[&'a str]) -> BTreeMap<&'a str, &Finding> {
+        let wrong = keys.iter();
+        let wrong = wrong.filter_map(|key| Some((*key, self.0.get(*key)?.finding.as_ref()?)));
+        let mut findings: BTreeMap<&str, &Finding> = wrong.collect();
+        if findings.values().any(|finding| !finding.only_with_others) {
+            findings.retain(|_, finding| !finding.only_with_others);
+        }
+        findings
     }
 
     /// Stores what is wrong in the task `key`, with this code.
@@ -52,4 +59,26 @@ impl StoredFindings {
 
 fn path(workspace: &Workspace) -> PathBuf {
     workspace.outputs().join("check.json")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_fails_together_with_a_wrong_task_is_left_out() {
+        let finding = |only_with_others| {
+            Some(Finding {
+                only_with_others,
+                ..Finding::default()
+            })
+        };
+        let mut stored = StoredFindings::default();
+        stored.set("triangles", "", finding(false));
+        stored.set("traversal", "", finding(true));
+        stored.set("boxes", "", None);
+        let wrong = |keys: &[&'static str]| Vec::from_iter(stored.of_tasks(keys).into_keys());
+        assert_eq!(wrong(&["triangles", "traversal", "boxes"]), ["triangles"]);
+        assert_eq!(wrong(&["traversal", "boxes"]), ["traversal"]);
+    }
 }

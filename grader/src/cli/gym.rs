@@ -87,7 +87,7 @@ pub(super) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
         outcome.asked,
         match missed.len() {
             0 => String::new(),
-            n => format!(" The next round begins with the {n} that you missed."),
+            n => format!(" The next round begins with all {n} that you have missed so far."),
         }
     );
     Ok(Exit::Passed)

@@ -75,7 +75,9 @@ pub fn place(task: &Task, files: &[SourceFile]) -> Place {
         first.and_then(|name| files.iter().find(|file| defines_function(&file.text, name)));
     let is_open = |name: &&String| {
         let bodies = files.iter().filter_map(|file| body(&file.text, name));
-        bodies.into_iter().any(|body| has_hole(body, &task.key))
+        bodies
+            .into_iter()
+            .any(|body| has_hole(body, &task.key) || has_todo(body))
     };
     Place {
         key: task.key.clone(),
@@ -117,6 +119,17 @@ pub fn holes<'a>(text: &'a str, key: &str) -> impl Iterator<Item = &'a str> {
         let is_macro = macros.iter().any(|name| before.trim_end().ends_with(name));
         is_macro && !line.trim_start().starts_with("//")
     })
+}
+
+/// Whether the code in `text` has a `todo!` or an `unimplemented!`, which the standard library has
+/// for what is not written yet.
+fn has_todo(text: &str) -> bool {
+    let code = text
+        .lines()
+        .map(|line| line.split("//").next().unwrap_or_default());
+    let macros = ["todo!(", "unimplemented!("];
+    code.into_iter()
+        .any(|line| macros.iter().any(|name| line.contains(name)))
 }
 
 /// The text of the public function `name` from its `pub fn` to the end of its body.
@@ -169,6 +182,12 @@ mod tests {
         let text = "pub fn test_triangle(a: u8) -> u8 {\n    a\n}\n\npub fn intersect_triangle(a: u8) -> u8 {\n    kit::hole!(\n        \"part1.task3\",\n        a\n    )\n}\n";
         let place = place(&task(), &[file("//! Map.\n"), file(text)]);
         assert_eq!(place.open, ["intersect_triangle"]);
+        let text = text.replace(
+            "    a\n",
+            "    let b = a; // todo!()\n    todo!(\"the range\")\n",
+        );
+        let place = super::place(&task(), &[file(&text)]);
+        assert_eq!(place.open, ["test_triangle", "intersect_triangle"]);
         assert_eq!(
             place.file.as_deref(),
             Some("stages/intersect/src/triangle.rs")

@@ -289,39 +289,38 @@ fn alike(case: &CaseResult, answered: &[Asked<'_>]) -> Option<SimplestCall> {
 /// The wrong answers to the simple questions of the cases `specs`, as sentences. Correct code has
 /// none.
 pub fn wrong_answers(workers: &StageWorkers, specs: &[&Spec]) -> Result<Vec<String>, GraderError> {
-    let mut asked: Vec<Vec<Spec>> = Vec::new();
+    let mut answers = Answers::of(workers);
+    let mut sentences: Vec<String> = Vec::new();
     for spec in specs {
-        let simple = spec.simple();
-        let works = |specs: &[Spec]| {
-            specs
-                .iter()
-                .map(|spec| spec.work.clone())
-                .collect::<Vec<_>>()
-        };
-        if asked.iter().all(|asked| works(asked) != works(&simple)) {
-            asked.push(simple);
+        let mut simple = spec.simple();
+        for spec in &mut simple {
+            // All aspects, whatever the case is about.
+            spec.about_aspects = &[];
+        }
+        for (spec, ending) in simple.iter().zip(answers.to(&simple)?) {
+            for sentence in wrong(spec, ending) {
+                // Most cases of one kind of work judge alike.
+                if !sentences.contains(&sentence) {
+                    sentences.push(sentence);
+                }
+            }
         }
     }
-    let mut asked: Vec<Spec> = asked.into_iter().flatten().collect();
-    for spec in &mut asked {
-        // All aspects, whatever the case is about.
-        spec.about_aspects = &[];
-    }
-    let endings = workers.run(&asked.iter().collect::<Vec<_>>(), &mut Vec::new())?;
-    let mut sentences = Vec::new();
-    for (spec, ending) in asked.iter().zip(&endings) {
-        let outcome = ending.as_ref().ok().and_then(Ending::outcome);
-        let Some(Outcome::Answered(answer)) = outcome else {
-            sentences.push(format!("{}: no answer", spec.work.kind()));
-            continue;
-        };
-        let (_, wrong) = judge::judge_each(spec, Tier::Core, answer, &[]);
-        sentences.extend(wrong.into_iter().map(|wrong| {
-            let input = spec.input(wrong.call as usize).unwrap_or_default();
-            format!("{input}: {}: {}", wrong.aspect.label(), wrong.message)
-        }));
-    }
     Ok(sentences)
+}
+
+/// What is wrong with the answer to a simple question, as sentences.
+fn wrong(spec: &Spec, ending: &Result<Ending, String>) -> Vec<String> {
+    let outcome = ending.as_ref().ok().and_then(Ending::outcome);
+    let Some(Outcome::Answered(answer)) = outcome else {
+        return vec![format!("{}: no answer", spec.work.kind())];
+    };
+    let (_, wrong) = judge::judge_each(spec, Tier::Core, answer, &[]);
+    let sentences = wrong.into_iter().map(|wrong| {
+        let input = spec.input(wrong.call as usize).unwrap_or_default();
+        format!("{input}: {}: {}", wrong.aspect.label(), wrong.message)
+    });
+    sentences.collect()
 }
 
 /// How like two faults of one function in one aspect must be.

@@ -5,7 +5,7 @@
 //! this for every known mistake, a test of `golden` for some.
 
 use crate::diagnosis::Diagnosis;
-use crate::score::regularity::{FEW_EXCEPTIONS, IN_CORE};
+use crate::score::regularity::{FEW_EXCEPTIONS, IN_CORE, OTHERS_RIGHT};
 use crate::score::{CaseResult, Status};
 use crate::signature::Signature;
 use crate::workers::crash::CrashKind;
@@ -72,8 +72,9 @@ impl Answers<'_> {
         let share = if most.is_some() { NEARLY_ALL } else { 1.0 };
         let sentence = most.unwrap_or(sentence);
         let findings = || cases.iter().flat_map(|case| &case.findings);
-        if let Some(rest) = sentence.strip_prefix("wrong: ") {
-            let (fields, _) = rest.split_once("; all other fields are right")?;
+        if let Some(rest) = sentence.strip_suffix(OTHERS_RIGHT) {
+            let one = rest.strip_suffix(" is wrong");
+            let fields = one.or_else(|| rest.strip_suffix(" are wrong"))?;
             if let Some(crashed) = cases.iter().find(|case| case.crash.is_some()) {
                 return Some(format!("{} crashed", crashed.name));
             }

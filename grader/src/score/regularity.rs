@@ -32,6 +32,9 @@ const CANCELLATION: &str =
 /// too.
 pub(crate) const IN_CORE: &str = "in the core cases, ";
 
+/// How the sentence ends that lists the wrong fields.
+pub(crate) const OTHERS_RIGHT: &str = ", all other fields are right";
+
 /// What a sentence begins with that a few wrong answers contradict.
 pub(crate) const FEW_EXCEPTIONS: &str = "with few exceptions, ";
 
@@ -55,6 +58,17 @@ pub fn of(task: &str, all: &[CaseResult], specs: &[Spec]) -> Vec<String> {
         }
     }
     sentences
+}
+
+/// The sentences as one, without a full stop. What they all begin with stands once.
+pub(crate) fn joined(sentences: &[String]) -> String {
+    let mut joined = sentences.first().cloned().unwrap_or_default();
+    for sentence in sentences.iter().skip(1) {
+        let rest = sentence.strip_prefix(IN_CORE).unwrap_or(sentence);
+        joined.push_str("; ");
+        joined.push_str(rest);
+    }
+    joined
 }
 
 /// The core cases, or the robust ones if all core cases are right, that have answers and do not use
@@ -127,7 +141,8 @@ fn fields(cases: &[&CaseResult], all: &[CaseResult]) -> Option<String> {
     };
     let (wrong, right) = (labels(true), labels(false));
     let tells = !wrong.is_empty() && wrong.len() <= right.len();
-    tells.then(|| format!("wrong: {}; all other fields are right", wrong.join(", ")))
+    let verb = if wrong.len() == 1 { "is" } else { "are" };
+    tells.then(|| format!("{} {verb} wrong{OTHERS_RIGHT}", wrong.join(", ")))
 }
 
 /// The function whose answers alone are wrong, in tasks of several, or the path through it
@@ -345,7 +360,7 @@ mod tests {
         assert_eq!(
             missed,
             [
-                "wrong: hit or miss; all other fields are right",
+                "hit or miss is wrong, all other fields are right",
                 "where hit or miss is wrong, there is a miss instead of a hit",
                 "wrong only where the ray starts inside the sphere",
             ]

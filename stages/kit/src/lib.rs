@@ -13,7 +13,8 @@
 //! - [`effects`]: which effects a scene needs.
 //! - [`mod@hole`]: placeholders for tasks that are not written yet.
 //!
-//! The kit depends on `glam` and `libm` only. It contains no formula that a task asks for.
+//! The kit depends on `glam` and `libm` only. It contains no formula that a task asks for, but
+//! for [`camera::half_tan`], which camera files need.
 
 pub mod aabb;
 mod area_lights;

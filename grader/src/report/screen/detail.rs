@@ -11,7 +11,7 @@ use crate::report::worst_test;
 use crate::report::wrap::{columns, numbers_to_fit, one_line, wrap_to};
 use crate::report::{HintLevel, Reveal, TaskReport};
 use crate::report::{functions, message};
-use crate::score::regularity::FEW_DIGITS;
+use crate::score::regularity::{self, FEW_DIGITS};
 use crate::score::{CaseResult, Status, TaskResult, order};
 use crate::sketch::Sketch;
 use crate::workers::printed;
@@ -294,7 +294,7 @@ fn explanation(out: &mut Lines, report: &TaskReport, reveal: Reveal) {
         _ => {}
     }
     if !report.regularities.is_empty() {
-        let common = report.regularities.join("; ");
+        let common = regularity::joined(&report.regularities);
         out.add(1, SENTENCES, &format!("  In common: {common}."));
     }
 }

@@ -90,7 +90,7 @@ const BEHIND: &str = "the shape is behind the origin";
 const BEFORE: &str = "the hit is before min_t";
 const BEYOND: &str = "the shape is beyond max_t";
 const AT_END: &str = "the hit is at an end of the range";
-const LENGTH: &str = "d has not the length 1";
+const LENGTH: &str = "d is not of length 1";
 
 impl Shape {
     /// The key of its task.

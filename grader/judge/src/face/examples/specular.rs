@@ -49,7 +49,7 @@ pub(super) fn verdict(example: &SpecularExample) -> Option<String> {
     } = *example;
     let is_unit = |w: Vec3| (w.length() - 1.0).abs() <= BY_HAND;
     if !is_unit(wo) || wo.z == 0.0 {
-        return Some("its wo has not the length 1, or is in the plane of the surface".into());
+        return Some("its wo is not of length 1, or is in the plane of the surface".into());
     }
     // The indices of the side of wo and of the side of the expected direction.
     let (mine, other) = match function {

@@ -168,8 +168,9 @@ fn radiance(tally: &mut Tally, call: usize, [x, y]: [u32; 2], answer: &PixelAnsw
     tally.expect(Aspect::Radiance);
     let samples = answer.traced_radiance.len() as f64;
     let mean = [0, 1, 2].map(|channel| {
-        let sum: f64 = answer.traced_radiance.iter().map(|l| l[channel]).sum();
-        // Without samples: black.
+        let channels = answer.traced_radiance.iter().map(|l| l[channel]);
+        // Without samples: black, and not -0, which `sum` starts with.
+        let sum = channels.fold(0.0, |sum, channel| sum + channel);
         sum / samples.max(1.0)
     });
     let brightest = |channel: usize| {

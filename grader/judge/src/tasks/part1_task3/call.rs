@@ -11,8 +11,14 @@ use wire::work::{Ray, TriangleWork};
 
 pub(super) fn input(work: &TriangleWork, call: usize) -> Option<String> {
     let probe = work.probes.get(call)?;
-    let [p0, p1, p2, ..] = work.triangles.get(probe.shape as usize)?.map(point);
-    let triangle = format!("triangle p0 = {p0}, p1 = {p1}, p2 = {p2}");
+    let triangle = work.triangles.get(probe.shape as usize)?;
+    let is_smooth = triangle[3] != triangle[4] || triangle[3] != triangle[5];
+    let [p0, p1, p2, n0, n1, n2] = triangle.map(point);
+    let normals = match is_smooth {
+        true => format!(", n0 = {n0}, n1 = {n1}, n2 = {n2}"),
+        false => String::new(),
+    };
+    let triangle = format!("triangle p0 = {p0}, p1 = {p1}, p2 = {p2}{normals}");
     Some(ray_and(&probe.ray, &triangle))
 }
 

@@ -4,22 +4,47 @@ use crate::tools::call_text::{few, holding, range_circumstances, ray_and};
 use crate::tools::plural;
 use crate::tools::shown::{ShownCall, ShownSpans, Span, tree_rows};
 use wire::answer::TraverseAnswer;
-use wire::work::{Node, NodeKind, ScriptedRay, ScriptedWorld};
+use wire::work::{Node, NodeKind, ScriptedRay, ScriptedWorld, Tree};
 
 pub(super) fn input(world: &ScriptedWorld, call: usize) -> Option<String> {
     let scripted = world.rays.get(call)?;
     let nodes = plural(world.tree.nodes.len(), "node", "nodes");
     let each = world.tree.nodes.iter().zip(&scripted.spans);
-    let each = each.map(|(node, span)| self::node(world, node, *span, &scripted.prims));
-    let listed = few(each, ", ").filter(|listed| !listed.is_empty());
-    let listed = listed.map_or_else(String::new, |listed| format!(": {listed}"));
+    let each = each.enumerate().map(|(at, (node, span))| {
+        format!(
+            "node {at}: {}",
+            self::node(world, node, *span, &scripted.prims)
+        )
+    });
+    let listed = few(each, "; ").filter(|listed| !listed.is_empty());
+    let listed = match listed {
+        Some(listed) => format!(": {listed}"),
+        None if world.tree.nodes.is_empty() => String::new(),
+        None => format!(" on {}", plural(levels(&world.tree), "level", "levels")),
+    };
     Some(ray_and(
         &scripted.ray,
         &format!("a tree of {nodes}{listed}"),
     ))
 }
 
-/// A node: its children or where the ray hits its primitives, and where the ray is in its box.
+/// The levels of a tree, in which children come after their parents.
+fn levels(tree: &Tree) -> usize {
+    let mut level = vec![1; tree.nodes.len()];
+    for (at, node) in tree.nodes.iter().enumerate() {
+        if let NodeKind::Interior { left, right } = node.kind {
+            let below = level[at] + 1;
+            for child in [left, right] {
+                if let Some(level) = level.get_mut(child as usize) {
+                    *level = below;
+                }
+            }
+        }
+    }
+    level.into_iter().max().unwrap_or(0)
+}
+
+/// A node: where the ray is in its box, and its children or where the ray hits its primitives.
 fn node(
     world: &ScriptedWorld,
     node: &Node,
@@ -27,22 +52,22 @@ fn node(
     hits: &[Option<f64>],
 ) -> String {
     let span = match span {
-        Some([from, to]) => format!("t {from:?} to {to:?}"),
-        None => "missed".into(),
+        Some([from, to]) => format!("box from t = {from:?} to {to:?}"),
+        None => "box missed".into(),
     };
     match node.kind {
-        NodeKind::Interior { left, right } => format!("nodes {left} and {right} ({span})"),
+        NodeKind::Interior { left, right } => format!("{span}, children {left} and {right}"),
         NodeKind::Leaf { first, count } => {
             let order = world.tree.order.iter().skip(first as usize);
             let prims = order
                 .take(count as usize)
                 .map(|&id| match hits[id as usize] {
-                    Some(t) => format!("{id} at t = {t:?}"),
-                    None => format!("{id} missed"),
+                    Some(t) => format!("primitive {id} at t = {t:?}"),
+                    None => format!("primitive {id} missed"),
                 });
             let prims = few(prims, ", ")
                 .unwrap_or_else(|| plural(count as usize, "primitive", "primitives"));
-            format!("leaf of {prims} ({span})")
+            format!("{span}, {prims}")
         }
     }
 }

@@ -1,14 +1,16 @@
-//! Simple traversals: trees of one node and of three, whose test results are given.
+//! Simple traversals: trees of at most seven nodes, and a deep one, whose test results are given.
 
 use crate::tools::questions::crosses::{Cross, CrossScene, along};
 use crate::tools::questions::tree_plan::TreePlan;
 use kit::{Ray, Vec3};
 use wire::work::ScriptedWorld;
 
-/// The simple questions about traversals for the closest hit or any hit, with rays along x.
+/// The simple questions about traversals for the closest hit or any hit, with rays along x. Each has
+/// one ray: the tests of all rays of a question are counted together.
 pub(crate) fn questions(any_hit: bool) -> Vec<ScriptedWorld> {
-    let scenes = scenes().into_iter();
-    scenes.map(|scene| scene.script(&rays(), any_hit)).collect()
+    let one = |scene: &CrossScene, ray: Ray| scene.script(&[ray], any_hit);
+    let of_scene = |scene: CrossScene| rays().into_iter().map(move |ray| one(&scene, ray));
+    scenes().into_iter().flat_map(of_scene).collect()
 }
 
 /// The primitive in the box from `x0` to `x1`, which a ray along x hits at `x`.
@@ -40,10 +42,35 @@ fn scenes() -> Vec<CrossScene> {
             vec![near, far, block(9.0, 11.0, 10.0)],
             &TreePlan::split(leaf(&[0]), TreePlan::split(leaf(&[1]), leaf(&[2]))),
         ),
+        // The places in the list are not the numbers of the primitives.
+        CrossScene::new(vec![near, far], &TreePlan::split(leaf(&[1]), leaf(&[0]))),
+        // Flat boxes.
+        CrossScene::new(vec![block(2.0, 2.0, 2.0)], &leaf(&[0])),
+        CrossScene::new(vec![block(2.0, 2.0, 2.0), block(6.0, 6.0, 6.0)], &two()),
+        // Deep enough that which child is visited first changes the number of tests.
+        CrossScene::new(
+            [1.0, 5.0, 9.0, 13.0]
+                .map(|x| block(x, x + 2.0, x + 1.0))
+                .into(),
+            &TreePlan::halves(&[0, 1, 2, 3], 1),
+        ),
+        deep(),
     ]
 }
 
-/// Rays along x and against it, with ranges that contain all, some or no hits.
+/// A tree of which each left child has one primitive less than its parent.
+fn deep() -> CrossScene {
+    let row = (0..DEEP).map(|i| 4.0 * f64::from(i) + 1.0);
+    let blocks = row.map(|x| block(x, x + 2.0, x + 1.0));
+    let plan = (1..DEEP).fold(leaf(&[0]), |below, i| TreePlan::split(below, leaf(&[i])));
+    CrossScene::new(blocks.collect(), &plan)
+}
+
+/// The primitives in the deep tree: more than the stacks have room for that are too small.
+const DEEP: u32 = 40;
+
+/// Rays along x and against it, with ranges that contain all, some or no hits; the last ones end at
+/// a hit.
 fn rays() -> Vec<Ray> {
     let from = |x: f64, step: f64| along(0, step, Vec3::new(x, 0.0, 0.0));
     let ahead = from(0.0, 1.0);
@@ -70,5 +97,18 @@ fn rays() -> Vec<Ray> {
             ..ahead
         },
         from(4.5, 1.0),
+        Ray {
+            max_t: 2.0,
+            ..ahead
+        },
+        Ray {
+            min_t: 6.0,
+            ..ahead
+        },
+        Ray {
+            min_t: 6.0,
+            max_t: 6.0,
+            ..ahead
+        },
     ]
 }

@@ -14,7 +14,7 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
                 "shared_edges",
                 "Rays from inside a closed mesh, aimed at its edges and vertices: one of the \
                  faces is hit. Pitfall: Möller-Trumbore rounds differently for each face, and \
-                 about one such ray in ten misses all of them.",
+                 about one such ray in sixteen misses all of them.",
                 closed::shared_edges(),
             )
             .only(&[HitOrMiss])

@@ -1,5 +1,6 @@
 //! One call in words and shown.
 
+use super::world_text;
 use crate::tools::call_text::{direction, few, point};
 use crate::tools::plural;
 use crate::tools::shown::{ShownCall, ShownPoint};
@@ -10,8 +11,8 @@ pub(super) fn input(work: &DirectWork, call: usize) -> Option<String> {
     let p = point(at.p);
     let [n, wo] = [at.n, at.wo].map(direction);
     let world = &work.world;
-    let lights = world.lights.iter().map(|light| format!("{light:?}"));
-    let panels = world.panels.iter().map(|panel| format!("{panel:?}"));
+    let lights = world.lights.iter().map(world_text::light);
+    let panels = world.panels.iter().map(world_text::panel);
     let background = world.environment.iter();
     let background = background.map(|around| match around.texels[..] {
         [radiance] => format!("a background of {}", point(radiance)),
@@ -21,8 +22,9 @@ pub(super) fn input(work: &DirectWork, call: usize) -> Option<String> {
     let lights = lights.filter(|lights| !lights.is_empty());
     let lights = lights.map_or_else(String::new, |lights| format!("; {lights}"));
     Some(format!(
-        "p = {p}, n = {n}, wo = {wo}, {:?}, samples = {}{lights}",
-        at.material, work.samples
+        "p = {p}, n = {n}, wo = {wo}, {}, samples = {}{lights}",
+        world_text::material(&at.material),
+        work.samples
     ))
 }
 

@@ -6,7 +6,7 @@
 
 use super::lamps::{SKY_PDF, ShadingPlace, VisiblePart, environment_map, sample_of_delta_light};
 use super::shadow_targets::{Source, Target, target};
-
+use super::terms::{self, Term};
 use crate::tools::aspects::chance::{self, MIN_ESTIMATES};
 use crate::tools::aspects::hits::show;
 use crate::tools::aspects::numbers;
@@ -142,9 +142,15 @@ impl Estimate<'_> {
         )
     }
 
-    /// Judges the sum. A wrong sum that equals that of a known mistake for the same rays has the
-    /// mistake's name as its class.
-    fn radiance(&self, tally: &mut Tally, right: Vec3, mistakes: &[(&'static str, Vec3)]) {
+    /// Judges the sum, which consists of `terms`. A wrong sum that equals that of a known mistake for
+    /// the same rays has the mistake's name as its class.
+    fn radiance(
+        &self,
+        tally: &mut Tally,
+        right: Vec3,
+        terms: &[Term],
+        mistakes: &[(&'static str, Vec3)],
+    ) {
         tally.expect(Aspect::Radiance);
         let answered = self.answer.radiance;
         let (aspect, call) = (Aspect::Radiance, self.call);
@@ -156,7 +162,8 @@ impl Estimate<'_> {
             tally.judge_class(aspect, call, class, off, || {
                 let right = right.to_array();
                 format!(
-                    "your result: {answered:?}; expected: {right:?}. {}",
+                    "your result: {answered:?}; expected: {right:?}. {}{}",
+                    terms::text(terms),
                     self.about()
                 )
             });
@@ -169,7 +176,7 @@ impl Estimate<'_> {
             answered,
             right.into(),
             SUM_BOUND,
-            || self.about(),
+            || format!("{}{}", terms::text(terms), self.about()),
         );
     }
 
@@ -178,7 +185,7 @@ impl Estimate<'_> {
         let in_front = self.place.ng.dot(self.point.wo.into()) > 0.0;
         let right = emitted.filter(|_| in_front);
         let right = right.map_or(Vec3::ZERO, Vec3::from);
-        self.radiance(tally, right, &[]);
+        self.radiance(tally, right, &[], &[]);
     }
 
     fn hemisphere(&self, tally: &mut Tally) {
@@ -191,6 +198,7 @@ impl Estimate<'_> {
         };
         self.count(tally, wanted, most);
         let mut sum = Vec3::ZERO;
+        let mut terms = Vec::new();
         let mut mistakes = super::mistakes::HemisphereMistakes::default();
         let wrong_side = self.wrong_side();
         for recorded in &self.answer.rays {
@@ -221,7 +229,9 @@ impl Estimate<'_> {
                     self.about()
                 )
             });
-            sum += self.place.scattered(d) * Vec3::from(recorded.seen);
+            let seen = Vec3::from(recorded.seen);
+            sum += self.place.scattered(d) * seen;
+            terms.push(Term::of(&self.place, d, seen, 1.0 / TAU, samples));
             mistakes.add(&self.place, recorded);
         }
         self.distinct(tally);
@@ -229,7 +239,7 @@ impl Estimate<'_> {
             return;
         }
         let share = TAU / f64::from(samples.max(1));
-        self.radiance(tally, sum * share, &mistakes.sums(share));
+        self.radiance(tally, sum * share, &terms, &mistakes.sums(share));
     }
 
     /// Judges an estimate without rays as wrong if at least `wanted` of them are necessary: the sum
@@ -271,6 +281,7 @@ impl Estimate<'_> {
         let (least, most) = self.right_rays(&sources);
         self.count(tally, least, most);
         let (mut sum, mut with_distance_twice) = (Vec3::ZERO, Vec3::ZERO);
+        let mut terms = Vec::new();
         let mut with_wrong_ends = Vec3::ZERO;
         let mut with_geometric_cosine = Vec3::ZERO;
         let mut first_wrong_end = None;
@@ -282,16 +293,18 @@ impl Estimate<'_> {
                 Target::Light { source, far } | Target::WrongEnd { source, far } => (source, far),
                 Target::None => continue,
             };
-            let light = match recorded.hit {
-                true => Vec3::ZERO,
-                false => self.contribution(&sources[source], far, recorded.ray.d.into()),
-            };
+            let mut term = self.term(&sources[source], far, recorded.ray.d.into());
+            if recorded.hit {
+                term.light = Vec3::ZERO;
+            }
+            let light = term.value();
             with_wrong_ends += light;
             if let Target::WrongEnd { .. } = target {
                 first_wrong_end.get_or_insert((recorded, far));
                 continue;
             }
             sum += light;
+            terms.push(term);
             with_geometric_cosine += light * self.place.geometric_to_shading(recorded.ray.d.into());
             with_distance_twice += match far.is_finite() {
                 true => light / (far * far),
@@ -313,7 +326,7 @@ impl Estimate<'_> {
             ("distance twice", with_distance_twice),
             ("the cosine to the geometric normal", with_geometric_cosine),
         ];
-        self.radiance(tally, sum, &mistakes);
+        self.radiance(tally, sum, &terms, &mistakes);
     }
 
     /// Judges a sum as wrong that is the right one for what the shadow rays returned, because they
@@ -395,22 +408,23 @@ impl Estimate<'_> {
         }
     }
 
-    /// The contribution of an unblocked ray along `d` to a light at the distance `far`.
-    fn contribution(&self, source: &Source, far: f64, d: Vec3) -> Vec3 {
-        let share = 1.0 / f64::from(self.work.samples.max(1));
-        let scattered = self.place.scattered(d);
-        match source {
-            Source::Point(light) => scattered * Vec3::from(light.radiance.to_array()),
-            Source::Sky(radiance) => scattered * *radiance * (share / SKY_PDF),
+    /// What an unblocked ray along `d` to a light at the distance `far` adds to the sum.
+    fn term(&self, source: &Source, far: f64, d: Vec3) -> Term {
+        let samples = self.work.samples;
+        let (light, pdf, samples) = match source {
+            Source::Point(light) => (Vec3::from(light.radiance.to_array()), 1.0, 1),
+            Source::Sky(radiance) => (*radiance, SKY_PDF, samples),
             Source::Map(picture) => {
                 let radiance = Vec3::from(picture.radiance(d).to_array());
-                scattered * radiance * (share / picture.pdf(d))
+                (radiance, picture.pdf(d), samples)
             }
             Source::Lamp(panel, radiance) => {
                 let facing = (-d.dot(panel.front().into())).max(0.0);
-                scattered * *radiance * (share * facing * self.sampled_area(panel) / (far * far))
+                let pdf = far * far / (facing * self.sampled_area(panel));
+                (*radiance, pdf, samples)
             }
-        }
+        };
+        Term::of(&self.place, d, light, pdf, samples)
     }
 
     /// Judges a shadow ray: it goes to a light that can contribute, and ends just before it.

@@ -107,8 +107,13 @@ impl ShadingPlace {
             Light::Sky(radiance) => Vec3::from(*radiance),
             _ => Vec3::ZERO,
         });
-        let around = environment_map(world).map(|picture| self.lit_by_environment(&picture));
-        lamps.sum::<Vec3>() + all_around * skies.sum::<Vec3>() + around.unwrap_or_default()
+        let around = match &world.environment {
+            // The same from all directions: no need for a sum over the hemisphere.
+            Some(around) if around.texels.len() == 1 => all_around * Vec3::from(around.texels[0]),
+            _ => environment_map(world)
+                .map_or(Vec3::ZERO, |picture| self.lit_by_environment(&picture)),
+        };
+        lamps.sum::<Vec3>() + all_around * skies.sum::<Vec3>() + around
     }
 
     /// `∫ f · L · |cos θ| dω` over the hemisphere, by the midpoint rule in height and in angle
@@ -268,6 +273,11 @@ mod tests {
             ..LitWorld::default()
         };
         assert!((place(Vec3::Y).lit_by(&sky).x - MEAN_F * PI).abs() < 1e-12);
+        let uniform = LitWorld {
+            environment: Some(Surroundings::uniform([3.0; 3])),
+            ..LitWorld::default()
+        };
+        assert!((place(Vec3::Y).lit_by(&uniform).x - 3.0 * MEAN_F * PI).abs() < 1e-12);
         // Four texels: the front half of the upper hemisphere is lit.
         let picture = LitWorld {
             environment: Some(Surroundings {

@@ -8,6 +8,8 @@ mod mistakes;
 mod moves;
 mod shadow_targets;
 mod simple;
+mod terms;
+mod world_text;
 pub(crate) mod worlds;
 
 pub(crate) use moves::of_material;

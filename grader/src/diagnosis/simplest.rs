@@ -36,6 +36,9 @@ pub struct SimplestCall {
     /// Why no simpler call is shown, if this one has extreme or long numbers.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub only: Option<String>,
+    /// Its circumstances, as far as mistakes often depend on them.
+    #[serde(skip)]
+    pub circumstances: Vec<&'static str>,
     /// The call with its results, to be drawn.
     #[serde(skip)]
     pub shown: Option<ShownCall>,
@@ -379,6 +382,7 @@ fn call(case: &CaseResult, spec: &Spec, call: u32) -> SimplestCall {
             "simple_call",
         ),
         only: None,
+        circumstances: spec.circumstances(call as usize),
         shown: None,
     }
 }

@@ -262,11 +262,15 @@ fn explain(
         diagnosis::leave_out_unwritten(&mut known, cases);
         let signature = fresh.removed_from(&Signature::of(cases));
         let diagnosis = diagnosis::diagnose(&known, &signature);
-        let regularities = regularity::of(&result.key, cases, specs);
+        let mut regularities = regularity::of(&result.key, cases, specs);
         let simplest = match &of_stage {
             Some(workers) => simplest::of_task(workers, &result, specs)?,
             None => None,
         };
+        // What all wrong answers of the cases share may be chance.
+        if let Some(call) = &simplest {
+            regularities.retain(|says| !regularity::is_refuted(says, &call.circumstances));
+        }
         let simplest_test = simplest.as_ref().and_then(|call| call.test.as_ref());
         let worst_as_test = match simplest_test {
             Some(test) => Some(repro::as_file(SIMPLEST, &result.key, test)),

@@ -312,7 +312,23 @@ fn where_wrong(
     telling.sort_unstable();
     let telling = telling.iter().take(CIRCUMSTANCES);
     let telling: Vec<&str> = telling.map(|(_, circumstance)| *circumstance).collect();
-    (!telling.is_empty()).then(|| format!("wrong only where {}", telling.join(" and ")))
+    (!telling.is_empty()).then(|| format!("{ONLY_WHERE}{}", telling.join(" and ")))
+}
+
+/// How the sentence begins that lists what wrong answers have in common.
+const ONLY_WHERE: &str = "wrong only where ";
+
+/// Whether a sentence says that answers are wrong only where something holds that does not hold in a
+/// wrong call with these `circumstances`; without any, nothing is known of it.
+pub(crate) fn is_refuted(sentence: &str, circumstances: &[&str]) -> bool {
+    let sentence = sentence.strip_prefix(IN_CORE).unwrap_or(sentence);
+    let Some(places) = sentence.strip_prefix(ONLY_WHERE) else {
+        return false;
+    };
+    let others = circumstances
+        .iter()
+        .fold(places.to_owned(), |rest, holds| rest.replace(holds, ""));
+    !circumstances.is_empty() && !matches!(others.as_str(), "" | " and ")
 }
 
 #[cfg(test)]
@@ -348,6 +364,16 @@ mod tests {
             }
         }
         CaseResult::failed(spec.name, tally.into_findings())
+    }
+
+    #[test]
+    fn a_wrong_call_refutes_where_answers_are_wrong() {
+        let [positive, negative] = ["min_t is above 0", "min_t is below 0"];
+        let says = format!("{IN_CORE}{ONLY_WHERE}{positive} and max_t is finite");
+        assert!(is_refuted(&says, &[negative, "max_t is finite"]));
+        assert!(!is_refuted(&says, &["max_t is finite", positive]));
+        assert!(!is_refuted(&says, &[]));
+        assert!(!is_refuted("where t is wrong, it is 0", &[negative]));
     }
 
     #[test]

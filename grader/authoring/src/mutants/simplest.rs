@@ -139,6 +139,7 @@ mod tests {
                 result: String::new(),
                 test: None,
                 only: None,
+                circumstances: Vec::new(),
                 shown: None,
             }),
             digits_of_worst: 0,

@@ -293,6 +293,7 @@ fn full_marks_are_a_success() {
         result: "your result: miss; expected: hit at t = 1.0".into(),
         test: None,
         only: None,
+        circumstances: Vec::new(),
         shown: None,
     });
     let invited = screen(vec![inviting], &context, reveal(HintLevel::Remedy));

@@ -158,10 +158,24 @@ pub fn file(drawing: &str) -> String {
     let head = element.find('>').map_or(0, |i| i + 1);
     format!(
         "{}\n<style>svg{{background:#fff}}svg text{{font-family:system-ui,'Liberation Sans',Arial,sans-serif}}\n\
+         polyline{{fill:none}}.tip{{fill:transparent}}\n\
          @media screen and (prefers-color-scheme:dark){{svg{{background:#16171b}}}}\n{COLOR_RULES}</style>{}\n",
         &element[..head],
-        &element[head..]
+        without_defaults(&element[head..])
     )
+}
+
+/// The elements without the attributes that say what is so without them, or what the style says.
+fn without_defaults(elements: &str) -> String {
+    let all = elements.replace("<polyline fill=\"none\"", "<polyline");
+    let attributes = [
+        " opacity=\"1\"",
+        " font-family=\"sans-serif\"",
+        " fill=\"transparent\"",
+    ];
+    attributes
+        .iter()
+        .fold(all, |text, attribute| text.replace(attribute, ""))
 }
 
 fn failed(why: impl std::fmt::Display) -> GraderError {

@@ -216,6 +216,9 @@ fn others(report: &TaskReport, shown: Option<&str>) -> Vec<String> {
             regularity::joined(&report.regularities)
         ));
     }
+    if report.result.fails_only_with_neighbours() {
+        notes.push(message::WITH_NEIGHBOURS.to_owned());
+    }
     let wrong = wrong_functions(&report.result);
     let wrong = wrong
         .iter()

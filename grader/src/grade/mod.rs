@@ -261,8 +261,14 @@ fn explain(
         }
         diagnosis::leave_out_unwritten(&mut known, cases);
         let signature = fresh.removed_from(&Signature::of(cases));
-        let diagnosis = diagnosis::diagnose(&known, &signature);
-        let mut regularities = regularity::of(&result.key, cases, specs);
+        // Extra credit, which is left then, would explain nothing of it.
+        let (diagnosis, mut regularities) = match result.fails_only_with_neighbours() {
+            true => (None, Vec::new()),
+            false => (
+                diagnosis::diagnose(&known, &signature),
+                regularity::of(&result.key, cases, specs),
+            ),
+        };
         let simplest = match &of_stage {
             Some(workers) => simplest::of_task(workers, &result, specs)?,
             None => None,

@@ -3,6 +3,10 @@
 use super::wrap::{columns, shorten_numbers};
 use crate::diagnosis::simplest::SimplestCall;
 
+/// What is said where no case fails but those that also run other stages.
+pub(crate) const WITH_NEIGHBOURS: &str = "Only cases fail that trace whole scenes, with your code \
+    of other tasks, too: if one of these tasks fails, mend it first";
+
 /// The result and the question: what stands before and after ". Ray: ". Not every message has a
 /// question.
 pub(crate) fn parts(message: &str) -> (&str, Option<&str>) {

@@ -234,6 +234,14 @@ impl TaskResult {
         })
     }
 
+    /// Whether no core case fails but those that also run other stages: then the answers of this
+    /// task alone name no mistake, and a mistake of another task may be all that is wrong.
+    pub fn fails_only_with_neighbours(&self) -> bool {
+        let mut failed = self.failed_cases().filter(|case| case.tier == Tier::Core);
+        failed.next().is_some_and(|case| case.with_neighbours)
+            && failed.all(|case| case.with_neighbours)
+    }
+
     /// Adds what a student's examples earn ([`crate::examples::case_of`]). The status stays that of
     /// the code.
     pub fn add_examples(&mut self, case: Option<CaseResult>) {

@@ -297,6 +297,9 @@ fn explanation(out: &mut Lines, report: &TaskReport, reveal: Reveal) {
         let common = regularity::joined(&report.regularities);
         out.add(1, SENTENCES, &format!("  In common: {common}."));
     }
+    if report.result.fails_only_with_neighbours() {
+        out.add(1, SENTENCES, &format!("  {}.", message::WITH_NEIGHBOURS));
+    }
 }
 
 /// Adds the place in the book about what went wrong.

@@ -187,6 +187,29 @@ fn a_half_written_task_without_wrong_answers_offers_no_hint() {
 }
 
 #[test]
+fn where_only_whole_scenes_fail_the_other_tasks_come_first() {
+    let scene = CaseResult {
+        with_neighbours: true,
+        ..case("whole_scene", Tier::Core, "your result: miss")
+    };
+    let extra = case("rounded_boxes", Tier::Robust, "your result: miss");
+    let own = case("back_face", Tier::Core, "your result: miss");
+    let says = |cases: Vec<CaseResult>| {
+        let report = task("part2.task3", "", 1.0, cases);
+        let text = screen(
+            vec![report],
+            &context("part2.task3"),
+            reveal(HintLevel::Findings),
+        );
+        text.replace("\n    ", " ")
+            .contains("if one of these tasks fails, mend it first")
+    };
+    assert!(says(vec![scene.clone(), extra.clone()]));
+    assert!(!says(vec![scene, own]));
+    assert!(!says(vec![extra]));
+}
+
+#[test]
 fn each_level_reveals_more() {
     let found = Diagnosis {
         mistakes: vec!["culled".into()],

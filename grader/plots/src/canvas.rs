@@ -158,16 +158,20 @@ pub fn file(drawing: &str) -> String {
     let head = element.find('>').map_or(0, |i| i + 1);
     format!(
         "{}\n<style>svg{{background:#fff}}svg text{{font-family:system-ui,'Liberation Sans',Arial,sans-serif}}\n\
-         polyline{{fill:none}}.tip{{fill:transparent}}\n\
+         polyline{{fill:none}}polyline:not([stroke-width]){{stroke-width:4}}.tip{{fill:transparent}}\n\
          @media screen and (prefers-color-scheme:dark){{svg{{background:#16171b}}}}\n{COLOR_RULES}</style>{}\n",
         &element[..head],
         without_defaults(&element[head..])
     )
 }
 
-/// The elements without the attributes that say what is so without them, or what the style says.
+/// The elements without the attributes and blanks that say what is so without them, or what the
+/// style says.
 fn without_defaults(elements: &str) -> String {
     let all = elements.replace("<polyline fill=\"none\"", "<polyline");
+    let all = all.replace(" stroke-width=\"4\" points=", " points=");
+    let all = all.replace(" \"/>", "\"/>").replace("\">\n", "\">");
+    let all = all.replace("\n</text>", "</text>");
     let attributes = [
         " opacity=\"1\"",
         " font-family=\"sans-serif\"",

@@ -261,7 +261,6 @@ fn explain(
         }
         diagnosis::leave_out_unwritten(&mut known, cases);
         let signature = fresh.removed_from(&Signature::of(cases));
-        // Extra credit, which is left then, would explain nothing of it.
         let (diagnosis, mut regularities) = match result.fails_only_with_neighbours() {
             true => (None, Vec::new()),
             false => (

@@ -234,8 +234,7 @@ impl TaskResult {
         })
     }
 
-    /// Whether no core case fails but those that also run other stages: then the answers of this
-    /// task alone name no mistake, and a mistake of another task may be all that is wrong.
+    /// Whether no core case fails but those that also run other stages, which may be wrong instead.
     pub fn fails_only_with_neighbours(&self) -> bool {
         let mut failed = self.failed_cases().filter(|case| case.tier == Tier::Core);
         failed.next().is_some_and(|case| case.with_neighbours)

@@ -12,10 +12,7 @@ pub fn instruction_sets() -> Vec<Level> {
 }
 
 /// Computes the expression with the best instruction set that the [`Level`] allows, as
-/// `fearless_simd::dispatch!` does, but without code of its own for SSE4.2.
-///
-/// Processors of the years before AVX2 do with the code for every x86-64: a second large copy for
-/// them would take half of the time that these crates take to compile.
+/// `fearless_simd::dispatch!` does, without a copy for SSE4.2, which would take long to compile.
 #[macro_export]
 macro_rules! dispatch {
     ($level:expr, $simd:pat => $result:expr) => {{

@@ -418,7 +418,7 @@ fn exactness_is_drawn_at_its_speed_and_its_losses() {
     let file = plot(&report).expect("drawn").expect("trees are measured");
     assert!(file.contains("In the same tree, exact hits cost 25 % more time than Woop in f32"));
     // The legend names what the markers stand for, and the other trees only if there are some.
-    let has_text = |file: &str, text: &str| file.contains(&format!("\n{text}\n"));
+    let has_text = |file: &str, text: &str| file.contains(&format!(">{text}</text>"));
     let trees = report.bvh.as_ref().expect("trees");
     let others = trees
         .by_precision

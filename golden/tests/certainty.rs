@@ -2,13 +2,14 @@
 //! to students. With the reference's answers the statement is true, and answers with such an error
 //! fail.
 
+use crate::shared::moved_back;
 use judge::Tier;
 use judge::cases::{self, Spec};
 use judge::tally::{Aspect, Finding};
 use std::f64::consts::{SQRT_2, TAU};
 use wire::global::SpecularAnswer;
 use wire::work::Xyz;
-use wire::{Answer, Outcome, Work};
+use wire::{Answer, Work};
 
 /// A case may state at most this multiple of the bias that is certainly detected: a statement such
 /// as "90 %" in every case would be true but useless.
@@ -16,15 +17,6 @@ const LOOSEST: f64 = 1.4;
 
 /// The errors of the wrong answers here are this multiple of the stated ones.
 const JUST_ABOVE: f64 = 1.02;
-
-/// The reference's answer; `None` in a handout.
-fn reference(spec: &Spec) -> Option<Answer> {
-    match worker::run(0, &spec.case()).outcome {
-        Outcome::Answered(answer) => Some(spec.moved_back(answer)),
-        Outcome::NotAttempted { .. } => None,
-        outcome => panic!("{} {}: {outcome:?}", spec.task, spec.name),
-    }
-}
 
 /// The bias or deviation of `aspect` that is always detected, as `about` states it.
 fn stated(spec: &Spec, aspect: Aspect) -> Option<f64> {
@@ -46,7 +38,7 @@ fn with_statistical_tests(seed: u64) -> Vec<(Spec, Answer, Vec<Finding>)> {
         spec.task == "part1.task1" || ["part3", "part4", "part5"].contains(&&spec.task[..5])
     };
     let specs = cases::all(seed).into_iter().filter(draws);
-    let answered = specs.filter_map(|spec| reference(&spec).map(|answer| (spec, answer)));
+    let answered = specs.filter_map(|spec| moved_back(&spec).map(|answer| (spec, answer)));
     answered
         .map(|(spec, answer)| {
             let mut findings = judge::judge(&spec, Tier::Core, &answer);
@@ -112,7 +104,7 @@ fn there_are_cases_with_statistical_tests() {
     let solved = |task: &str| {
         let specs = cases::all(0);
         let first = specs.iter().find(|spec| spec.task == task);
-        first.is_some_and(|spec| reference(spec).is_some())
+        first.is_some_and(|spec| moved_back(spec).is_some())
     };
     for (task, least) in [
         ("part1.task1", 2),

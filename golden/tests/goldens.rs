@@ -5,7 +5,7 @@
 //! `cargo insta review` finds it. `cargo grader review` shows every difference on a page, and
 //! `cargo grader bless` accepts them; neither reads these files.
 
-use crate::shared::{SPECS, record};
+use crate::shared::{SPECS, record, spec};
 use base::Workspace;
 use grader::course::{Course, Task};
 use judge::pictures;
@@ -228,10 +228,7 @@ fn insta_reads_the_goldens() {
 
 #[test]
 fn every_box_that_is_counted_is_a_visit() {
-    let spec = SPECS
-        .iter()
-        .find(|spec| spec.is("part2.task3", "mesh_in_cornell_box"));
-    let case = spec.expect("the case is there").case();
+    let case = spec("part2.task3", "mesh_in_cornell_box").case();
     let Work::SceneHits(SceneWork {
         scene, tree, rays, ..
     }) = case.work.clone()

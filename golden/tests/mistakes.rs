@@ -3,7 +3,7 @@
 //! say what it does not judge. `grader mutants TASK --against-bless` does the same with the code of
 //! every mutant.
 
-use crate::shared::{SPECS, reference};
+use crate::shared::{SPECS, reference, spec};
 use judge::Tier;
 use judge::cases::Spec;
 use judge::tally::Aspect;
@@ -86,11 +86,6 @@ fn length(v: [f64; 3]) -> f64 {
 fn interpolated(triangle: &[[f64; 3]; 6], [b1, b2]: [f64; 2]) -> [f64; 3] {
     let [_, _, _, n0, n1, n2] = triangle;
     [0, 1, 2].map(|i| (1.0 - b1 - b2) * n0[i] + b1 * n1[i] + b2 * n2[i])
-}
-
-fn spec(task: &str, name: &str) -> &'static Spec {
-    let found = SPECS.iter().find(|spec| spec.is(task, name));
-    found.expect("the case exists")
 }
 
 /// Whether `b` differs from `a` by more than rounding errors.

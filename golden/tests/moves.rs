@@ -1,6 +1,7 @@
 //! An instructor's run moves every question by an exact symmetry. Moved back, the answers have the
 //! same bits.
 
+use crate::shared::moved_back;
 use base::Workspace;
 use grader::course::Course;
 use grader::course::moved_points::MovedPoints;
@@ -9,16 +10,7 @@ use judge::cases::{self, Spec};
 use judge::moved;
 use std::ops::Range;
 use std::path::Path;
-use wire::{Answer, Outcome, Work};
-
-/// The reference's answer to the question that the worker gets, moved back; `None` in a handout.
-fn reference(spec: &Spec) -> Option<Answer> {
-    match worker::run(0, &spec.case()).outcome {
-        Outcome::Answered(answer) => Some(spec.moved_back(answer)),
-        Outcome::NotAttempted { .. } => None,
-        outcome => panic!("{} {}: {outcome:?}", spec.task, spec.name),
-    }
-}
+use wire::Work;
 
 /// Asks the cases with each of `seeds`, moved and not, and compares the answers.
 fn compare(seeds: Range<u64>, is_asked: impl Fn(&Spec) -> bool) {
@@ -29,7 +21,7 @@ fn compare(seeds: Range<u64>, is_asked: impl Fn(&Spec) -> bool) {
                 continue;
             }
             let name = format!("{} {} with seed {seed}", spec.task, spec.name);
-            let (Some(here), Some(there)) = (reference(&spec.unmoved()), reference(&spec)) else {
+            let (Some(here), Some(there)) = (moved_back(&spec.unmoved()), moved_back(&spec)) else {
                 continue;
             };
             count += 1;

@@ -1,4 +1,4 @@
-//! The cases and what the reference answers, computed once for all tests.
+//! The cases, and the answers of the reference to them.
 
 use judge::cases::{self, Spec};
 use std::sync::{LazyLock, OnceLock};
@@ -10,7 +10,13 @@ pub(crate) static SPECS: LazyLock<Vec<Spec>> = LazyLock::new(|| cases::all(0));
 static RECORDS: LazyLock<Vec<OnceLock<Record>>> =
     LazyLock::new(|| SPECS.iter().map(|_| OnceLock::new()).collect());
 
-/// What the worker records of a case of [`SPECS`].
+/// The case `name` of `task` in [`SPECS`].
+pub(crate) fn spec(task: &str, name: &str) -> &'static Spec {
+    let found = SPECS.iter().find(|spec| spec.is(task, name));
+    found.expect("the case exists")
+}
+
+/// What the worker records of a case of [`SPECS`], which is asked once for all tests.
 pub(crate) fn record(spec: &Spec) -> &'static Record {
     let place = SPECS.iter().position(|s| s.is(spec.task, spec.name));
     let place = place.expect("the case is one of the list");
@@ -23,5 +29,15 @@ pub(crate) fn reference(spec: &Spec) -> Option<&'static Answer> {
     match &record.outcome {
         Outcome::Answered(answer) if record.untouched.is_empty() => Some(answer),
         _ => None,
+    }
+}
+
+/// The reference's answer to a question that may be moved, asked now and moved back; `None` in a
+/// handout.
+pub(crate) fn moved_back(spec: &Spec) -> Option<Answer> {
+    match worker::run(0, &spec.case()).outcome {
+        Outcome::Answered(answer) => Some(spec.moved_back(answer)),
+        Outcome::NotAttempted { .. } => None,
+        outcome => panic!("{} {}: {outcome:?}", spec.task, spec.name),
     }
 }

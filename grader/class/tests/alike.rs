@@ -54,6 +54,12 @@ fn class(extra: &dyn Fn(u64) -> String) -> Vec<Student> {
     (0..20).map(student).collect()
 }
 
+/// The largest share of a stage.
+fn share(pair: &Pair) -> f64 {
+    let shares = pair.stages.iter().map(|stage| stage.share);
+    shares.fold(0.0, f64::max)
+}
+
 /// All pairs of a class, with their passages.
 fn pairs(students: &[Student]) -> Vec<Pair> {
     let owners = Owners::new(students);
@@ -61,7 +67,7 @@ fn pairs(students: &[Student]) -> Vec<Pair> {
     assert_eq!(found.not_compared, 0);
     let pairs = found.listed.iter().map(|found| {
         let pair = pairs::pair(students, &owners, found);
-        assert_eq!((pair.share(), pair.expected), (found.share, found.expected));
+        assert_eq!((share(&pair), pair.expected), (found.share, found.expected));
         pair
     });
     pairs.collect()
@@ -148,7 +154,7 @@ fn a_whole_copy_is_found_even_if_it_is_one_passage() {
     });
     // Student 7 has all of student 3's code beside code of the same length.
     assert_eq!(names(&pairs(&students)), [["03", "07"]]);
-    assert!(pairs(&students)[0].share() > 0.9);
+    assert!(share(&pairs(&students)[0]) > 0.9);
 }
 
 #[test]

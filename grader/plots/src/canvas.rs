@@ -168,18 +168,21 @@ pub fn file(drawing: &str) -> String {
 /// The elements without the attributes and blanks that say what is so without them, or what the
 /// style says.
 fn without_defaults(elements: &str) -> String {
-    let all = elements.replace("<polyline fill=\"none\"", "<polyline");
-    let all = all.replace(" stroke-width=\"4\" points=", " points=");
-    let all = all.replace(" \"/>", "\"/>").replace("\">\n", "\">");
-    let all = all.replace("\n</text>", "</text>");
-    let attributes = [
-        " opacity=\"1\"",
-        " font-family=\"sans-serif\"",
-        " fill=\"transparent\"",
+    let shorter = [
+        ("<polyline fill=\"none\"", "<polyline"),
+        (" stroke-width=\"4\" points=", " points="),
+        (" opacity=\"1\"", ""),
+        (" font-family=\"sans-serif\"", ""),
+        (" fill=\"transparent\"", ""),
+        (" \"/>", "\"/>"),
+        ("\">\n", "\">"),
+        ("\n</text>", "</text>"),
     ];
-    attributes
+    shorter
         .iter()
-        .fold(all, |text, attribute| text.replace(attribute, ""))
+        .fold(elements.to_owned(), |text, (long, short)| {
+            text.replace(long, short)
+        })
 }
 
 fn failed(why: impl std::fmt::Display) -> GraderError {

@@ -18,21 +18,21 @@ pub struct Finding {
     /// Whether only cases fail that also run functions of other tasks, which may be wrong instead.
     pub only_with_others: bool,
     /// Which cases fail.
-    pub(super) cases: String,
+    cases: String,
     /// What each of the first cases tests.
-    pub(super) about: Vec<String>,
+    about: Vec<String>,
     /// What is wrong, or how the code crashed.
-    pub(super) wrong: String,
+    wrong: String,
     /// The simplest call that shows it, with the result and the expected one.
-    pub(super) simplest: Option<String>,
+    simplest: Option<String>,
     /// What else is known: what the wrong answers have in common, other wrong functions.
-    pub(super) others: Vec<String>,
+    others: Vec<String>,
     /// The likely mistake.
-    pub(super) mistake: Option<String>,
+    mistake: Option<String>,
     /// Where to look.
-    pub(super) remedy: Option<String>,
+    remedy: Option<String>,
     /// Where the code panicked: file and line.
-    pub(super) panicked_at: Option<(String, usize)>,
+    panicked_at: Option<(String, usize)>,
 }
 
 /// The most failed cases that a message names.
@@ -64,7 +64,7 @@ impl Finding {
             .or_else(|| wrong_functions(task).first().map(|(name, _)| name.clone()));
         let diagnosis = report.diagnosis.as_ref();
         Some(Finding {
-            only_with_others: failed.iter().all(|case| case.with_neighbours),
+            only_with_others: task.fails_only_with_neighbours(),
             cases: listed(&failed),
             about: failed
                 .iter()
@@ -238,6 +238,16 @@ fn panic_location(how: &str) -> Option<(String, usize)> {
     let (file, rest) = rest.split_once(".rs:")?;
     let digits = rest.split(|c: char| !c.is_ascii_digit()).next()?;
     Some((format!("{file}.rs"), digits.parse().ok()?))
+}
+
+#[cfg(test)]
+impl Finding {
+    pub(super) fn for_tests(only_with_others: bool) -> Finding {
+        Finding {
+            only_with_others,
+            ..Finding::default()
+        }
+    }
 }
 
 #[cfg(test)]

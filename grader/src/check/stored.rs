@@ -67,12 +67,7 @@ mod tests {
 
     #[test]
     fn what_fails_together_with_a_wrong_task_is_left_out() {
-        let finding = |only_with_others| {
-            Some(Finding {
-                only_with_others,
-                ..Finding::default()
-            })
-        };
+        let finding = |only_with_others| Some(Finding::for_tests(only_with_others));
         let mut stored = StoredFindings::default();
         stored.set("triangles", "", finding(false));
         stored.set("traversal", "", finding(true));

@@ -124,12 +124,11 @@ pub fn holes<'a>(text: &'a str, key: &str) -> impl Iterator<Item = &'a str> {
 /// Whether the code in `text` has a `todo!` or an `unimplemented!`, which the standard library has
 /// for what is not written yet.
 fn has_todo(text: &str) -> bool {
-    let code = text
-        .lines()
-        .map(|line| line.split("//").next().unwrap_or_default());
     let macros = ["todo!(", "unimplemented!("];
-    code.into_iter()
-        .any(|line| macros.iter().any(|name| line.contains(name)))
+    text.lines().any(|line| {
+        let code = line.split("//").next().unwrap_or_default();
+        macros.iter().any(|name| code.contains(name))
+    })
 }
 
 /// The text of the public function `name` from its `pub fn` to the end of its body.

@@ -318,8 +318,8 @@ fn where_wrong(
 /// How the sentence begins that lists what wrong answers have in common.
 const ONLY_WHERE: &str = "wrong only where ";
 
-/// Whether a sentence says that answers are wrong only where something holds that does not hold in a
-/// wrong call with these `circumstances`; without any, nothing is known of it.
+/// Whether a sentence says that answers are wrong only where something holds that does not hold in
+/// a wrong call with these `circumstances`; without any, nothing is known of the call.
 pub(crate) fn is_refuted(sentence: &str, circumstances: &[&str]) -> bool {
     let sentence = sentence.strip_prefix(IN_CORE).unwrap_or(sentence);
     let Some(places) = sentence.strip_prefix(ONLY_WHERE) else {

@@ -55,8 +55,8 @@ pub fn lambert_pdf(wo: Vec3, wi: Vec3) -> f64 {
 /// Chapter: stages/book/src/part3/task1.md
 ///
 /// `u` is uniform in [0, 1)². With this density `f · cos θ / pdf` is `ρ` for every direction, so all
-/// samples have the same weight. How `u` becomes a direction is open. `None` if `wo` is in the plane
-/// of the surface, where no light leaves.
+/// samples have the same weight. How `u` becomes a direction is open. `None` if `wo` is in the
+/// plane of the surface, where no light leaves.
 ///
 /// See it: `cargo grader picture part3.task1`.
 pub fn lambert_sample(reflectance: Spectrum, wo: Vec3, u: Vec2) -> Option<BsdfSample> {

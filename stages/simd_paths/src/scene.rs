@@ -11,7 +11,6 @@ use crate::shadow_queue::ShadowQueue;
 use crate::specular::SpecularMaterial;
 use crate::trace;
 use crate::visible::VisiblePixels;
-use fearless_simd::Simd;
 use kit::{Material, Triangle};
 use lanes::dispatch;
 use std::mem;
@@ -159,30 +158,6 @@ impl<'a> PathScene<'a> {
     }
 
     // BEGIN SOLUTION(part6.task2)
-    /// [`PathScene::trace`] of the job `(view, settings, starts, samples)`.
-    #[inline(always)]
-    fn trace_in_lanes<S: Simd>(
-        &self,
-        simd: S,
-        (view, settings, starts, samples): (&View, &PathSettings, &[PathStart], usize),
-        memory: &mut PathMemory,
-        fallback: &mut dyn ScalarFallback,
-        radiance: &mut [Spectrum],
-    ) {
-        let mut visible = mem::take(&mut memory.visible);
-        visible.find(simd, self, view, starts, samples, memory, fallback);
-        let paths = CameraPaths {
-            starts,
-            pixels: visible.pixels(),
-            samples,
-        };
-        for first in (0..paths.pixels.len() * samples).step_by(BATCH_SIZE) {
-            camera::generate_paths(simd, view, paths, first, &mut memory.queue, fallback);
-            trace::trace_paths(simd, self, settings, view, memory, fallback, radiance);
-        }
-        memory.visible = visible;
-    }
-
     /// The class and the colour of the material of primitive number `id`.
     #[inline(always)]
     pub(crate) fn material_of(&self, id: usize) -> (MaterialClass, Spectrum) {
@@ -228,9 +203,19 @@ impl<'a> PathScene<'a> {
         // BEGIN SOLUTION(part6.task2)
         let samples = samples as usize;
         let mut radiance = vec![Spectrum::BLACK; starts.len() * samples];
-        let job = (view, settings, starts, samples);
         dispatch!(self.level, simd => {
-            self.trace_in_lanes(simd, job, memory, fallback, &mut radiance);
+            let mut visible = mem::take(&mut memory.visible);
+            visible.find(simd, self, view, starts, samples, memory, fallback);
+            let paths = CameraPaths {
+                starts,
+                pixels: visible.pixels(),
+                samples,
+            };
+            for first in (0..paths.pixels.len() * samples).step_by(BATCH_SIZE) {
+                camera::generate_paths(simd, view, paths, first, &mut memory.queue, fallback);
+                trace::trace_paths(simd, self, settings, view, memory, fallback, &mut radiance);
+            }
+            memory.visible = visible;
         });
         radiance
         // STUB: kit::hole!("part6.task2", self, view, settings, starts, samples, memory, fallback)

@@ -30,18 +30,18 @@ pub struct Unfinished {
     pub result: TaskResult,
 }
 
-/// Grades the empty and half-written solutions of the tasks of `stages_graded`, with seed 0. One
-/// worker contains all of them.
+/// Grades the empty and half-written solutions of the tasks of `stages`, with seed 0. One worker
+/// contains all of them.
 pub fn of_stages(
     workspace: &Workspace,
     course: &Course,
-    stages_graded: &[&str],
+    stages: &[&str],
 ) -> Result<Vec<Unfinished>, GraderError> {
     workspace.ensure_full("it does not contain the lists of unfinished solutions")?;
     let mut listed: Vec<(&Task, usize, bool)> = Vec::new();
     let mut kinds = vec![("reference".to_string(), Kind::Correct)];
-    let mut stages: Vec<(&str, Vec<Sources>)> = Vec::new();
-    for &stage in stages_graded {
+    let mut of_stages: Vec<(&str, Vec<Sources>)> = Vec::new();
+    for &stage in stages {
         let mut sources = vec![reference_sources(workspace, stage)?];
         let of_stage = course.tasks().filter(|task| task.stage == stage);
         let lists = of_stage.flat_map(|task| [(task, "empty"), (task, "half")]);
@@ -57,9 +57,9 @@ pub fn of_stages(
                 }
             }
         }
-        stages.push((stage, sources));
+        of_stages.push((stage, sources));
     }
-    let program = versions_crate::worker_of_stages(workspace, "empty", &stages)?;
+    let program = versions_crate::worker_of_stages(workspace, "empty", &of_stages)?;
     let worker = VersionsWorker::new(program, course, kinds);
     let specs = cases::all(0);
     let each = listed.into_par_iter().map(|(task, version, is_half)| {

@@ -2,8 +2,8 @@
 //! This is a question for the instructor, never a verdict.
 //!
 //! [`pairs`] compares a class by the passages of [`submission::code`], with [`owners`]; [`common`]
-//! finds what many have. [`page`] shows the strongest pairs side by side, [`table`] has all of them,
-//! [`jplag`] writes the class as the program JPlag wants it.
+//! finds what many have. [`page`] shows the strongest pairs side by side, [`table`] has all of
+//! them, [`jplag`] writes the class as the program JPlag wants it.
 
 pub mod common;
 pub mod jplag;

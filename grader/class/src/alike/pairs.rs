@@ -77,15 +77,6 @@ pub struct Pair {
     pub expected: f64,
 }
 
-impl Pair {
-    /// The largest share of a stage.
-    pub fn share(&self) -> f64 {
-        self.stages
-            .iter()
-            .fold(0.0, |most, stage| stage.share.max(most))
-    }
-}
-
 /// How much two students have in common, without the passages: a class may have many such pairs.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Found {

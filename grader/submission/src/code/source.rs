@@ -6,8 +6,8 @@ use crate::Untrusted;
 use crate::file_tree::Files;
 use std::ops::Range;
 
-/// The most characters of a passage that are shown, some hundred lines. A line may be as long as its
-/// file, and every passage of it would repeat it.
+/// The most characters of a passage that are shown, some hundred lines. A line may be as long as
+/// its file, and every passage of the line would repeat it.
 const MOST_SHOWN: usize = 6_000;
 
 /// The code of a stage that one student handed in.

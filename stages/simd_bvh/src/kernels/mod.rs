@@ -1,8 +1,8 @@
 // BEGIN SOLUTION(part6.task1)
 //! One ray against boxes and primitives. Reading order: `ray_in_tree`, `simd_box_test` (eight boxes at
 //! a time), `triangle_filter` (eight triangles at a time), `woop` (one triangle, in double
-//! precision), `found` (the closest hit so far), `box_test` (rays beyond single precision), `fused` (a
-//! product and a sum with one rounding).
+//! precision), `found` (the closest hit so far), `box_test` (rays beyond single precision), `fused`
+//! (a product and a sum with one rounding).
 
 pub(crate) mod box_test;
 pub(crate) mod found;

@@ -5,8 +5,8 @@ use crate::tools::questions::tree_plan::TreePlan;
 use kit::{Ray, Vec3};
 use wire::work::ScriptedWorld;
 
-/// The simple questions about traversals for the closest hit or any hit, with rays along x. Each has
-/// one ray: the tests of all rays of a question are counted together.
+/// The simple questions about traversals for the closest hit or any hit, with rays along x. Each
+/// has one ray: the tests of all rays of a question are counted together.
 pub(crate) fn questions(any_hit: bool) -> Vec<ScriptedWorld> {
     let one = |scene: &CrossScene, ray: Ray| scene.script(&[ray], any_hit);
     let of_scene = |scene: CrossScene| rays().into_iter().map(move |ray| one(&scene, ray));

@@ -142,8 +142,8 @@ impl Estimate<'_> {
         )
     }
 
-    /// Judges the sum, which consists of `terms`. A wrong sum that equals that of a known mistake for
-    /// the same rays has the mistake's name as its class.
+    /// Judges the sum, which consists of `terms`. A wrong sum that equals that of a known mistake
+    /// for the same rays has the mistake's name as its class.
     fn radiance(
         &self,
         tally: &mut Tally,

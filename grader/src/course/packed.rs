@@ -1,21 +1,15 @@
 //! Packed goldens: the snapshots of a task in one compressed file.
 //!
 //! In the course's checkout they are text, one file each, to be reviewed. A handout has
-//! `golden/TASK.pack` instead: a zlib stream of entries, each a line `BYTES NAME`, then the bytes.
-//! A long line that an earlier entry has, too, is only named (`lines`): the pages of the book are
-//! alike, and zlib looks back 32 kB only. What nobody reviews as text, such as the signatures of
-//! mistakes, is [`binary`] everywhere.
+//! `golden/TASK.pack` instead: entries, each a line `BYTES NAME`, then the bytes, compressed together
+//! by [`judge::compressed`]. What nobody reviews as text, such as the signatures of mistakes, is
+//! [`binary`] everywhere.
 
 pub mod binary;
-mod lines;
 
 use base::{GraderError, Workspace};
-use miniz_oxide::deflate::compress_to_vec_zlib;
-use miniz_oxide::inflate::decompress_to_vec_zlib_with_limit;
+use judge::compressed::{compress, decompress};
 use std::path::{Path, PathBuf};
-
-/// The highest level of compression that does not take minutes.
-const LEVEL: u8 = 9;
 
 /// The largest size of an unpacked file. The largest of the course has 1.5 MB.
 const MAX_UNPACKED: usize = 64 << 20;
@@ -32,13 +26,11 @@ pub fn task_of(path: &Path) -> Option<String> {
 /// Packs files: their paths below the folder `golden`, and their contents.
 pub fn pack(files: &[(PathBuf, Vec<u8>)]) -> Vec<u8> {
     let mut bytes = Vec::new();
-    let mut known = lines::Known::default();
     for (path, contents) in files {
-        let contents = known.shortened(contents);
         bytes.extend(format!("{} {}\n", contents.len(), path.display()).bytes());
         bytes.extend(contents);
     }
-    compress_to_vec_zlib(&bytes, LEVEL)
+    compress(&bytes)
 }
 
 /// The path of the pack of a task.
@@ -88,12 +80,11 @@ fn find(packed: &[u8], path: &Path) -> Result<Option<String>, String> {
 
 /// The files of a pack: their paths in it, and their contents.
 pub fn unpack(packed: &[u8]) -> Result<Vec<(PathBuf, Vec<u8>)>, String> {
-    let all = decompress_to_vec_zlib_with_limit(packed, MAX_UNPACKED);
+    let all = decompress(packed, MAX_UNPACKED);
     let all = all.map_err(|e| format!("it is damaged: {e}. Restore it from the handout"))?;
     let damaged =
         || "it is damaged: expected `BYTES NAME`. Restore it from the handout".to_string();
     let mut files = Vec::new();
-    let mut known = lines::Read::default();
     let mut rest = all.as_slice();
     while !rest.is_empty() {
         let end = rest.iter().position(|byte| *byte == b'\n');
@@ -102,10 +93,7 @@ pub fn unpack(packed: &[u8]) -> Result<Vec<(PathBuf, Vec<u8>)>, String> {
         let (length, name) = line.split_once(' ').ok_or_else(damaged)?;
         let length: usize = length.parse().map_err(|_| damaged())?;
         let (contents, next) = after[1..].split_at_checked(length).ok_or_else(damaged)?;
-        files.push((
-            PathBuf::from(name),
-            known.restored(contents).ok_or_else(damaged)?,
-        ));
+        files.push((PathBuf::from(name), contents.to_vec()));
         rest = next;
     }
     Ok(files)

@@ -10,8 +10,7 @@
 //! what it holds can be looked up, but not listed as inputs with their results. `grader handout`
 //! writes it.
 
-use miniz_oxide::deflate::compress_to_vec_zlib;
-use miniz_oxide::inflate::decompress_to_vec_zlib_with_limit;
+use super::compressed::{compress, decompress};
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use std::cell::RefCell;
@@ -31,9 +30,6 @@ const PACKED: Option<&[u8]> = None;
 
 /// The largest size of an unpacked table. That of the handout of Part 1 has 1 MB.
 const MAX_UNPACKED: usize = 64 << 20;
-
-/// The highest level of compression that does not take minutes.
-const LEVEL: u8 = 9;
 
 /// The results of the formulas of each task, by the hash of formula and input.
 pub type Tables = BTreeMap<&'static str, BTreeMap<u64, Vec<u8>>>;
@@ -137,7 +133,7 @@ pub fn pack<'a>(tables: impl IntoIterator<Item = &'a BTreeMap<u64, Vec<u8>>>) ->
         stored.result_of.push(if is_new { 0 } else { number + 1 });
     }
     let plain = postcard::to_stdvec(&stored).expect("a table is plain numbers");
-    compress_to_vec_zlib(&plain, LEVEL)
+    compress(&plain)
 }
 
 /// A packed table: each different result once.
@@ -164,8 +160,7 @@ struct Table {
 
 impl Table {
     fn unpack(packed: &[u8]) -> Result<Table, String> {
-        let plain = decompress_to_vec_zlib_with_limit(packed, MAX_UNPACKED)
-            .map_err(|e| format!("it is damaged: {e}"))?;
+        let plain = decompress(packed, MAX_UNPACKED).map_err(|e| format!("it is damaged: {e}"))?;
         let stored: Stored =
             postcard::from_bytes(&plain).map_err(|e| format!("it is damaged: {e}"))?;
         let mut end = 0_usize;

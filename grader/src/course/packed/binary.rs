@@ -1,21 +1,20 @@
-//! Values that programs store for programs: postcard, compressed by zlib.
+//! Values that programs store for programs: postcard, compressed.
 
-use super::{LEVEL, MAX_UNPACKED};
-use miniz_oxide::deflate::compress_to_vec_zlib;
-use miniz_oxide::inflate::decompress_to_vec_zlib_with_limit;
+use super::MAX_UNPACKED;
+use judge::compressed::{compress, decompress};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
 /// Packs a value.
 pub fn to_bytes(value: &impl Serialize) -> Result<Vec<u8>, String> {
     let plain = postcard::to_stdvec(value).map_err(|e| format!("it cannot be packed: {e}"))?;
-    Ok(compress_to_vec_zlib(&plain, LEVEL))
+    Ok(compress(&plain))
 }
 
 /// Unpacks what [`to_bytes`] packed. The error says what is wrong with the bytes.
 pub fn from_bytes<T: DeserializeOwned>(packed: &[u8]) -> Result<T, String> {
-    let plain = decompress_to_vec_zlib_with_limit(packed, MAX_UNPACKED)
-        .map_err(|e| format!("expected a zlib stream: {e}"))?;
+    let plain =
+        decompress(packed, MAX_UNPACKED).map_err(|e| format!("it cannot be unpacked: {e}"))?;
     let (value, rest) = postcard::take_from_bytes(&plain)
         .map_err(|e| format!("its contents have another form: {e}"))?;
     match rest.len() {

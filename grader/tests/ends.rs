@@ -6,7 +6,7 @@
 use cap::Cap;
 use grader::workers::crash::{self, Crash, CrashKind};
 use grader::workers::printed;
-use grader::workers::runner::{self, Ending, Worker};
+use grader::workers::runner::{self, Ending, Patience, Worker};
 use std::alloc::System;
 use std::process::ExitCode;
 use wire::{Answer, Case, Record, Work};
@@ -163,6 +163,32 @@ fn case(name: &str) -> Case {
     }
 }
 
+/// The cases of a task after one that does not return are not run for an editor; simple questions to
+/// such code have a short limit.
+fn a_task_is_left_at_its_first_timeout(worker: &Worker) {
+    for (patience, limit) in [
+        (Patience::OneTimeout, 600),
+        (Patience::OneShortTimeout, 500),
+    ] {
+        let worker = Worker {
+            patience,
+            ..worker.clone()
+        };
+        let mut cases = ["before", "loop", "after", "loop"].map(case);
+        for case in &mut cases {
+            (case.task, case.limit_ms) = ("task".into(), 600);
+        }
+        let run = runner::run(&worker, &cases).expect("the worker runs");
+        let [before, looping, rest @ ..] = &run.endings[..] else {
+            panic!("{run:?}")
+        };
+        assert!(matches!(before, Ending::Recorded(_)), "{before:?}");
+        let is_late = matches!(looping, Ending::TimedOut { limit_ms, .. } if *limit_ms == limit);
+        assert!(is_late, "{looping:?}");
+        assert_eq!(rest, [Ending::NotRun, Ending::NotRun]);
+    }
+}
+
 fn main() -> ExitCode {
     // A worker gets the place of its records; the test program, options.
     let first = std::env::args().nth(1);
@@ -215,6 +241,7 @@ fn main() -> ExitCode {
     assert_eq!(run.printed.len(), cases.len());
     let all = printed::format(&run.printed);
     assert!(all.contains("    … 1,499,983 more lines\n"), "{all}");
+    a_task_is_left_at_its_first_timeout(&worker);
     println!("test every_end_has_its_sentence ... ok");
     ExitCode::SUCCESS
 }

@@ -274,6 +274,16 @@ fn a_student_writes_a_task() {
     fs::remove_file(&report).unwrap();
     assert_eq!(about(&messages(), "part1.task1"), ours);
     assert!(!report.exists(), "it was graded again");
+    // An edit of another stage changes nothing about it.
+    let other = course.join("stages/bbox/src/lib.rs");
+    let text = fs::read_to_string(&other).unwrap();
+    fs::write(&other, format!("{text}\n// More.\n")).unwrap();
+    assert_eq!(about(&messages(), "part1.task1"), ours);
+    assert!(!report.exists(), "it was graded again");
+    // The same is told if nothing is known.
+    fs::remove_file(course.join("target/first-light/check.json")).unwrap();
+    assert_eq!(about(&messages(), "part1.task1"), ours);
+    assert!(report.exists(), "it was not graded again");
     write(&with("kit::hole!(\"part1.task1\", x, y);"));
     let gap = about(&messages(), "part1.task1");
     assert_eq!(gap["message"]["level"], "help");

@@ -1,10 +1,13 @@
 //! What an editor shows of a graded task: one warning, with what helps most.
 
+use crate::course::Task;
 use crate::diagnosis::simplest::SimplestCall;
+use crate::grade::one_by_one::is_whole;
 use crate::report::{HintLevel, TaskReport, message};
 use crate::score::functions::FunctionStatus;
 use crate::score::regularity;
 use crate::score::{CaseResult, Status, TaskResult, order};
+use crate::workers::crash::CrashKind;
 use judge::cases::checked;
 use judge::plural;
 use judge::tally::Finding as Counted;
@@ -17,6 +20,8 @@ pub struct Finding {
     pub function: Option<String>,
     /// Whether only cases fail that also run functions of other tasks, which may be wrong instead.
     pub only_with_others: bool,
+    /// Whether a call did not end, so that other cases were not run.
+    pub is_endless: bool,
     /// Which cases fail.
     cases: String,
     /// What each of the first cases tests.
@@ -41,17 +46,28 @@ const NAMED: usize = 4;
 impl Finding {
     /// What is wrong in the core cases of a task; `None` if none of them fails by itself. With
     /// `extra`, what is wrong in those of extra credit if no core case fails.
-    pub fn of(report: &TaskReport, functions: &[String], extra: bool) -> Option<Finding> {
+    pub fn of(report: &TaskReport, graded: &Task, extra: bool) -> Option<Finding> {
         let task = &report.result;
+        let functions = &graded.holes;
         let mut failed = order::failed_cases_that_count(task);
         failed.retain(|case| extra || case.tier == judge::Tier::Core);
-        let first = *failed.first()?;
+        let does_not_end = |case: &&&CaseResult| {
+            let kind = case.crash.map(|crash| crash.kind);
+            kind == Some(CrashKind::Endless) && !is_whole(graded, report)
+        };
+        let endless = failed.iter().find(does_not_end).copied();
+        let is_endless = endless.is_some();
+        let first = endless.or(failed.first().copied())?;
+        let shown = report.simplest.as_ref();
         let crash = match &first.status {
-            Status::Crashed(how) => Some(how.as_str()),
+            Status::Crashed(how) if shown.is_some() => Some(without_input(how)),
+            Status::Crashed(how) => Some(how.clone()),
             _ => None,
         };
-        let shown = report.simplest.as_ref();
-        let wrong = match (crash, shown) {
+        let wrong = match (&crash, shown) {
+            (Some(how), _) if is_endless => {
+                format!("{}: a call does not end: it {how}", first.name)
+            }
             (Some(how), _) => format!("{} {how}", first.name),
             (None, Some(call)) => counted(task, call).unwrap_or_else(|| worst(first)),
             (None, None) => worst(first),
@@ -65,7 +81,11 @@ impl Finding {
         let diagnosis = report.diagnosis.as_ref();
         Some(Finding {
             only_with_others: task.fails_only_with_neighbours(),
-            cases: listed(&failed),
+            is_endless,
+            cases: match is_endless {
+                true => format!("{}; the cases after it were not run", listed(&failed)),
+                false => listed(&failed),
+            },
             about: failed
                 .iter()
                 .take(NAMED)
@@ -86,7 +106,7 @@ impl Finding {
                 format!("{label}: {}", found.says)
             }),
             remedy: diagnosis.map(|found| found.hint.clone()),
-            panicked_at: crash.and_then(panic_location),
+            panicked_at: crash.as_deref().and_then(panic_location),
             function,
         })
     }
@@ -232,6 +252,15 @@ fn others(report: &TaskReport, shown: Option<&str>) -> Vec<String> {
     notes
 }
 
+/// How a call crashed, without its input: a simpler one is shown.
+fn without_input(how: &str) -> String {
+    const END: &str = " of the case";
+    match how.split_once(&format!("{END}: ")) {
+        Some((before, _)) => format!("{before}{END})"),
+        None => how.to_owned(),
+    }
+}
+
 /// The file and the line in "panicked at FILE:LINE: message".
 fn panic_location(how: &str) -> Option<(String, usize)> {
     let rest = how.strip_prefix("panicked at ")?;
@@ -260,6 +289,13 @@ mod tests {
         let place = ("stages/bvh/src/traverse.rs".to_owned(), 19);
         assert_eq!(panic_location(how), Some(place));
         assert_eq!(panic_location("overflowed the stack"), None);
+    }
+
+    #[test]
+    fn the_input_of_a_crash_can_be_left_out() {
+        let how = "panicked at a.rs:1: no (call 4 of the case: o = (0.5, 1))";
+        let short = "panicked at a.rs:1: no (call 4 of the case)";
+        assert_eq!([how, short].map(without_input), [short, short]);
     }
 
     #[test]

@@ -1,11 +1,12 @@
 //! `grader check`: what the compiler and the grader find, in the form in which editors read it.
 //!
 //! The command first checks the stages with cargo, whose messages are passed on unchanged
-//! ([`cargo_check`]), then grades the tasks whose code changed ([`stored`] has the findings of the
-//! others), and prints for each task what is wrong ([`finding`]) as a message of rustc's form
+//! ([`cargo_check`]), then grades the tasks whose code changed ([`again`]; [`stored`] has the findings
+//! of the others), and prints for each task what is wrong ([`finding`]) as a message of rustc's form
 //! ([`rustc_message`]) at the student's function, or at the line that a hint is about
 //! ([`meant_line`]).
 
+pub mod again;
 pub mod cargo_check;
 pub mod finding;
 pub mod meant_line;
@@ -150,7 +151,7 @@ mod tests {
             of: 3,
             certainty: crate::diagnosis::Certainty::Likely,
         });
-        Finding::of(&report, &task.holes, false).expect("a case failed")
+        Finding::of(&report, &task, false).expect("a case failed")
     }
 
     fn shown(status: Status, hint: HintLevel) -> Vec<Diagnostic> {

@@ -30,11 +30,16 @@ impl StoredFindings {
         self.0.get(key).is_some_and(|entry| entry.code == code)
     }
 
+    /// What was wrong in the task `key` when it was last graded.
+    pub fn of_task(&self, key: &str) -> Option<&Finding> {
+        self.0.get(key)?.finding.as_ref()
+    }
+
     /// What is wrong in the tasks `keys`. A task is left out whose failed cases run functions of
     /// other tasks, too, if one of those is wrong by itself.
     pub fn of_tasks<'a>(&self, keys: &[&'a str]) -> BTreeMap<&'a str, &Finding> {
         let wrong = keys.iter();
-        let wrong = wrong.filter_map(|key| Some((*key, self.0.get(*key)?.finding.as_ref()?)));
+        let wrong = wrong.filter_map(|key| Some((*key, self.of_task(key)?)));
         let mut findings: BTreeMap<&str, &Finding> = wrong.collect();
         if findings.values().any(|finding| !finding.only_with_others) {
             findings.retain(|_, finding| !finding.only_with_others);

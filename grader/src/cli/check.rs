@@ -1,7 +1,8 @@
 //! The command `grader check`: what the compiler and the grader find, for an editor.
 
-use super::grade::{GradedRun, hint, hint_argument};
-use crate::build;
+use super::grade::{self, hint, hint_argument};
+use crate::build::{self, INTERSECTION_STAGES};
+use crate::check::again::{self, Asked, Desk, Done};
 use crate::check::cargo_check::{self, Checked, Reader};
 use crate::check::finding::Finding;
 use crate::check::messages;
@@ -9,14 +10,15 @@ use crate::check::rustc_message::{Diagnostic, Envelope};
 use crate::check::stored::StoredFindings;
 use crate::course::sources::{self, SourceFile};
 use crate::course::{Course, Task};
-use crate::grade::{self, GradeRequest};
-use crate::progress::next_task;
-use crate::report::HintLevel;
+use crate::grade::one_by_one::{self, is_whole};
+use crate::grade::stages;
+use crate::progress::{next_task, results};
 use crate::report::terminal::stdout_has_colours;
+use crate::report::{HintLevel, Report};
 use base::program::Exit;
 use base::{GraderError, Workspace, out, outln};
 use clap::{Arg, ArgAction, ArgMatches, Command};
-use judge::cases;
+use judge::cases::{self, Spec};
 use serde_json::json;
 use std::collections::BTreeMap;
 use std::hash::{DefaultHasher, Hash, Hasher};
@@ -79,7 +81,7 @@ pub(super) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     let what: &String = matches.get_one("what").expect("it has a default");
     let tasks = course.select(what)?;
     let target = build::stages_target(workspace.root());
-    let stages = grade::stages(&tasks);
+    let stages = stages(&tasks);
     let reader = match format {
         Some(_) => Reader::Editor,
         None => Reader::Person,
@@ -111,75 +113,111 @@ fn report(
     for stage in course.stages() {
         files.insert(stage, sources::read(workspace.root(), stage)?);
     }
+    let given = given_code(workspace)?;
+    let specs = cases::all(0);
+    let code = |task: &Task| {
+        let open = sources::place(task, &files[task.stage.as_str()]).open;
+        let is_attempted = open.len() < task.holes.len();
+        (is_attempted && checked.crates.contains_key(&task.stage)).then(|| {
+            let mut of_task = specs.iter().filter(|spec| spec.task == task.key);
+            let whole_scenes = of_task.any(Spec::needs_all_stages);
+            let linked = |stage: &str| {
+                stage == task.stage || whole_scenes && INTERSECTION_STAGES.contains(&stage)
+            };
+            let linked = files.iter().filter(|(stage, _)| linked(stage));
+            code_hash(&given, request.extra, linked.map(|(_, files)| files))
+        })
+    };
     // What a handout contains the solution of is right.
     let is_given = |task: &Task| next_task::is_given(&known, task.part_key());
-    let shown: Vec<&Task> = tasks
-        .iter()
-        .copied()
-        .filter(|task| !is_given(task))
-        .collect();
-    let is_attempted = |task: &Task| {
-        let open = sources::place(task, &files[task.stage.as_str()]).open;
-        open.len() < task.holes.len() && checked.crates.contains_key(&task.stage)
-    };
-    let specs = cases::all(0);
-    let codes: BTreeMap<&str, String> = shown
-        .iter()
-        .map(|task| {
-            let of_task = specs.iter().filter(|spec| spec.task == task.key);
-            let needs_all = of_task.into_iter().any(|spec| spec.needs_all_stages());
-            let stage = task.stage.as_str();
-            let used = files
-                .iter()
-                .filter(|(name, _)| needs_all || **name == stage);
-            (
-                task.key.as_str(),
-                code_hash(workspace, request.extra, used.map(|(_, files)| files)),
-            )
+    let shown = tasks.iter().copied().filter(|task| !is_given(task));
+    let asked: Vec<Asked<'_>> = shown
+        .map(|task| Asked {
+            task,
+            code: code(task),
         })
         .collect();
-    let mut stored = StoredFindings::read(workspace);
-    let changed = shown
-        .iter()
-        .filter(|task| is_attempted(task) && !stored.knows(&task.key, &codes[task.key.as_str()]));
-    let changed: Vec<&str> = changed.map(|task| task.key.as_str()).collect();
-    if !changed.is_empty() {
-        let what = changed.join(",");
-        let run = GradedRun::new(workspace, &GradeRequest { what, seed: 0 }, false, true)?;
-        for report in &run.graded.report.tasks {
-            let key = report.result.key.as_str();
-            let task = shown.iter().find(|task| task.key == key);
-            let holes = task.map_or(&[][..], |task| &task.holes);
-            let finding = Finding::of(report, holes, request.extra);
-            stored.set(key, &codes[key], finding);
-        }
-        stored.write(workspace)?;
-    }
-    let attempted = shown.iter().filter(|task| is_attempted(task));
-    let attempted: Vec<&str> = attempted.map(|task| task.key.as_str()).collect();
-    let findings = stored.of_tasks(&attempted);
-    for task in shown {
-        let finding = findings.get(task.key.as_str()).copied();
-        let files = &files[task.stage.as_str()];
-        for message in messages(task, files, finding, request.hint, request.colours) {
-            print(&message, &task.stage, checked, request)?;
-        }
-    }
-    Ok(findings.is_empty())
+    let editor = Editor {
+        workspace,
+        course,
+        files: &files,
+        checked,
+        request,
+    };
+    again::run(&asked, &mut StoredFindings::read(workspace), &editor)
 }
 
-/// A number that changes with the code that a task is graded with: the files of stages, the given
-/// code that they call, and the grader itself.
+/// The editor whose user is shown what is wrong in the workspace.
+struct Editor<'a> {
+    workspace: &'a Workspace,
+    course: &'a Course,
+    /// The files of each stage.
+    files: &'a BTreeMap<&'a str, Vec<SourceFile>>,
+    checked: &'a Checked,
+    request: &'a CheckRequest<'a>,
+}
+
+impl Desk for Editor<'_> {
+    fn grade(&self, tasks: &[&Task], done: &mut Done<'_>) -> Result<(), GraderError> {
+        let workspace = self.workspace;
+        let fingerprints = results::fingerprints(workspace, tasks)?;
+        let mut whole = Vec::new();
+        one_by_one::in_place(workspace, self.course, tasks, |task, report| {
+            done(task, Finding::of(&report, task, self.request.extra))?;
+            // The points of a part of the cases are not those of the task.
+            whole.extend(is_whole(task, &report).then_some(report));
+            Ok(())
+        })?;
+        grade::store(workspace, &mut Report::new(whole, None), &fingerprints)
+    }
+
+    fn show(&self, task: &Task, finding: Option<&Finding>) -> Result<(), GraderError> {
+        let CheckRequest { hint, colours, .. } = *self.request;
+        let files = &self.files[task.stage.as_str()];
+        let messages = messages(task, files, finding, hint, colours);
+        let mut messages = messages.iter();
+        messages.try_for_each(|message| print(message, &task.stage, self.checked, self.request))
+    }
+
+    fn store(&self, findings: &StoredFindings) -> Result<(), GraderError> {
+        findings.write(self.workspace)
+    }
+}
+
+/// The files besides those of stages that decide what the answers are and what is said about them.
+const GIVEN: [&str; 4] = [
+    "stages/kit/src",
+    "grader/harness/src",
+    "grader/worker/src",
+    "scenes/meshes/src",
+];
+
+/// A number that changes with the given code that answers depend on, with the cases of the course
+/// and with this program, which judges them.
+fn given_code(workspace: &Workspace) -> Result<u64, GraderError> {
+    let mut hasher = DefaultHasher::new();
+    let program = std::env::current_exe().and_then(|path| path.metadata()?.modified());
+    program.ok().hash(&mut hasher);
+    let course = workspace.root().join("stages/course.toml");
+    std::fs::read(course).ok().hash(&mut hasher);
+    for folder in GIVEN {
+        for path in sources::below(&workspace.root().join(folder))? {
+            let text = std::fs::read(&path).map_err(|e| GraderError::file("read", &path, e))?;
+            (path, text).hash(&mut hasher);
+        }
+    }
+    Ok(hasher.finish())
+}
+
+/// A number that changes with the code that a task is graded with: the `given` code and the files
+/// of the `stages` that are linked.
 fn code_hash<'a>(
-    workspace: &Workspace,
+    given: &u64,
     extra: bool,
     stages: impl Iterator<Item = &'a Vec<SourceFile>>,
 ) -> String {
     let mut hasher = DefaultHasher::new();
-    let program = std::env::current_exe().and_then(|path| path.metadata()?.modified());
-    (extra, program.ok()).hash(&mut hasher);
-    let given = sources::read(workspace.root(), "kit").unwrap_or_default();
-    sources::fingerprint(&given).hash(&mut hasher);
+    (given, extra).hash(&mut hasher);
     stages.for_each(|files| sources::fingerprint(files).hash(&mut hasher));
     format!("{:016x}", hasher.finish())
 }

@@ -7,7 +7,7 @@ use crate::course::sources;
 use crate::course::{Course, Task};
 use crate::grade::{self, GradeRequest, Graded};
 use crate::progress::next_task;
-use crate::progress::results::{self, Results};
+use crate::progress::results::{self, Fingerprints, Results};
 use crate::report::screen::{self, Context};
 use crate::report::terminal::Page;
 use crate::report::{self, HintLevel, Report, Reveal, TaskReport, links, worst_test};
@@ -236,6 +236,21 @@ fn next_open_task(
     }
 }
 
+/// Writes `report.json`, the results of its tasks, whose stages had these fingerprints, and the tests
+/// of their worst answers.
+pub(super) fn store(
+    workspace: &Workspace,
+    report: &mut Report,
+    fingerprints: &Fingerprints,
+) -> Result<(), GraderError> {
+    worst_test::write_all(workspace, report)?;
+    let mut results = Results::read(workspace);
+    results.merge(report, fingerprints);
+    results.write(workspace)?;
+    let json = report::json(report)?;
+    base::write_whole(&workspace.root().join("report.json"), json.as_bytes())
+}
+
 /// A run whose results are stored.
 #[derive(Clone, Debug)]
 pub(crate) struct GradedRun {
@@ -258,12 +273,7 @@ impl GradedRun {
         let tasks = course.select(&request.what)?;
         let fingerprints = results::fingerprints(workspace, &tasks)?;
         let mut graded = grade::in_place(workspace, request, times, quiet)?;
-        worst_test::write_all(workspace, &mut graded.report)?;
-        let mut results = Results::read(workspace);
-        results.merge(&graded.report, &fingerprints);
-        results.write(workspace)?;
-        let json = report::json(&graded.report)?;
-        base::write_whole(&workspace.root().join("report.json"), json.as_bytes())?;
+        store(workspace, &mut graded.report, &fingerprints)?;
         Ok(GradedRun {
             graded,
             course,

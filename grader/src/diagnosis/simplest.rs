@@ -5,8 +5,8 @@
 //! the same aspect, the same function and the same class of error is the simplest.
 
 use crate::score::{CaseResult, TaskResult, order};
-use crate::workers::crash::{self, Crash};
-use crate::workers::runner::Ending;
+use crate::workers::crash::{self, Crash, CrashKind};
+use crate::workers::runner::{Ending, Patience};
 use crate::workers::stage_workers::StageWorkers;
 use base::GraderError;
 use judge::cases::Spec;
@@ -62,13 +62,22 @@ pub fn of_task(
     });
     let failed: Vec<(&CaseResult, &Spec)> = failed.collect();
     let mut answers = Answers::of(workers);
+    // The first question that ends the code says enough. The others would cost its time limit each.
+    let [one, short] = [Patience::OneTimeout, Patience::OneShortTimeout];
+    let [one, short] = [one, short].map(|patience| workers.with(patience));
+    let [mut crashing, mut endless] = [&one, &short].map(Answers::of);
     for (case, spec) in &failed {
+        let answers = match case.crash.map(|crash| crash.kind) {
+            Some(CrashKind::Endless) => &mut endless,
+            Some(_) => &mut crashing,
+            None => &mut answers,
+        };
         let questions = spec.simple();
         let is_of_many = |question: &Spec| question.calls() > MANY_CALLS;
         let first_of_many = questions.iter().position(is_of_many);
         let (few, many) = questions.split_at(first_of_many.unwrap_or(questions.len()));
         for questions in [few, many] {
-            let simplest = of_questions(&mut answers, case, questions)?;
+            let simplest = of_questions(answers, case, questions)?;
             if simplest.is_some() {
                 return Ok(simplest);
             }

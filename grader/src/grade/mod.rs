@@ -1,5 +1,6 @@
 //! Grades tasks: builds the workers, runs the cases, judges the answers and adds up the points.
 
+pub mod one_by_one;
 pub mod picture;
 pub mod speedup;
 
@@ -349,7 +350,8 @@ pub fn grade_tasks(
     score_tasks(course, tasks, &chosen, &endings)
 }
 
-/// Scores the endings of the cases `chosen`, which are those of `tasks` in their order.
+/// Scores the endings of the cases `chosen`, which are those of `tasks` in their order. The results
+/// lack the cases that were not run.
 pub fn score_tasks(
     course: &Course,
     tasks: &[&Task],
@@ -364,6 +366,9 @@ pub fn score_tasks(
             let (spec, ending) = endings
                 .next()
                 .ok_or_else(|| GraderError::new("the worker returned no result for a case"))?;
+            if matches!(ending, Ok(Ending::NotRun)) {
+                continue;
+            }
             let holes = holes(ending);
             let crash = ending.as_ref().ok().and_then(Crash::of);
             let (status, findings) = match answered(&task.key, ending, course)? {

@@ -190,7 +190,9 @@ fn why_missing(mesh: &str, size: u32, ending: &Ending, course: &Course) -> Strin
         | Ending::PrintedTooMuch { .. }
         | Ending::TooManyThreads { .. }
         | Ending::OutOfTime => crashed(&at, ending),
-        Ending::Skipped => format!("{at} is skipped, because smaller ones took too long"),
+        Ending::Skipped | Ending::NotRun => {
+            format!("{at} is skipped, because smaller ones took too long")
+        }
         Ending::Recorded(record) => match &record.outcome {
             Outcome::NotAttempted { task } => {
                 let title = course.tasks().find(|known| known.key == *task);

@@ -46,7 +46,7 @@ impl Crash {
                 Outcome::CalledTooOften { call, .. } => (CrashKind::Endless, Some(*call)),
                 _ => return None,
             },
-            Ending::Skipped => return None,
+            Ending::Skipped | Ending::NotRun => return None,
         };
         Some(Crash { kind, call })
     }
@@ -100,7 +100,7 @@ pub fn describe(ending: &Ending) -> Option<String> {
             ),
             _ => return None,
         },
-        Ending::Skipped => return None,
+        Ending::Skipped | Ending::NotRun => return None,
     })
 }
 

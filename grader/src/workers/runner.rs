@@ -57,6 +57,21 @@ pub enum Ending {
     ChangedCounts(String),
     /// Not run, because smaller timings have timed out.
     Skipped,
+    /// Not run, because another case of its task did not return ([`Patience::OneTimeout`]).
+    NotRun,
+}
+
+/// What becomes of the other cases of a task in which code did not return.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Patience {
+    /// They run, after some timeouts with a short time limit: each has points of its own.
+    #[default]
+    EachCase,
+    /// They are not run: the first says that there is an endless loop.
+    OneTimeout,
+    /// As for [`Patience::OneTimeout`], and all have the short time limit: simple questions to code
+    /// that is known to have an endless loop.
+    OneShortTimeout,
 }
 
 /// The endings of all cases, and what the student's code printed.
@@ -110,6 +125,8 @@ pub struct Worker {
     pub environment: Vec<(&'static str, String)>,
     /// Starts it with few rights; `None` for the rights of this program.
     pub launcher: Option<Arc<dyn Launcher>>,
+    /// Whether it goes on with a task after a timeout.
+    pub patience: Patience,
 }
 
 impl From<PathBuf> for Worker {
@@ -118,6 +135,7 @@ impl From<PathBuf> for Worker {
             program,
             environment: Vec::new(),
             launcher: None,
+            patience: Patience::default(),
         }
     }
 }
@@ -146,10 +164,12 @@ pub fn run(worker: &Worker, cases: &[Case]) -> Result<Run, GraderError> {
                 ending.get_or_insert(Ending::OutOfTime);
                 continue;
             }
-            if timeouts
-                .get(case.task.as_str())
-                .is_none_or(|&timeouts| timeouts < TIMEOUTS_A_TASK)
-            {
+            let timeouts = timeouts.get(case.task.as_str()).copied().unwrap_or(0);
+            if timeouts > 0 && worker.patience != Patience::EachCase {
+                ending.get_or_insert(Ending::NotRun);
+                continue;
+            }
+            if timeouts < TIMEOUTS_A_TASK && worker.patience != Patience::OneShortTimeout {
                 continue;
             }
             match case.work {

@@ -3,7 +3,7 @@
 //! intersection stages.
 
 use crate::workers::printed::Printed;
-use crate::workers::runner::{self, Ending, Worker};
+use crate::workers::runner::{self, Ending, Patience, Worker};
 use base::GraderError;
 use judge::cases::Spec;
 use std::collections::BTreeMap;
@@ -19,6 +19,22 @@ pub struct StageWorkers {
 }
 
 impl StageWorkers {
+    /// The same workers with another patience.
+    pub fn with(&self, patience: Patience) -> StageWorkers {
+        let impatient = |worker: &Worker| Worker {
+            patience,
+            ..worker.clone()
+        };
+        StageWorkers {
+            stage: impatient(&self.stage),
+            whole_scene: self
+                .whole_scene
+                .as_ref()
+                .map(impatient)
+                .map_err(String::clone),
+        }
+    }
+
     /// Runs each case in its worker, which gets the case's question moved, and moves the answers
     /// back to the question that is judged. Returns its ending, or the names of the stages without
     /// which it cannot run. Appends the output of the code to `printed`.
@@ -34,13 +50,16 @@ impl StageWorkers {
             let cases: Vec<wire::Case> = chosen.map(|spec| spec.case()).collect();
             let run = runner::run(worker, &cases)?;
             printed.extend(run.printed);
-            Ok(run.endings.into_iter())
+            Ok(run.endings)
         };
-        let mut alone = run(&self.stage, false)?;
-        let mut whole_scene = match &self.whole_scene {
+        let alone = run(&self.stage, false)?;
+        let has_ended = alone.contains(&Ending::NotRun);
+        let whole_scene = match &self.whole_scene {
+            Ok(_) if has_ended => Ok(vec![Ending::NotRun; specs.len() - alone.len()]),
             Ok(worker) => Ok(run(worker, true)?),
             Err(broken) => Err(broken),
         };
+        let (mut alone, mut whole_scene) = (alone.into_iter(), whole_scene.map(Vec::into_iter));
         let lost = || GraderError::new("the worker returned no result for a case");
         let each = specs.iter();
         let endings = each.map(|spec| match (spec.needs_all_stages(), &mut whole_scene) {

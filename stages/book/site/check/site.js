@@ -59,6 +59,8 @@ const LAYOUT = `(() => {
         found.push("wider than the window: " + document.scrollingElement.scrollWidth + " > " + width);
     for (const code of document.querySelectorAll("main pre > code"))
         if (code.scrollWidth > code.clientWidth + 1) found.push("code is cut: " + code.textContent.slice(0, 60));
+    const functions = document.querySelector("main h1 + .table-wrapper");
+    if (functions && functions.scrollWidth > functions.clientWidth + 1) found.push("the table of functions is cut");
     for (const sheet of document.querySelectorAll("main .sheet")) {
         const boxes = [...sheet.children].map((panel) => panel.getBoundingClientRect());
         if (boxes.some((box) => box.width < 60 || Math.abs(box.width / box.height - 4 / 3) > 0.05))

@@ -101,7 +101,7 @@ impl Student {
                 | Ending::OutOfTime,
             ) => Err(format!("your code {}", crashed.unwrap_or_default())),
             Some(Ending::Malformed(why) | Ending::ChangedCounts(why)) => Err(why),
-            Some(Ending::Skipped) | None => {
+            Some(Ending::Skipped | Ending::NotRun) | None => {
                 return Err(GraderError::new("the worker returned no record for a case"));
             }
         })

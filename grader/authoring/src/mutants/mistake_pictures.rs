@@ -189,6 +189,7 @@ impl Versions {
             program: self.program.to_path_buf(),
             environment: vec![(VERSION_VARIABLE, number.to_string())],
             launcher: None,
+            patience: Default::default(),
         };
         picture::rendered_by(course, picture, &worker)?.map_err(|status| {
             let name = &self.named[number - 1].1;

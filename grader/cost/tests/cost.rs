@@ -35,7 +35,7 @@ fn row<'a>(family: &'a KernelFamily, name: &str, precision: Precision) -> &'a Ke
         .unwrap_or_else(|| panic!("there is no row {name}"))
 }
 
-fn on(row: &KernelRow, rays: RayFamily) -> &Accuracy {
+pub(super) fn on(row: &KernelRow, rays: RayFamily) -> &Accuracy {
     let mut columns = row.by_ray_family.iter();
     columns.find(|a| a.family == rays).expect("such rays")
 }

@@ -1,0 +1,64 @@
+//! The table of the book's chapter about accuracy, whose rows README has, too, is what is measured.
+
+use super::cost::on;
+use base::Workspace;
+use cost::report::{KernelRow, RayFamily, Shape};
+use cost::{CostRequest, SampleCounts, measure};
+use std::path::Path;
+
+/// A row as the chapter writes it.
+fn written(row: &KernelRow) -> String {
+    let name = if row.student {
+        "* the reference"
+    } else {
+        &row.name
+    };
+    let operations = row.operations.as_ref();
+    let operations = operations.map_or(String::new(), |all| format!("{:.0}", all.total()));
+    let leaks = row.leaks_per_million.expect("triangles leak or do not");
+    // Fewer than 50 in a million count as none.
+    let leaks = if leaks < 50.0 { 0.0 } else { leaks };
+    let bits = |family| on(row, family).t.expect("hits").correct_bits().floor();
+    let [ordinary, slivers] = [RayFamily::Ordinary, RayFamily::Sliver].map(bits);
+    let mean = row.mean_correct_bits().floor();
+    let wrong = on(row, RayFamily::Sliver).wrong_per_million();
+    format!(
+        "| {name}, {} | {operations} | {leaks:.0} | {ordinary} | {slivers} | {mean} | {wrong:.0} |",
+        row.precision.name()
+    )
+    .replace("|  |", "| |")
+}
+
+#[test]
+#[ignore = "a full measurement: half a minute of CPU"]
+fn every_row_of_the_chapter_is_what_is_measured() {
+    let workspace = Workspace::above(Path::new(env!("CARGO_MANIFEST_DIR"))).expect("the course");
+    let request = CostRequest {
+        shapes: vec![Shape::Triangle],
+        trees: false,
+        pictures: false,
+        // Times are not compared.
+        size: SampleCounts {
+            rounds: 1,
+            ..SampleCounts::FULL
+        },
+        seed: 0,
+    };
+    let report = measure(Some(&workspace), &request, &mut |_| Ok(())).expect("a measurement");
+    let measured: Vec<String> = report.families[0].rows.iter().map(written).collect();
+    let chapter = workspace.root().join("stages/book/src/accuracy.md");
+    let chapter = std::fs::read_to_string(chapter).expect("the chapter");
+    let rows = chapter
+        .lines()
+        .filter(|line| line.contains(", f32 |") || line.contains(", f64 |"));
+    let mut compared = 0;
+    for row in rows {
+        assert!(
+            measured.iter().any(|measured| measured == row),
+            "accuracy.md has {row}, measured are\n{}",
+            measured.join("\n")
+        );
+        compared += 1;
+    }
+    assert!(compared >= 7, "found {compared} rows");
+}

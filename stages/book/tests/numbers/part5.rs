@@ -1,5 +1,6 @@
 //! The worked examples of Part 5.
 
+use super::stopping::Pixels;
 use super::{Numbers, check};
 
 #[test]
@@ -63,5 +64,17 @@ fn task2() {
     text.n(most);
     text.n((1.96_f64 / tolerance).powi(2).ceil());
     text.n(exact);
+    let often = Pixels {
+        p: text.n(0.1),
+        tolerance: text.n(0.25),
+        most: 2048,
+    };
+    let (factor, spread) = (text.n(1.96), text.n(((1.0 - often.p) / often.p).sqrt()));
+    text.n(often.tolerance);
+    text.n((factor * spread / often.tolerance).powi(2));
+    let [mean, samples] = often.mean_and_samples();
+    text.n(samples);
+    text.n(most);
+    text.n(mean);
     check("part5/task2.md", text);
 }

@@ -18,10 +18,10 @@ fn sure(samples: &Tally, tolerance: f64) -> bool {
 }
 
 /// Pixels with at most `most` samples, in batches of 32.
-struct Pixels {
-    p: f64,
-    tolerance: f64,
-    most: usize,
+pub(super) struct Pixels {
+    pub(super) p: f64,
+    pub(super) tolerance: f64,
+    pub(super) most: usize,
 }
 
 impl Pixels {
@@ -47,11 +47,17 @@ impl Pixels {
 
     /// The mean of all pixels. The right one is 1.
     fn mean(&self, stops: Rule) -> f64 {
-        self.expected(stops, |mean| mean)
+        self.expected(stops, |pixel| pixel.mean())
     }
 
-    /// The expected value of a function of a pixel's mean.
-    fn expected(&self, stops: Rule, of_mean: impl Fn(f64) -> f64) -> f64 {
+    /// The mean of all pixels with this task's conditions, and how many samples they take on average.
+    pub(super) fn mean_and_samples(&self) -> [f64; 2] {
+        let samples = self.expected(sure, |pixel| pixel.count() as f64);
+        [self.mean(sure), samples]
+    }
+
+    /// The expected value of something about a pixel that has ended.
+    fn expected(&self, stops: Rule, of: impl Fn(&Tally) -> f64) -> f64 {
         let batch = self.batch();
         // The probability of each number of hits in the pixels that go on.
         let mut going = vec![1.0];
@@ -66,7 +72,7 @@ impl Pixels {
             for (hits, chance) in next.iter_mut().enumerate().filter(|(_, c)| **c > 0.0) {
                 let tally = self.tally(samples, hits);
                 if samples == self.most || stops(&tally, self.tolerance) {
-                    expected += *chance * of_mean(tally.mean());
+                    expected += *chance * of(&tally);
                     *chance = 0.0;
                 }
             }
@@ -132,7 +138,7 @@ pub(super) fn claims() -> Vec<Claim> {
         tolerance: 0.25,
         most: 4096,
     };
-    let is_within = |mean: f64| f64::from((mean - 1.0).abs() <= 0.25 * mean);
+    let is_within = |pixel: &Tally| f64::from((pixel.mean() - 1.0).abs() <= 0.25 * pixel.mean());
     let right = often.expected(plain, is_within);
     assert!(
         (0.8..0.945).contains(&right),

@@ -2,7 +2,7 @@
 //! certain what to show.
 
 use super::finding::Finding;
-use super::stored::StoredFindings;
+use super::stored::{StoredFindings, only_with_others};
 use crate::course::Task;
 use base::GraderError;
 
@@ -21,14 +21,14 @@ pub trait Desk {
     fn grade(&self, tasks: &[&Task], done: &mut Done<'_>) -> Result<(), GraderError>;
 
     /// Shows a task with what is wrong in it.
-    fn show(&self, task: &Task, finding: Option<&Finding>) -> Result<(), GraderError>;
+    fn show(&self, task: &Task, findings: &[Finding]) -> Result<(), GraderError>;
 
     /// Stores the findings: the next run may be the one after an editor ended this one.
     fn store(&self, findings: &StoredFindings) -> Result<(), GraderError>;
 }
 
 /// Gets each task that was graded, with what is wrong in it.
-pub type Done<'a> = dyn FnMut(&Task, Option<Finding>) -> Result<(), GraderError> + 'a;
+pub type Done<'a> = dyn FnMut(&Task, Vec<Finding>) -> Result<(), GraderError> + 'a;
 
 /// Shows what is wrong in the tasks `asked`: at first in those that `stored` knows with their code,
 /// then in each of the others when it is graded, and last where it depends on the other tasks. A
@@ -49,21 +49,23 @@ pub fn run(
     let (known, changed): (Vec<_>, Vec<_>) = asked.iter().partition(is_known);
     let mut waiting = Vec::new();
     for Asked { task, code } in known {
-        let finding = code.as_ref().and_then(|_| stored.of_task(&task.key));
-        match finding.is_some_and(|finding| finding.only_with_others) {
+        let findings = code.as_ref().map(|_| stored.of_task(&task.key));
+        let findings = findings.unwrap_or_default();
+        match only_with_others(findings) {
             true => waiting.push(*task),
-            false => desk.show(task, finding)?,
+            false => desk.show(task, findings)?,
         }
     }
     let mut changed: Vec<&Task> = changed.iter().map(|asked| asked.task).collect();
-    changed.sort_by_key(|task| stored.of_task(&task.key).is_some_and(|of| of.is_endless));
+    let was_endless = |task: &&Task| stored.of_task(&task.key).iter().any(|of| of.is_endless);
+    changed.sort_by_key(was_endless);
     if !changed.is_empty() {
-        desk.grade(&changed, &mut |task, finding| {
-            match finding.as_ref().is_some_and(|of| of.only_with_others) {
+        desk.grade(&changed, &mut |task, findings| {
+            match only_with_others(&findings) {
                 true => waiting.extend(changed.iter().find(|other| other.key == task.key)),
-                false => desk.show(task, finding.as_ref())?,
+                false => desk.show(task, &findings)?,
             }
-            stored.set(&task.key, &code(task).unwrap_or_default(), finding);
+            stored.set(&task.key, &code(task).unwrap_or_default(), findings);
             desk.store(stored)
         })?;
     }
@@ -71,7 +73,10 @@ pub fn run(
     let attempted: Vec<&str> = attempted.map(|asked| asked.task.key.as_str()).collect();
     let findings = stored.of_tasks(&attempted);
     for task in waiting {
-        desk.show(task, findings.get(task.key.as_str()).copied())?;
+        desk.show(
+            task,
+            findings.get(task.key.as_str()).copied().unwrap_or_default(),
+        )?;
     }
     Ok(findings.is_empty())
 }
@@ -95,13 +100,20 @@ mod tests {
             for task in tasks {
                 let graded = format!("grades {}", task.key);
                 self.happened.borrow_mut().push(graded);
-                done(task, self.wrong.get(task.key.as_str()).cloned())?;
+                done(
+                    task,
+                    self.wrong
+                        .get(task.key.as_str())
+                        .cloned()
+                        .into_iter()
+                        .collect(),
+                )?;
             }
             Ok(())
         }
 
-        fn show(&self, task: &Task, finding: Option<&Finding>) -> Result<(), GraderError> {
-            let wrong = finding.map_or("right", |_| "wrong");
+        fn show(&self, task: &Task, findings: &[Finding]) -> Result<(), GraderError> {
+            let wrong = findings.first().map_or("right", |_| "wrong");
             let shown = format!("{} {wrong}", task.key);
             self.happened.borrow_mut().push(shown);
             Ok(())

@@ -1,19 +1,21 @@
-//! What an editor shows of a graded task: one warning, with what helps most.
+//! What an editor shows of a graded task: a warning for each wrong function, with what helps most.
 
+use super::blame::Blame;
 use crate::course::Task;
+use crate::course::sources::SourceFile;
 use crate::diagnosis::simplest::SimplestCall;
-use crate::grade::one_by_one::is_whole;
+use crate::grade::one_by_one::{Graded, is_whole};
 use crate::report::{HintLevel, TaskReport, message};
-use crate::score::functions::FunctionStatus;
 use crate::score::regularity;
 use crate::score::{CaseResult, Status, TaskResult, order};
 use crate::workers::crash::CrashKind;
+use base::GraderError;
 use judge::cases::checked;
 use judge::plural;
 use judge::tally::Finding as Counted;
 use serde::{Deserialize, Serialize};
 
-/// What is wrong in a task. It is stored until a file that it depends on changes.
+/// What is wrong in a function of a task. It is stored until a file that it depends on changes.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Finding {
     /// The function to show it at, if the answers name one of those to write.
@@ -30,7 +32,7 @@ pub struct Finding {
     wrong: String,
     /// The simplest call that shows it, with the result and the expected one.
     simplest: Option<String>,
-    /// What else is known: what the wrong answers have in common, other wrong functions.
+    /// What else is known, such as what the wrong answers have in common.
     others: Vec<String>,
     /// The likely mistake.
     mistake: Option<String>,
@@ -44,13 +46,66 @@ pub struct Finding {
 const NAMED: usize = 4;
 
 impl Finding {
-    /// What is wrong in the core cases of a task; `None` if none of them fails by itself. With
-    /// `extra`, what is wrong in those of extra credit if no core case fails.
-    pub fn of(report: &TaskReport, graded: &Task, extra: bool) -> Option<Finding> {
-        let task = &report.result;
-        let functions = &graded.holes;
-        let mut failed = order::failed_cases_that_count(task);
+    /// What is wrong in the core cases of a task, for each function that is to blame by itself;
+    /// nothing if none of the cases fails. With `extra`, what is wrong in those of extra credit if no
+    /// core case fails. `files` are those of its stage.
+    pub fn all(
+        graded: &Graded<'_>,
+        task: &Task,
+        files: &[SourceFile],
+        extra: bool,
+    ) -> Result<Vec<Finding>, GraderError> {
+        let report = &graded.report;
+        let mut failed = order::failed_cases_that_count(&report.result);
         failed.retain(|case| extra || case.tier == judge::Tier::Core);
+        let blame = Blame::new(task, files, &report.result.cases);
+        let functions = blame.functions(&failed);
+        let [_, _, ..] = functions[..] else {
+            let finding = Finding::of(report, task, &failed, functions.first().copied());
+            return Ok(finding.into_iter().collect());
+        };
+        if failed.iter().any(|case| case.crash.is_some()) {
+            return Ok(Finding::of(report, task, &failed, None)
+                .into_iter()
+                .collect());
+        }
+        let mut findings = Vec::new();
+        for function in functions {
+            let choice = |findings| blame.only(function, findings);
+            let of_function = failed.iter().map(|case| CaseResult {
+                findings: choice(case.findings.clone()),
+                ..(*case).clone()
+            });
+            let is_wrong = |case: &CaseResult| case.findings.iter().any(|of| of.wrong > 0);
+            let result = TaskResult {
+                cases: of_function.filter(is_wrong).collect(),
+                ..report.result.clone()
+            };
+            // What is said of all wrong answers need not be true of those of this function.
+            let alone = TaskReport {
+                simplest: graded.simplest(&result, &choice)?,
+                ..TaskReport::from(result)
+            };
+            let failed: Vec<&CaseResult> = alone.result.cases.iter().collect();
+            findings.extend(Finding::of(&alone, task, &failed, Some(function)));
+        }
+        let shown = report.simplest.as_ref().map(shown);
+        let named = findings.iter().position(|one| one.simplest == shown);
+        if let Some(finding) = findings.get_mut(named.unwrap_or(0)) {
+            finding.name_mistake(report);
+        }
+        Ok(findings)
+    }
+
+    /// What is wrong in the `failed` cases of the task `graded`, which `function` is to blame for if
+    /// it is known; `None` if none of them fails by itself.
+    fn of(
+        report: &TaskReport,
+        graded: &Task,
+        failed: &[&CaseResult],
+        function: Option<&str>,
+    ) -> Option<Finding> {
+        let task = &report.result;
         let does_not_end = |case: &&&CaseResult| {
             let kind = case.crash.map(|crash| crash.kind);
             kind == Some(CrashKind::Endless) && !is_whole(graded, report)
@@ -58,13 +113,13 @@ impl Finding {
         let endless = failed.iter().find(does_not_end).copied();
         let is_endless = endless.is_some();
         let first = endless.or(failed.first().copied())?;
-        let shown = report.simplest.as_ref();
+        let simplest = report.simplest.as_ref();
         let crash = match &first.status {
-            Status::Crashed(how) if shown.is_some() => Some(without_input(how)),
+            Status::Crashed(how) if simplest.is_some() => Some(without_input(how)),
             Status::Crashed(how) => Some(how.clone()),
             _ => None,
         };
-        let wrong = match (&crash, shown) {
+        let wrong = match (&crash, simplest) {
             (Some(how), _) if is_endless => {
                 format!("{}: a call does not end: it {how}", first.name)
             }
@@ -72,19 +127,18 @@ impl Finding {
             (None, Some(call)) => counted(task, call).unwrap_or_else(|| worst(first)),
             (None, None) => worst(first),
         };
-        let result = shown.map(message::found);
+        let result = simplest.map(message::found);
         let names = result
             .as_deref()
             .or(first.worst().map(|(_, worst)| worst.message.as_str()));
-        let function = function_of(names.unwrap_or_default(), functions)
-            .or_else(|| wrong_functions(task).first().map(|(name, _)| name.clone()));
-        let diagnosis = report.diagnosis.as_ref();
-        Some(Finding {
+        let named = || function_of(names.unwrap_or_default(), &graded.holes);
+        let mut finding = Finding {
+            function: function.map(str::to_owned).or_else(named),
             only_with_others: task.fails_only_with_neighbours(),
             is_endless,
             cases: match is_endless {
-                true => format!("{}; the cases after it were not run", listed(&failed)),
-                false => listed(&failed),
+                true => format!("{}; the cases after it were not run", listed(failed)),
+                false => listed(failed),
             },
             about: failed
                 .iter()
@@ -92,23 +146,24 @@ impl Finding {
                 .map(|case| format!("{} tests: {}", case.name, checked(&case.about)))
                 .collect(),
             wrong,
-            simplest: shown.map(|call| {
-                let (input, found) = (message::input(call), message::found(call));
-                let only = call.only.iter().map(|only| format!(" ({only})"));
-                format!(
-                    "simplest case: {input}: {found}{}",
-                    only.collect::<String>()
-                )
-            }),
-            others: others(report, function.as_deref()),
-            mistake: diagnosis.map(|found| {
-                let label = found.certainty.label().to_lowercase();
-                format!("{label}: {}", found.says)
-            }),
-            remedy: diagnosis.map(|found| found.hint.clone()),
+            simplest: simplest.map(shown),
+            others: others(report),
+            mistake: None,
+            remedy: None,
             panicked_at: crash.as_deref().and_then(panic_location),
-            function,
-        })
+        };
+        finding.name_mistake(report);
+        Some(finding)
+    }
+
+    /// Adds the likely mistake of the task, if there is one.
+    fn name_mistake(&mut self, report: &TaskReport) {
+        let diagnosis = report.diagnosis.as_ref();
+        self.mistake = diagnosis.map(|found| {
+            let label = found.certainty.label().to_lowercase();
+            format!("{label}: {}", found.says)
+        });
+        self.remedy = diagnosis.map(|found| found.hint.clone());
     }
 
     /// The message in a line, as far as `hint` reveals it.
@@ -151,6 +206,14 @@ impl Finding {
             self.mistake.as_deref().unwrap_or_default()
         ))
     }
+}
+
+/// The simplest call with the result and the expected one.
+fn shown(call: &SimplestCall) -> String {
+    let (input, found) = (message::input(call), message::found(call));
+    let only = call.only.iter().map(|only| format!(" ({only})"));
+    let only: String = only.collect();
+    format!("simplest case: {input}: {found}{only}")
 }
 
 /// How many calls of the simplest call's case are wrong in its aspect.
@@ -213,22 +276,8 @@ fn function_of(message: &str, functions: &[String]) -> Option<String> {
     functions.find(of).cloned()
 }
 
-/// The functions that are wrong, with the number of the cases in which they are.
-fn wrong_functions(task: &TaskResult) -> Vec<(String, String)> {
-    let wrong = task
-        .functions
-        .iter()
-        .filter_map(|function| match &function.status {
-            FunctionStatus::Wrong { of, wrong } if !function.name.is_empty() => {
-                Some((function.name.clone(), format!("{wrong} of {of} cases")))
-            }
-            _ => None,
-        });
-    wrong.collect()
-}
-
-/// What the wrong answers have in common, and the functions other than `shown` that are wrong.
-fn others(report: &TaskReport, shown: Option<&str>) -> Vec<String> {
+/// What the wrong answers have in common, and what else may be wrong instead.
+fn others(report: &TaskReport) -> Vec<String> {
     let mut notes = Vec::new();
     if !report.regularities.is_empty() {
         notes.push(format!(
@@ -238,16 +287,6 @@ fn others(report: &TaskReport, shown: Option<&str>) -> Vec<String> {
     }
     if report.result.fails_only_with_neighbours() {
         notes.push(message::WITH_NEIGHBOURS.to_owned());
-    }
-    let wrong = wrong_functions(&report.result);
-    let wrong = wrong
-        .iter()
-        .filter(|(name, _)| Some(name.as_str()) != shown);
-    let wrong: Vec<String> = wrong
-        .map(|(name, cases)| format!("{name} (in {cases})"))
-        .collect();
-    if !wrong.is_empty() {
-        notes.push(format!("also wrong: {}", wrong.join(", ")));
     }
     notes
 }

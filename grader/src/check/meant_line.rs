@@ -1,38 +1,28 @@
-//! Guesses which line of a function a hint is about: the line whose names the hint mentions.
+//! Finds the line of a function that a hint is about: the one whose names the hint mentions.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
-/// The line of `body`, counted from 0, whose names `clue` mentions and few other lines contain.
-/// `None` if no line, or no single line, stands out. The first line, the signature, does not count.
+/// The line of `body`, counted from 0, that `clue` is certainly about: the only one that computes or
+/// compares with every name of the function's code that the clue mentions. `None` if there is no such
+/// line, or several. The first line, the signature, does not count.
 pub fn of(body: &str, clue: &str) -> Option<usize> {
-    let mentioned: BTreeSet<&str> = names(clue).collect();
-    let lines: Vec<BTreeSet<&str>> = body
-        .lines()
-        .map(|line| names(line.split("//").next().unwrap_or_default()).collect())
+    let lines = body.lines().map(|line| line.split("//").next());
+    let lines = lines.map(Option::unwrap_or_default).enumerate().skip(1);
+    let lines = lines.filter(|(_, line)| line.contains(OPERATORS));
+    let lines: Vec<(usize, BTreeSet<&str>)> = lines
+        .map(|(number, line)| (number, names(line).collect()))
         .collect();
-    let mut lines_with: BTreeMap<&str, f64> = BTreeMap::new();
-    for name in lines.iter().skip(1).flatten() {
-        *lines_with.entry(name).or_default() += 1.0;
-    }
-    let weight = |line: &BTreeSet<&str>| -> f64 {
-        let known = line.iter().filter(|name| mentioned.contains(*name));
-        known
-            .map(|name| lines_with.get(name).map_or(0.0, |lines| 1.0 / lines))
-            .sum()
-    };
-    let weights = lines
+    let occurs = |name: &&str| lines.iter().any(|(_, names)| names.contains(name));
+    let mentioned: BTreeSet<&str> = names(clue).filter(occurs).collect();
+    let mut meant = lines
         .iter()
-        .enumerate()
-        .skip(1)
-        .map(|(at, line)| (weight(line), at));
-    let mut weights: Vec<(f64, usize)> = weights.collect();
-    weights.sort_by(|a, b| b.0.total_cmp(&a.0));
-    match weights.as_slice() {
-        [(best, at)] if *best > 0.0 => Some(*at),
-        [(best, at), (second, _), ..] if best > second => Some(*at),
-        _ => None,
-    }
+        .filter(|(_, names)| !mentioned.is_empty() && mentioned.is_subset(names));
+    let (line, _) = meant.next()?;
+    meant.next().is_none().then_some(*line)
 }
+
+/// What a line has that computes or compares. Others only pass values on.
+const OPERATORS: [char; 8] = ['<', '>', '=', '+', '-', '*', '/', '!'];
 
 /// The names in a text: identifiers of at least two characters that are no words of Rust, and no
 /// short words of English.
@@ -61,6 +51,14 @@ mod tests {
             Some(2)
         );
         assert_eq!(of(BODY, "The range ends at max_t"), Some(5));
+    }
+
+    /// The mistake is in the two comparisons; the last line mentions both weights, too.
+    #[test]
+    fn a_line_that_only_returns_what_the_hint_names_is_not_meant() {
+        let body = "pub fn test() -> Option<Weights> {\n    if b1 < 0.0 || b1 > 1.0 {\n        return None;\n    }\n    if b2 < 0.0 || b2 > 1.0 {\n        return None;\n    }\n    Some(Weights { b1, b2 })\n}";
+        assert_eq!(of(body, "b1 and b2 together are at most 1"), None);
+        assert_eq!(of(body, "b2 alone may be 1"), Some(4));
     }
 
     #[test]

@@ -2,11 +2,12 @@
 //!
 //! The command first checks the stages with cargo, whose messages are passed on unchanged
 //! ([`cargo_check`]), then grades the tasks whose code changed ([`again`]; [`stored`] has the findings
-//! of the others), and prints for each task what is wrong ([`finding`]) as a message of rustc's form
-//! ([`rustc_message`]) at the student's function, or at the line that a hint is about
-//! ([`meant_line`]).
+//! of the others), and prints for each function that is to blame ([`blame`]) what is wrong
+//! ([`finding`]) as a message of rustc's form ([`rustc_message`]) at the student's function, or at the
+//! line that a hint is certainly about ([`meant_line`]).
 
 pub mod again;
+pub mod blame;
 pub mod cargo_check;
 pub mod finding;
 pub mod meant_line;
@@ -20,12 +21,12 @@ use crate::report::HintLevel;
 use finding::Finding;
 use rustc_message::{Diagnostic, Level, Mark};
 
-/// The messages about one task: a hint for each function that is not written yet, and a warning if
-/// something is wrong. `files` are those of its stage.
+/// The messages about one task: a hint for each function that is not written yet, and a warning for
+/// each that is wrong. `files` are those of its stage.
 pub fn messages(
     task: &Task,
     files: &[SourceFile],
-    finding: Option<&Finding>,
+    findings: &[Finding],
     hint: HintLevel,
     colours: bool,
 ) -> Vec<Diagnostic> {
@@ -33,8 +34,9 @@ pub fn messages(
     let gaps = open
         .iter()
         .filter_map(|name| gap(task, files, name, colours));
-    let finding = finding.and_then(|finding| warning(task, files, finding, hint, colours));
-    gaps.chain(finding).collect()
+    let findings = findings.iter();
+    let wrong = findings.filter_map(|finding| warning(task, files, finding, hint, colours));
+    gaps.chain(wrong).collect()
 }
 
 /// The hint at a function that is not written yet.
@@ -48,7 +50,7 @@ fn gap(task: &Task, files: &[SourceFile], name: &str, colours: bool) -> Option<D
     Some(message)
 }
 
-/// The warning about what is wrong in a task: where its code panicked, at the line that the hint
+/// The warning about what is wrong in a function: where its code panicked, at the line that the hint
 /// means, or else at the name of the function.
 fn warning(
     task: &Task,
@@ -116,6 +118,7 @@ fn defining<'a>(files: &'a [SourceFile], name: &str) -> Option<&'a SourceFile> {
 mod tests {
     use super::*;
     use crate::course::Course;
+    use crate::grade::one_by_one::Graded;
     use crate::report::TaskReport;
     use crate::score::{CaseResult, Status, TaskResult};
 
@@ -135,7 +138,7 @@ mod tests {
         }]
     }
 
-    fn finding(status: Status) -> Finding {
+    fn findings(status: Status) -> Vec<Finding> {
         let task = task();
         let mut case = CaseResult::failed("front_face", Vec::new());
         case.status = status;
@@ -151,16 +154,17 @@ mod tests {
             of: 3,
             certainty: crate::diagnosis::Certainty::Likely,
         });
-        Finding::of(&report, &task, false).expect("a case failed")
+        let graded = Graded::for_tests(report);
+        Finding::all(&graded, &task, &files(), false).expect("nothing is asked more")
     }
 
     fn shown(status: Status, hint: HintLevel) -> Vec<Diagnostic> {
-        messages(&task(), &files(), Some(&finding(status)), hint, false)
+        messages(&task(), &files(), &findings(status), hint, false)
     }
 
     #[test]
     fn a_gap_is_a_hint_at_its_function() {
-        let gaps = messages(&task(), &files(), None, HintLevel::Findings, false);
+        let gaps = messages(&task(), &files(), &[], HintLevel::Findings, false);
         let [gap] = gaps.as_slice() else {
             panic!("{gaps:?}")
         };

@@ -15,7 +15,7 @@ pub struct StoredFindings(BTreeMap<String, Entry>);
 #[derive(Clone, Debug, Serialize, Deserialize)]
 struct Entry {
     code: String,
-    finding: Option<Finding>,
+    findings: Vec<Finding>,
 }
 
 impl StoredFindings {
@@ -31,26 +31,26 @@ impl StoredFindings {
     }
 
     /// What was wrong in the task `key` when it was last graded.
-    pub fn of_task(&self, key: &str) -> Option<&Finding> {
-        self.0.get(key)?.finding.as_ref()
+    pub fn of_task(&self, key: &str) -> &[Finding] {
+        self.0.get(key).map_or(&[], |entry| &entry.findings)
     }
 
     /// What is wrong in the tasks `keys`. A task is left out whose failed cases run functions of
     /// other tasks, too, if one of those is wrong by itself.
-    pub fn of_tasks<'a>(&self, keys: &[&'a str]) -> BTreeMap<&'a str, &Finding> {
-        let wrong = keys.iter();
-        let wrong = wrong.filter_map(|key| Some((*key, self.of_task(key)?)));
-        let mut findings: BTreeMap<&str, &Finding> = wrong.collect();
-        if findings.values().any(|finding| !finding.only_with_others) {
-            findings.retain(|_, finding| !finding.only_with_others);
+    pub fn of_tasks<'a>(&self, keys: &[&'a str]) -> BTreeMap<&'a str, &[Finding]> {
+        let wrong = keys.iter().map(|key| (*key, self.of_task(key)));
+        let wrong = wrong.filter(|(_, findings)| !findings.is_empty());
+        let mut findings: BTreeMap<&str, &[Finding]> = wrong.collect();
+        if !findings.values().all(|findings| only_with_others(findings)) {
+            findings.retain(|_, findings| !only_with_others(findings));
         }
         findings
     }
 
     /// Stores what is wrong in the task `key`, with this code.
-    pub fn set(&mut self, key: &str, code: &str, finding: Option<Finding>) {
+    pub fn set(&mut self, key: &str, code: &str, findings: Vec<Finding>) {
         let code = code.to_owned();
-        self.0.insert(key.to_owned(), Entry { code, finding });
+        self.0.insert(key.to_owned(), Entry { code, findings });
     }
 
     /// Writes all of them.
@@ -60,6 +60,11 @@ impl StoredFindings {
             .map_err(|e| GraderError::new(format!("cannot store the findings: {e}")))?;
         write_whole(&path(workspace), text.as_bytes())
     }
+}
+
+/// Whether something is wrong, and only together with functions of other tasks.
+pub fn only_with_others(findings: &[Finding]) -> bool {
+    findings.iter().any(|finding| finding.only_with_others)
 }
 
 fn path(workspace: &Workspace) -> PathBuf {
@@ -72,11 +77,11 @@ mod tests {
 
     #[test]
     fn what_fails_together_with_a_wrong_task_is_left_out() {
-        let finding = |only_with_others| Some(Finding::for_tests(only_with_others));
+        let finding = |only_with_others| vec![Finding::for_tests(only_with_others)];
         let mut stored = StoredFindings::default();
         stored.set("triangles", "", finding(false));
         stored.set("traversal", "", finding(true));
-        stored.set("boxes", "", None);
+        stored.set("boxes", "", Vec::new());
         let wrong = |keys: &[&'static str]| Vec::from_iter(stored.of_tasks(keys).into_keys());
         assert_eq!(wrong(&["triangles", "traversal", "boxes"]), ["triangles"]);
         assert_eq!(wrong(&["traversal", "boxes"]), ["traversal"]);

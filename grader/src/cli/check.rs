@@ -162,19 +162,23 @@ impl Desk for Editor<'_> {
         let workspace = self.workspace;
         let fingerprints = results::fingerprints(workspace, tasks)?;
         let mut whole = Vec::new();
-        one_by_one::in_place(workspace, self.course, tasks, |task, report| {
-            done(task, Finding::of(&report, task, self.request.extra))?;
+        one_by_one::in_place(workspace, self.course, tasks, |task, graded| {
+            let files = &self.files[task.stage.as_str()];
+            done(
+                task,
+                Finding::all(&graded, task, files, self.request.extra)?,
+            )?;
             // The points of a part of the cases are not those of the task.
-            whole.extend(is_whole(task, &report).then_some(report));
+            whole.extend(is_whole(task, &graded.report).then_some(graded.report));
             Ok(())
         })?;
         grade::store(workspace, &mut Report::new(whole, None), &fingerprints)
     }
 
-    fn show(&self, task: &Task, finding: Option<&Finding>) -> Result<(), GraderError> {
+    fn show(&self, task: &Task, findings: &[Finding]) -> Result<(), GraderError> {
         let CheckRequest { hint, colours, .. } = *self.request;
         let files = &self.files[task.stage.as_str()];
-        let messages = messages(task, files, finding, hint, colours);
+        let messages = messages(task, files, findings, hint, colours);
         let mut messages = messages.iter();
         messages.try_for_each(|message| print(message, &task.stage, self.checked, self.request))
     }

@@ -55,17 +55,31 @@ pub fn of_task(
     task: &TaskResult,
     specs: &[Spec],
 ) -> Result<Option<SimplestCall>, GraderError> {
+    of_wrong(workers, task, specs, &|findings| findings)
+}
+
+/// Leaves only some wrong answers in the findings of a case or of a simple question.
+pub type Choice<'a> = dyn Fn(Vec<Finding>) -> Vec<Finding> + 'a;
+
+/// As [`of_task`], of the wrong answers that `choice` leaves. Those of `task` are chosen already.
+pub fn of_wrong(
+    workers: &StageWorkers,
+    task: &TaskResult,
+    specs: &[Spec],
+    choice: &Choice<'_>,
+) -> Result<Option<SimplestCall>, GraderError> {
     let failed = order::failed_cases_that_count(task).into_iter();
     let failed = failed.take(MOST_CASES).filter_map(|case| {
         let spec = specs.iter().find(|spec| spec.is(&task.key, &case.name));
         Some((case, spec.filter(|spec| !spec.needs_all_stages())?))
     });
     let failed: Vec<(&CaseResult, &Spec)> = failed.collect();
-    let mut answers = Answers::of(workers);
+    let of = |workers| Answers::of(workers, choice);
+    let mut answers = of(workers);
     // The first question that ends the code says enough. The others would cost its time limit each.
     let [one, short] = [Patience::OneTimeout, Patience::OneShortTimeout];
     let [one, short] = [one, short].map(|patience| workers.with(patience));
-    let [mut crashing, mut endless] = [&one, &short].map(Answers::of);
+    let [mut crashing, mut endless] = [&one, &short].map(of);
     for (case, spec) in &failed {
         let answers = match case.crash.map(|crash| crash.kind) {
             Some(CrashKind::Endless) => &mut endless,
@@ -98,7 +112,7 @@ pub fn of_task(
         }
     }
     for (case, spec) in &extreme {
-        let shortest = shortest(workers, case, spec)?;
+        let shortest = shortest(&answers, case, spec)?;
         if shortest.is_some() {
             return Ok(shortest);
         }
@@ -131,7 +145,7 @@ const MOST_ROUNDS: usize = 5;
 /// A wrong call of a failed case with as few digits as still show what is wrong; `None` for work
 /// whose numbers cannot be varied.
 fn shortest(
-    workers: &StageWorkers,
+    known: &Answers<'_>,
     case: &CaseResult,
     spec: &Spec,
 ) -> Result<Option<SimplestCall>, GraderError> {
@@ -149,8 +163,8 @@ fn shortest(
         let mut shorter = variations::shorter(&current);
         shorter.retain(|spec| digits(spec) < before);
         shorter.sort_by_key(digits);
-        let mut answers = Answers::of(workers);
-        let found = answered(case, &shorter, answers.to(&shorter)?);
+        let mut answers = Answers::of(known.workers, known.choice);
+        let found = answered(case, &shorter, answers.to(&shorter)?, known.choice);
         let found = found
             .iter()
             .find_map(|asked| Some((asked.spec, alike(case, std::slice::from_ref(asked))?)));
@@ -182,13 +196,15 @@ type Asking = (Vec<Work>, Vec<Result<Ending, String>>);
 /// questions, which are asked once.
 struct Answers<'a> {
     workers: &'a StageWorkers,
+    choice: &'a Choice<'a>,
     known: Vec<Asking>,
 }
 
 impl<'a> Answers<'a> {
-    fn of(workers: &'a StageWorkers) -> Answers<'a> {
+    fn of(workers: &'a StageWorkers, choice: &'a Choice<'a>) -> Answers<'a> {
         Answers {
             workers,
+            choice,
             known: Vec::new(),
         }
     }
@@ -221,13 +237,14 @@ fn of_questions(
     if questions.is_empty() {
         return Ok(None);
     }
+    let choice = answers.choice;
     let endings = answers.to(questions)?;
     if case.crash.is_some() {
         let asked = questions.iter().zip(endings);
         let mut crashed = asked.filter_map(|(spec, ending)| crash(case, spec, ending));
         return Ok(crashed.next());
     }
-    Ok(alike(case, &answered(case, questions, endings)))
+    Ok(alike(case, &answered(case, questions, endings, choice)))
 }
 
 /// A question with its answer, and what is wrong with it.
@@ -244,6 +261,7 @@ fn answered<'a>(
     case: &CaseResult,
     questions: &'a [Spec],
     endings: &'a [Result<Ending, String>],
+    choice: &Choice<'_>,
 ) -> Vec<Asked<'a>> {
     let asked = questions.iter().zip(endings);
     let answered = asked.filter_map(|(spec, ending)| {
@@ -259,7 +277,7 @@ fn answered<'a>(
         Some(Asked {
             spec,
             answer,
-            findings,
+            findings: choice(findings),
             wrong,
         })
     });
@@ -301,7 +319,7 @@ fn alike(case: &CaseResult, answered: &[Asked<'_>]) -> Option<SimplestCall> {
 /// The wrong answers to the simple questions of the cases `specs`, as sentences. Correct code has
 /// none.
 pub fn wrong_answers(workers: &StageWorkers, specs: &[&Spec]) -> Result<Vec<String>, GraderError> {
-    let mut answers = Answers::of(workers);
+    let mut answers = Answers::of(workers, &|findings| findings);
     let mut sentences: Vec<String> = Vec::new();
     for spec in specs {
         let mut simple = spec.simple();

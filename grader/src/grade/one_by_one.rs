@@ -7,17 +7,54 @@
 use super::{add_examples, explain, grade_tasks, specs, workers};
 use crate::build::BuildRoot;
 use crate::course::{Course, Task};
+use crate::diagnosis::simplest::{self, Choice, SimplestCall};
 use crate::report::TaskReport;
+use crate::score::TaskResult;
 use crate::workers::runner::Patience;
+use crate::workers::stage_workers::StageWorkers;
 use base::{GraderError, Workspace};
+use judge::cases::Spec;
 
-/// Grades `tasks` in this order with the code in `workspace`. `done` gets each task with its report,
-/// which lacks the cases that were not run.
+/// A task that was graded.
+#[derive(Clone, Debug)]
+pub struct Graded<'a> {
+    /// Its report, which lacks the cases that were not run.
+    pub report: TaskReport,
+    workers: Option<&'a StageWorkers>,
+    specs: &'a [Spec],
+}
+
+impl<'a> Graded<'a> {
+    /// A report without workers that could be asked more.
+    #[cfg(test)]
+    pub(crate) fn for_tests(report: TaskReport) -> Graded<'a> {
+        Graded {
+            report,
+            workers: None,
+            specs: &[],
+        }
+    }
+
+    /// The simplest call for the wrong answers of `result`, a part of those of the task, that
+    /// `choice` leaves.
+    pub fn simplest(
+        &self,
+        result: &TaskResult,
+        choice: &Choice<'_>,
+    ) -> Result<Option<SimplestCall>, GraderError> {
+        match self.workers {
+            Some(workers) => simplest::of_wrong(workers, result, self.specs, choice),
+            None => Ok(None),
+        }
+    }
+}
+
+/// Grades `tasks` in this order with the code in `workspace`, and passes each to `done`.
 pub fn in_place(
     workspace: &Workspace,
     course: &Course,
     tasks: &[&Task],
-    mut done: impl FnMut(&Task, TaskReport) -> Result<(), GraderError>,
+    mut done: impl FnMut(&Task, Graded<'_>) -> Result<(), GraderError>,
 ) -> Result<(), GraderError> {
     let seed = 0;
     let specs = specs(seed)?;
@@ -27,12 +64,11 @@ pub fn in_place(
     };
     let workers = workers(&build_root, tasks, &specs, false)?;
     for task in tasks {
-        let results = match workers.workers(&task.stage) {
+        let of_stage = workers.workers(&task.stage);
+        let of_stage = of_stage.map(|workers| workers.with(Patience::OneTimeout));
+        let results = match &of_stage {
             None => vec![super::does_not_compile(task)],
-            Some(workers) => {
-                let workers = workers.with(Patience::OneTimeout);
-                grade_tasks(course, &[task], &specs, &workers, &mut Vec::new())?
-            }
+            Some(workers) => grade_tasks(course, &[task], &specs, workers, &mut Vec::new())?,
         };
         for mut report in explain(workspace, course, results, &specs, seed, &workers)? {
             add_examples(workspace, course, &mut report.result)?;
@@ -41,7 +77,12 @@ pub fn in_place(
                 report.diagnosis = None;
                 report.regularities.clear();
             }
-            done(task, report)?;
+            let graded = Graded {
+                report,
+                workers: of_stage.as_ref(),
+                specs: &specs,
+            };
+            done(task, graded)?;
         }
     }
     Ok(())

@@ -143,6 +143,8 @@ pub struct Fault {
     pub call: u32,
     /// The function that returned it, in cases that call several.
     pub function: Option<&'static str>,
+    /// The function that it counts for, in tasks with several.
+    pub counts_for: Option<&'static str>,
     /// How it is wrong.
     pub class: Class,
 }

@@ -122,6 +122,7 @@ impl Tally {
         finding.faults.push(Fault {
             call,
             function,
+            counts_for: counted_for,
             class,
         });
         // NaN ranks as the worst.

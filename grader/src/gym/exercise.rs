@@ -4,18 +4,22 @@ use super::mistake_sheet::{self, TILE};
 use crate::course::packed;
 use crate::course::{Task, chapter};
 use crate::diagnosis::{self, Known};
-use crate::report::wrap::numbers_to_fit;
+use crate::report::message;
+use crate::report::wrap::{one_line, shorten_numbers};
 use base::{GraderError, Workspace};
 use judge::cases::Spec;
 use judge::snapshot;
 use judge::tally::Aspect;
 use pictures::image::Image;
 use pictures::png;
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-/// Columns of an input or an answer. Numbers are rounded to fit: a mistake is recognized without
-/// their last digits.
+/// Columns of an input or an answer.
 const ROOM: usize = 200;
+
+/// The significant digits of a number: a mistake is recognized without the others.
+const DIGITS: usize = 3;
 
 /// The most calls that an exercise shows.
 const CALLS: usize = 3;
@@ -107,7 +111,7 @@ pub fn of(
     Ok(found)
 }
 
-/// Up to [`CALLS`] calls that the mistake makes wrong, each of another case.
+/// Up to [`CALLS`] calls that the mistake makes wrong, each of another case, with short numbers.
 fn calls(
     workspace: &Workspace,
     task: &Task,
@@ -118,29 +122,56 @@ fn calls(
     let wrong = known
         .signature
         .wrong_calls(&|case| spec_of(case).map(Spec::calls));
-    let mut texts: Vec<(String, String)> = Vec::new();
+    // Of each case the call that is shortest to read, and of these the shortest.
+    let mut shortest: BTreeMap<String, (usize, u32, Aspect, String)> = BTreeMap::new();
     for (case, call, aspect) in wrong {
-        let is_enough = texts.len() == CALLS || texts.iter().any(|(other, _)| *other == case);
-        let Some(spec) = spec_of(&case).filter(|_| !is_enough) else {
+        let Some(input) = spec_of(&case).and_then(|spec| spec.input(call as usize)) else {
             continue;
         };
+        let length = digits(&input);
+        let known = shortest.get(&case);
+        if known.is_none_or(|(known, ..)| length < *known) {
+            shortest.insert(case, (length, call, aspect, input));
+        }
+    }
+    let mut shortest: Vec<_> = shortest.into_iter().collect();
+    shortest.sort_by_key(|(_, (length, ..))| *length);
+    let mut texts = Vec::new();
+    for (case, (_, call, aspect, input)) in shortest {
         let golden = packed::read_snapshot(workspace, &task.key, &case)?;
         let golden = golden.and_then(|text| snapshot::parse(&text).ok());
         let answer = golden
             .as_ref()
             .and_then(|golden| Some(golden.row(call)?.answer_text()));
-        if let (Some(input), Some(answer)) = (spec.input(call as usize), answer) {
+        if let Some(answer) = answer {
             let instead = match aspect {
                 Aspect::HitOrMiss if answer.starts_with("miss") => "a hit".into(),
                 Aspect::HitOrMiss => "a miss".into(),
                 other => format!("another {}", other.label()),
             };
-            let (input, answer) = (numbers_to_fit(&input, ROOM), numbers_to_fit(&answer, ROOM));
-            let text = format!("{input}. Right: {answer}. With the mistake: {instead}.");
-            texts.push((case, text));
+            let (input, answer) = (short(&input), short(&answer));
+            texts.push(format!(
+                "{input}. Right: {answer}. With the mistake: {instead}."
+            ));
+        }
+        if texts.len() == CALLS {
+            break;
         }
     }
-    Ok(texts.into_iter().map(|(_, text)| text).collect())
+    Ok(texts)
+}
+
+/// The digits of a text.
+fn digits(text: &str) -> usize {
+    text.bytes().filter(u8::is_ascii_digit).count()
+}
+
+/// The text with short numbers, in one line.
+fn short(text: &str) -> String {
+    let all = message::on_paper(text);
+    let short = shorten_numbers(&all, DIGITS);
+    let rounded = if short == all { "" } else { " (rounded)" };
+    format!("{}{rounded}", one_line(&short, ROOM))
 }
 
 /// The rows of the table of mistakes: the name, and what one sees.
@@ -193,6 +224,13 @@ mod tests {
                     picture.get(x, y) != picture.get(mistake_sheet::left(1) + x, y)
                 });
                 assert!(differs, "{}: both pictures are the same", exercise.id());
+                for call in &exercise.calls {
+                    let numbers = call.split(|c: char| !c.is_ascii_digit() && c != '.');
+                    let decimal = numbers.filter(|number| number.contains('.'));
+                    let longest =
+                        decimal.map(|number| digits(number.trim_start_matches(['0', '.'])));
+                    assert!(longest.max() <= Some(DIGITS), "{call}");
+                }
                 all += 1;
                 with_calls += usize::from(!exercise.calls.is_empty());
             }
@@ -220,7 +258,7 @@ mod tests {
         assert!(!culls.calls.is_empty());
         for call in &culls.calls {
             assert!(
-                call.contains("Ray: o = ") && call.contains("Right: t="),
+                call.contains("ray o = ") && call.contains("Right: t="),
                 "{call}"
             );
             assert!(call.contains("With the mistake: a miss"), "{call}");

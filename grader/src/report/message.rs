@@ -22,7 +22,7 @@ pub fn input(call: &SimplestCall) -> String {
 }
 
 /// Writes 3 for 3.0, and `ray` in lower case inside a sentence.
-fn on_paper(text: &str) -> String {
+pub(crate) fn on_paper(text: &str) -> String {
     let mut plain = String::new();
     let mut rest = text;
     while let Some(at) = rest.find(".0") {

@@ -102,6 +102,10 @@ impl Sources {
                 Event::DisplayMath(latex) => {
                     changes.push(self.formula(markdown, range, &latex, true)?);
                 }
+                Event::Code(code) if code.starts_with('-') && code.len() <= SHORT_FLAG => {
+                    let whole = format!("<code class=\"joined\">{}</code>", escaped(&code));
+                    changes.push((range, whole));
+                }
                 Event::Start(Tag::Link { dest_url, .. }) => {
                     if let Some(file) = of_project(&dest_url, at) {
                         match self.links {
@@ -193,6 +197,9 @@ impl Sources {
         Ok((range.start..range.end + signs, with_signs))
     }
 }
+
+/// A flag of up to so many bytes is not broken at its hyphens. Longer ones are, on narrow pages.
+const SHORT_FLAG: usize = 16;
 
 /// The start of the caption of an explorable figure.
 const CAPTION: &str = "<figcaption>";
@@ -355,6 +362,15 @@ mod tests {
             .chapter(r"$$\nonsense x$$", Path::new("a.md"))
             .unwrap_err();
         assert!(error.contains(r"\nonsense"), "{error}");
+    }
+
+    #[test]
+    fn short_flags_stay_whole() {
+        let (text, _) = chapter("`-l` and `x -l`, `--rate-scale assignment`", Links::Nowhere);
+        assert_eq!(
+            text,
+            "<code class=\"joined\">-l</code> and `x -l`, `--rate-scale assignment`"
+        );
     }
 
     #[test]

@@ -32,8 +32,8 @@ pub fn has_converged(samples: &Tally, tolerance: f64) -> bool {
 /// Minimum number of samples for [`has_surely_converged`] to return true.
 pub const FEWEST_SAMPLES: u64 = 256;
 
-/// The criterion of task 1 without its bias: true only if `rule` returns true, there are at least
-/// [`FEWEST_SAMPLES`] samples, and at least one of them is not black.
+/// The criterion of task 1 with little of its bias: true only if `rule` returns true, there are at
+/// least [`FEWEST_SAMPLES`] samples, and at least one of them is not black.
 ///
 /// Chapter: stages/book/src/part5/task2.md
 ///

@@ -28,6 +28,7 @@ pub fn command() -> Command {
     };
     Command::new("class")
         .about("For instructors: grades a folder of submissions; what is graded already is not graded again")
+        .after_help("Exit code: 0 if every submission has a score, 1 if something is yours to decide, 2 if one has none because the grader failed or has not finished.")
         .arg(folder("class").required_unless_present("collect").help(
             "The folder of the class: one folder, zip or tar file, or git clone per submission",
         ))

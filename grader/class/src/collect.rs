@@ -205,6 +205,12 @@ impl Class {
         format!("{} submissions: {}", self.rows.len(), counts.join(", "))
     }
 
+    /// How many submissions have no score because the machine failed, or has not graded them yet.
+    pub fn not_graded(&self) -> usize {
+        let is_left = |row: &&Row| matches!(row.status, Status::Infrastructure(_));
+        self.rows.iter().filter(is_left).count()
+    }
+
     /// Whether every submission has a score.
     pub fn is_complete(&self) -> bool {
         self.rows.iter().all(|row| row.score.is_some())

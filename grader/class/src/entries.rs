@@ -2,7 +2,7 @@
 
 use crate::hash;
 use base::GraderError;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 /// One submission, as it lies in the folder of the class.
@@ -34,18 +34,27 @@ const PAGE_NAME: usize = 160;
 /// archive is listed, too: somebody handed it in, and reading it says what is wrong.
 pub fn list(class: &Path) -> Result<Vec<Entry>, GraderError> {
     let failed = |e: std::io::Error| GraderError::file("read", class, e);
-    let mut files = Vec::new();
+    let mut found = Vec::new();
     for entry in std::fs::read_dir(class).map_err(failed)? {
         let entry = entry.map_err(failed)?;
         let is_link = entry.file_type().is_ok_and(|kind| kind.is_symlink());
         let name = entry.file_name();
-        let problem = match name.to_str() {
-            None => Some(NOT_UTF_8),
-            Some(_) => is_link.then_some(LINK),
+        found.push((name.to_str().is_none(), name, is_link));
+    }
+    found.sort();
+    let mut files: Vec<(String, Option<&'static str>)> = Vec::new();
+    for (is_no_text, name, is_link) in found {
+        let problem = match is_no_text {
+            true => Some(NOT_UTF_8),
+            false => is_link.then_some(LINK),
         };
-        let name = name.to_string_lossy();
+        let mut name = name.to_string_lossy().into_owned();
+        // Two names that are no UTF-8 may look the same.
+        while files.iter().any(|(other, _)| *other == name) {
+            name.push('\'');
+        }
         if !name.starts_with('.') {
-            files.push((name.into_owned(), problem));
+            files.push((name, problem));
         }
     }
     if files.is_empty() {
@@ -57,11 +66,16 @@ pub fn list(class: &Path) -> Result<Vec<Entry>, GraderError> {
     Ok(named(files))
 }
 
-/// Names the entries. Two that differ only by their ending keep it: `anna` and `anna.zip`.
+/// Names the entries. Two that differ only by their ending keep it: `anna` and `anna.zip`. So does one
+/// whose name would be another file's: `anna.zip.zip` beside `anna.zip`. A name is a key of results and
+/// marks, so no two entries have the same.
 fn named(files: Vec<(String, Option<&'static str>)>) -> Vec<Entry> {
     let mut times: BTreeMap<String, usize> = BTreeMap::new();
     for (file, _) in &files {
-        *times.entry(stem(file).to_string()).or_default() += 1;
+        let names = BTreeSet::from([stem(file), file]);
+        for name in names {
+            *times.entry(name.to_string()).or_default() += 1;
+        }
     }
     let mut entries: Vec<Entry> = files
         .into_iter()
@@ -85,8 +99,13 @@ fn stem(file: &str) -> &str {
     if length == 0 { file } else { &file[..length] }
 }
 
+/// How much of a name's hash is in that of its page. A student chooses the name, and must not be able
+/// to find one with the page of somebody else.
+const PAGE_HASH: usize = 24;
+
 /// The file names of the students' pages, without `.html`, in the order of `names`. A name that is
-/// no plain file name on every system is written with `_` and a part of its hash.
+/// no plain file name on every system is written with `_` and a part of its hash, and so is one that
+/// looks like that.
 pub fn page_names(names: &[&str]) -> Vec<String> {
     let plain = |name: &str| -> String {
         let places = name.char_indices();
@@ -106,9 +125,10 @@ pub fn page_names(names: &[&str]) -> Vec<String> {
         .iter()
         .map(|name| {
             let plain = plain(name);
-            match plain == *name && !plain.starts_with('.') && times[&plain.to_lowercase()] == 1 {
+            let is_own = plain == *name && times[&plain.to_lowercase()] == 1;
+            match is_own && !plain.starts_with(['.', '_']) {
                 true => plain,
-                false => format!("_{plain}-{}", &hash::of([name])[..8]),
+                false => format!("_{plain}-{}", &hash::of([name])[..PAGE_HASH]),
             }
         })
         .collect()
@@ -132,20 +152,59 @@ mod tests {
         assert_eq!(problems, [None, Some(LINK)]);
     }
 
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn names_that_are_no_text_are_told_apart() {
+        use std::os::unix::ffi::OsStrExt;
+        let class = tempfile::tempdir().expect("a folder");
+        for name in [b"n\xfe".as_slice(), b"n\xff", "n\u{fffd}".as_bytes()] {
+            let path = class.path().join(std::ffi::OsStr::from_bytes(name));
+            std::fs::create_dir(path).expect("a folder");
+        }
+        let entries = list(class.path()).expect("it can be listed").into_iter();
+        let said: Vec<_> = entries.map(|entry| (entry.name, entry.problem)).collect();
+        let name = |marks: &str| format!("n\u{fffd}{marks}");
+        assert_eq!(
+            said,
+            [
+                (name(""), None),
+                (name("'"), Some(NOT_UTF_8)),
+                (name("''"), Some(NOT_UTF_8)),
+            ]
+        );
+    }
+
     #[test]
     fn an_archive_has_the_name_of_its_student() {
         let files = ["bo.tar.gz", "anna", "anna.zip", "Ceh.ZIP", ".zip", "v1.2"];
-        let entries = named(files.map(|file| (file.to_string(), None)).to_vec());
-        let names: Vec<&str> = entries.iter().map(|entry| entry.name.as_str()).collect();
-        assert_eq!(names, [".zip", "Ceh", "anna", "anna.zip", "bo", "v1.2"]);
+        let names = [".zip", "Ceh", "anna", "anna.zip", "bo", "v1.2"];
+        assert_eq!(names_of(&files), names);
+    }
+
+    #[test]
+    fn no_archive_has_the_name_of_somebody_elses() {
+        let files = ["anna", "anna.zip", "anna.zip.zip", "bo.zip.tar", "bo.zip"];
+        let names = ["anna", "anna.zip", "anna.zip.zip", "bo", "bo.zip.tar"];
+        assert_eq!(names_of(&files), names);
+    }
+
+    /// The names of the entries of these files, sorted.
+    fn names_of(files: &[&str]) -> Vec<String> {
+        let files = files.iter().map(|file| ((*file).to_string(), None));
+        let entries = named(files.collect()).into_iter();
+        entries.map(|entry| entry.name).collect()
     }
 
     #[test]
     fn the_names_of_pages_are_plain_and_distinct() {
-        let names = ["anna", "Anna", "../x", "Zoë", "<b>", ".", "a b", "a_b"];
+        let as_page = page_names(&["<b>"]).remove(0);
+        let names = [
+            "anna", "Anna", "../x", "Zoë", "<b>", ".", "a b", "a_b", &as_page,
+        ];
         let pages = page_names(&names);
         assert_eq!(pages[3], "Zoë");
-        assert_eq!(pages[7].len(), "_a_b-".len() + 8, "it collides with `a b`");
+        let collides = "_a_b-".len() + PAGE_HASH;
+        assert_eq!(pages[7].len(), collides, "it collides with `a b`");
         let longest = ["𠀀".repeat(63), "a".repeat(255), "é".repeat(127)];
         for page in page_names(&longest.each_ref().map(String::as_str)) {
             assert!(page.len() < 200, "{page}");

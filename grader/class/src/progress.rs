@@ -5,6 +5,7 @@ use base::{err, errln};
 use std::io::{self, IsTerminal, Write};
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
+use submission::Untrusted;
 
 /// The progress of a run. On a terminal it is one line that changes; elsewhere one line for each
 /// unit.
@@ -92,12 +93,13 @@ impl Progress {
         self.state.lock().map_or(0, |state| state.failed)
     }
 
+    /// Prints a line that may quote what was handed in, such as the name of a file.
     fn print_line(&self, state: &mut State, line: &str) {
         if self.is_terminal {
             show(state, "");
             err!("\r");
         }
-        errln!("{line}");
+        errln!("{}", Untrusted::from(line).lines());
     }
 }
 

@@ -152,6 +152,10 @@ fn archives(folder: &Path) {
         write(&folder.join(name).join(LIB), b"mod a;\n");
     }
     deep_folders(&folder.join("deep"));
+    let long = Path::new("stages/intersect/src")
+        .join(["d".repeat(200), "e".repeat(200), "f".repeat(200)].join("/"));
+    write(&folder.join("long").join(long).join("a.rs"), b"");
+    write(&folder.join("none/stages/intersect/src/a.txt"), b"x");
     long_name(&folder.join("gnu.tgz"), tar::EntryType::GNULongName, 600);
     long_name(&folder.join("pax.tgz"), tar::EntryType::XHeader, 600);
     for i in 0..4 {
@@ -247,6 +251,15 @@ fn archives_are_read(containment: Containment) {
                 "too large: is a tar file that cannot be unpacked within the limit of memory",
             ),
             ("large", "too large: has more than 2 MB of source files"),
+            (
+                "long",
+                "unreadable: cannot be used: stages/intersect/src contains a path of more than 512 bytes",
+            ),
+            // Pages and tables name no folder of the machine.
+            (
+                "none",
+                "unreadable: cannot be used: its folder contains no stage",
+            ),
             (
                 "pax",
                 "too large: is a tar file that cannot be unpacked within the limit of memory",

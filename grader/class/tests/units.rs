@@ -204,6 +204,33 @@ fn what_could_not_be_read_is_a_question_and_no_zero() {
     }
 }
 
+/// A script may take the tables if every submission has a score, has to ask if something is to be
+/// decided, and has to run again what the machine did not finish.
+#[test]
+fn the_exit_code_tells_a_question_from_a_failure() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let class = FakeClass::new(folder.path(), 3);
+    let out = class.out("out");
+    let code = |flags: &[&str]| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_class"));
+        command
+            .args(["class", "--collect", "--out"])
+            .arg(out.path());
+        let output = command.args(flags).output().expect("it runs");
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        (output.status.code(), said)
+    };
+    let (failed, said) = code(&[]);
+    assert_eq!(failed, Some(2), "{said}");
+    assert!(
+        said.starts_with("error: 3 submissions have no score"),
+        "{said}"
+    );
+    grade(&class, &out, 0, 1, Behaviour::Fine);
+    assert_eq!(code(&[]), (Some(1), String::new()));
+    assert_eq!(code(&["--zero-unreadable"]), (Some(0), String::new()));
+}
+
 /// A result that a crash of the machine has cut is one row without a score, and graded again.
 #[test]
 fn a_cut_result_stops_no_table() {

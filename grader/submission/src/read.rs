@@ -50,6 +50,10 @@ const SKIPPED_FOLDERS: [&str; 2] = ["target", ".git"];
 /// time to read thousands of folders inside each other grows with the square of their number.
 const MAX_DEPTH: usize = 64;
 
+/// The longest path of a source file below `src`, in bytes, as of an archive's: a system may not find
+/// the place of a longer one in the folder that it is compiled in.
+const MAX_PATH: usize = 512;
+
 /// How deep the sources of a stage lie in a project: `stages/STAGE/src`.
 const SOURCES_DEPTH: usize = 3;
 
@@ -233,6 +237,12 @@ fn sources(top: &Path, src: &Path, notes: &mut Notes) -> Result<Files, GraderErr
                 folders.push((path, depth + 1));
             } else if path.extension().is_some_and(|extension| extension == "rs") {
                 let below = path.strip_prefix(src).unwrap_or(&path).to_path_buf();
+                if below.as_os_str().len() > MAX_PATH {
+                    return Err(GraderError::new(format!(
+                        "{} contains a path of more than {MAX_PATH} bytes: too long for a stage",
+                        src.display()
+                    )));
+                }
                 let file = source_file::read(top, &path)?;
                 let name = path.strip_prefix(top).unwrap_or(&path).display();
                 if let Some(note) = file.note {
@@ -555,6 +565,15 @@ mod tests {
         nest(&folder.path().join("other"), 1_900);
         let ignored = reread(&folder).unwrap().ignored;
         assert!(ignored[0].raw().starts_with("other/f/f") && ignored.len() == 1);
+        let long = src
+            .join("long")
+            .join(["d".repeat(200), "e".repeat(200)].join("/"));
+        file_tree::write(&long.join(format!("{}.rs", "f".repeat(102))), b"").unwrap();
+        assert_eq!(reread(&folder).unwrap().stages["intersect"].len(), 3);
+        file_tree::write(&long.join(format!("{}.rs", "f".repeat(103))), b"").unwrap();
+        let error = reread(&folder).unwrap_err();
+        assert!(error.contains("a path of more than 512 bytes"), "{error}");
+        std::fs::remove_dir_all(src.join("long")).unwrap();
         nest(&src.join("refused"), MAX_DEPTH);
         let error = reread(&folder).unwrap_err();
         assert!(

@@ -15,7 +15,9 @@ use base::{GraderError, Workspace, errln, out, outln, write_whole};
 use clap::ArgMatches;
 use grader::course::Course;
 use grader::report::HintLevel;
+use judge::plural;
 use std::path::{Path, PathBuf};
+use submission::Untrusted;
 use submission::arguments::containment;
 use submission::containment::Containment;
 use submission::one::{GradingCourse, random_seed};
@@ -100,7 +102,10 @@ pub fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
                 jobs.len() - left,
                 out.path().display()
             );
-            Ok(verdict(left == 0))
+            match left {
+                0 => Ok(Exit::Passed),
+                _ => Err(run_again(left)),
+            }
         }
         None if regrades => show_regrade(matches, out),
         None => write_tables(matches, out, plan),
@@ -254,6 +259,8 @@ fn grade_unit(
     let reader = reader(workspace, &containment)?;
     let graded = GradingCourse::open(workspace, containment)
         .and_then(|course| unit::grade(plan, planned, class, &reader, &course, out));
+    // It may name a file that was handed in.
+    let graded = graded.map_err(|why| GraderError::new(Untrusted::from(why.to_string()).lines()));
     if let Err(why) = &graded {
         pool::store_failure(out, key, &why.to_string())?;
     }
@@ -306,7 +313,18 @@ fn write_tables(matches: &ArgMatches, out: &Out, plan: Plan) -> Result<Exit, Gra
         out.join("{gradebook.csv,class.html,students/}").display()
     );
     let is_decided = marks::write(matches, out, &class)?;
-    Ok(verdict(class.is_complete() && is_decided))
+    match class.not_graded() {
+        0 => Ok(verdict(class.is_complete() && is_decided)),
+        left => Err(run_again(left)),
+    }
+}
+
+/// That the grader has not done its work, whatever is to be decided besides.
+fn run_again(left: usize) -> GraderError {
+    let have = plural(left, "submission has", "submissions have");
+    GraderError::new(format!(
+        "{have} no score, because the machine failed or another one is not done: run the same command again"
+    ))
 }
 
 /// What a submission gets that could not be read.
@@ -344,11 +362,10 @@ fn show_regrade(matches: &ArgMatches, out: &Out) -> Result<Exit, GraderError> {
     });
     let failed: Vec<String> = failed.map(|row| row.name.line()).collect();
     if !failed.is_empty() {
-        outln!(
+        return Err(GraderError::new(format!(
             "nothing is replaced: {} had a score and would have none. Run again",
             failed.join(", ")
-        );
-        return Ok(Exit::Failed);
+        )));
     }
     if !changes.is_empty() && !matches.get_flag("yes") {
         outln!(

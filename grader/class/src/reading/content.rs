@@ -69,8 +69,13 @@ pub fn read(
     let submission = Submission::read(&opened.root, course, workspace.root());
     let submission = submission.map_err(|error| {
         // The folder may be a temporary one, with another name every time.
-        let root = format!("{}/", opened.root.display());
-        let why = error.to_string().replace(&root, "");
+        let real = opened.root.canonicalize().ok();
+        let mut why = error.to_string();
+        for root in real.iter().chain([&opened.root]) {
+            let root = root.display().to_string();
+            why = why.replace(&format!("{root}/"), "");
+            why = why.replace(&root, "its folder");
+        }
         Unreadable::Damaged(format!("cannot be used: {why}"))
     })?;
     let mut sources = BTreeMap::new();

@@ -20,10 +20,17 @@ struct Clue {
     is_late: bool,
 }
 
+/// What Moodle writes after the number of a participant.
+const MOODLE: &str = "_assignsubmission_";
+
 impl Clue {
     fn of(entry: &str) -> Clue {
         let is_number = |text: &str| !text.is_empty() && text.bytes().all(|c| c.is_ascii_digit());
-        if let Some((who, _)) = entry.split_once("_assignsubmission_")
+        if entry.matches(MOODLE).count() > 1 {
+            // One of them is in a name that the student chose, with somebody's number before it.
+            return Clue::default();
+        }
+        if let Some((who, _)) = entry.split_once(MOODLE)
             && let Some((name, number)) = who.rsplit_once('_')
             && is_number(number)
         {
@@ -110,7 +117,8 @@ impl Join {
     }
 }
 
-/// The students who fit a clue. A number decides alone, then an identifier, then a name.
+/// The students who fit a clue. A number decides alone. An identifier does not decide against a name:
+/// students choose their logins, and one may be the name of somebody else.
 fn fitting(roster: &Roster, clue: &Clue) -> Vec<usize> {
     let those = |fits: &dyn Fn(&Student) -> bool| -> Vec<usize> {
         let students = roster.students.iter().enumerate();
@@ -126,18 +134,22 @@ fn fitting(roster: &Roster, clue: &Clue) -> Vec<usize> {
         return those(&|student| student.number == number.as_str());
     }
     let own = plain(&clue.name);
-    let is = |text: &str| !text.is_empty() && plain(text) == own;
-    let by_identifier = those(&|student| {
+    let is = |text: &str| !own.is_empty() && plain(text) == own;
+    let identifiers = |student: &Student| -> Vec<String> {
         let local = student.email.raw().split('@').next().unwrap_or_default();
         let ids = [&student.id, &student.login, &student.email].map(|text| text.raw());
-        ids.into_iter().chain([local]).any(is)
-    });
-    if !by_identifier.is_empty() {
-        return by_identifier;
-    }
-    let by_name = those(&|student| orders(student.name.raw()).iter().any(|name| is(name)));
-    if !by_name.is_empty() {
-        return by_name;
+        ids.into_iter().chain([local]).map(str::to_string).collect()
+    };
+    let is_exact = |student: &Student| identifiers(student).contains(&clue.name);
+    let has_exact = !clue.name.is_empty() && roster.students.iter().any(is_exact);
+    let by_identifier = |student: &Student| match has_exact {
+        true => is_exact(student),
+        false => identifiers(student).iter().any(|id| is(id)),
+    };
+    let by_name = |student: &Student| orders(student.name.raw()).iter().any(|name| is(name));
+    let known = those(&|student| by_identifier(student) || by_name(student));
+    if !known.is_empty() {
+        return known;
     }
     // GitHub Classroom: the assignment, a hyphen, the login.
     let name = clue.name.to_lowercase();
@@ -238,5 +250,38 @@ mod tests {
             ]
         );
         assert_eq!(join.submissions, [None; 5]);
+    }
+
+    /// A student who chooses a name, a login or the name of a file gets no mark of somebody else.
+    #[test]
+    fn a_chosen_name_takes_nobodys_mark() {
+        let mut roster = roster();
+        roster.students[3].login = "adalovelace".into();
+        roster.students[4].login = "a.da".into();
+        roster.students[2].login = "-".into();
+        for (entry, problem) in [
+            ("Ada Lovelace", Problem::Several(vec![0, 3])),
+            (
+                "X_98765_assignsubmission_file__777_assignsubmission_file_",
+                Problem::Nobody,
+            ),
+            (
+                "Alan Turing_777_assignsubmission_file_x_98765_assignsubmission_file_",
+                Problem::Nobody,
+            ),
+            ("___", Problem::Nobody),
+            ("A_DA", Problem::Several(vec![0, 4])),
+        ] {
+            assert_eq!(
+                Join::of(&roster, &[entry]).problems,
+                [(0, problem)],
+                "{entry}"
+            );
+        }
+        // Renamed to the identifier as the roster has it, it is one student's.
+        for (entry, student) in [("ada", 0), ("a.da", 4)] {
+            let join = Join::of(&roster, &[entry]);
+            assert_eq!(join.submissions[student], Some(0), "{entry}");
+        }
     }
 }

@@ -19,7 +19,7 @@ use super::join::Join;
 use super::{Roster, Student};
 use crate::collect::{Class, Row, points};
 use base::GraderError;
-use formats::gradebook;
+use formats::gradebook::{self, text};
 use submission::Untrusted;
 
 /// A system that imports marks.
@@ -134,14 +134,17 @@ fn canvas<'a>(
     ];
     records.extend(marked.map(|Marked { student, mark, .. }| {
         let own = [
-            &student.name,
             &student.number,
             &student.id,
             &student.login,
             &student.section,
         ];
         let own = own.map(Untrusted::line).into_iter();
-        own.chain([mark]).collect()
+        [name(student)]
+            .into_iter()
+            .chain(own)
+            .chain([mark])
+            .collect()
     }));
     records
 }
@@ -160,8 +163,8 @@ fn worksheet<'a>(marked: impl Iterator<Item = Marked<'a>>, max: f64) -> Vec<Vec<
     records.extend(marked.map(|Marked { student, row, mark }| {
         vec![
             format!("Participant {}", student.number.line()),
-            student.name.line(),
-            student.email.line(),
+            name(student),
+            text(&student.email.line()),
             mark,
             points(max),
             student.mark_changed.line(),
@@ -178,10 +181,16 @@ fn moodle_grades<'a>(
     let header = ["ID number", "Email address", "Full name", assignment];
     let mut records = vec![header.map(str::to_string).to_vec()];
     records.extend(marked.map(|Marked { student, mark, .. }| {
-        let own = [&student.id, &student.email, &student.name].map(Untrusted::line);
-        own.into_iter().chain([mark]).collect()
+        let own = [&student.id, &student.email].map(Untrusted::line);
+        own.into_iter().chain([name(student), mark]).collect()
     }));
     records
+}
+
+/// The name, which a student may choose, as a spreadsheet shows it. No system finds the student by
+/// it; the columns by which it does are as the roster has them.
+fn name(student: &Student) -> String {
+    text(&student.name.line())
 }
 
 /// The gradebook, with the identifiers and names of the roster. Students who handed in nothing have
@@ -295,6 +304,30 @@ mod tests {
             written(System::Moodle, participants, false),
             "ID number,Email address,Full name,Part 1 (1234)\r\ns1,ada@x,Ada Lovelace,7.25\r\n"
         );
+    }
+
+    #[test]
+    fn a_name_is_no_formula() {
+        for (system, header, line) in [
+            (
+                System::Canvas,
+                "Student,ID,SIS User ID,SIS Login ID,Section",
+                "=1+1,98765,s2,ghopper,A",
+            ),
+            (
+                System::Moodle,
+                "Full name,Identifier,Email address",
+                "=1+1,Participant 123,=1@x",
+            ),
+            (
+                System::Moodle,
+                "Full name,Username,ID number",
+                "=1+1,hoppergrace,s1",
+            ),
+        ] {
+            let table = written(system, &format!("{header}\n{line}\n"), false);
+            assert!(table.contains("'=1+1") && !table.contains(",=1"), "{table}");
+        }
     }
 
     #[test]

@@ -123,8 +123,10 @@ impl CommitTimes {
     /// The times of a commit whose parents were committed at the times `parents`, read at the time
     /// `now`.
     fn new(author: i64, committer: i64, parents: &[i64], now: i64) -> CommitTimes {
-        let is_earlier = parents.iter().any(|parent| committer + CLOCKS < *parent);
-        let doubt = match author > committer + CLOCKS {
+        let is_earlier = parents
+            .iter()
+            .any(|parent| committer.saturating_add(CLOCKS) < *parent);
+        let doubt = match author > committer.saturating_add(CLOCKS) {
             _ if is_earlier => Some("committed before the commit that it follows".to_string()),
             _ if committer > now + CLOCKS => Some("committed in the future".to_string()),
             true => Some("written after it was committed".to_string()),

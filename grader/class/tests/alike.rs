@@ -181,12 +181,12 @@ fn what_many_have_is_told_once_and_accuses_no_pair() {
 #[test]
 fn not_every_group_of_those_who_copy_all_is_looked_at() {
     let students = class(&|i| {
-        let has = |s: &u64| i < 2 || [2 + s % 6, 8 + s / 6, 14].contains(&i);
-        let passages = (0..36).filter(has).map(|s| own_code(1000 + s, 9));
+        let has = |s: &u64| i < 2 || [2 + s % 6, 8 + s / 6 % 6, 14 + s / 36].contains(&i);
+        let passages = (0..108).filter(has).map(|s| own_code(1000 + s, 9));
         passages.collect()
     });
     let owners = Owners::new(&students);
-    let (common, not_looked_at) = common::common(&students, &owners, 1);
+    let (common, not_looked_at) = common::common(&students, &owners, 2);
     assert_eq!(common.len(), 1);
     assert!(not_looked_at > 0);
 }

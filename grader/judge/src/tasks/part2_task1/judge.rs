@@ -5,6 +5,7 @@
 
 use super::leaves;
 use super::structure::{Walk, walk};
+use crate::tools::plural;
 use crate::tools::recorded::TreeWork;
 use crate::tools::tally::{Aspect, Class, Tally};
 use kit::{Aabb, Vec3};
@@ -148,12 +149,16 @@ fn judge_work(tally: &mut Tally, tree: &Tree, walk: &Walk, tight: &[Aabb], recor
     let ratio = cost / recorded.cost;
     let why = cause_of_cost(tree, tight);
     let class = (!cheap).then_some(Class::Named(why));
-    tally.judge_class(Aspect::Work, 0, class, ratio, || {
+    let message = || {
         format!(
-            "your result: {cost:.1} tests per random line; the reference: {:.1} (up to {COST_FACTOR} times that passes). Is each node split along its longest axis, and is its box as small as possible?",
-            recorded.cost
+            "your result: {cost:.1} tests per random line, in your tree of {} over {}; the reference's tree: {:.1} (up to {COST_FACTOR} times that passes). {}",
+            plural(tree.nodes.len(), "node", "nodes"),
+            plural(tree.order.len(), "box", "boxes"),
+            recorded.cost,
+            question(tree, tight)
         )
-    });
+    };
+    tally.judge_class(Aspect::Work, 0, class, ratio, message);
     let all = tree.order.len() as f64;
     // Where a tree that passes may save less, nothing is judged.
     if COST_FACTOR * recorded.cost <= MAX_COST_SHARE * all {
@@ -168,7 +173,7 @@ fn judge_work(tally: &mut Tally, tree: &Tree, walk: &Walk, tight: &[Aabb], recor
     if !cheap && why == COSTLY_SPLITS {
         // The cost distinguishes mistakes.
         let class = Class::of_size(ratio);
-        tally.judge_class(Aspect::Work, 0, Some(class), ratio, String::new);
+        tally.judge_class(Aspect::Work, 0, Some(class), ratio, message);
     }
     let depth = walk.depth.iter().copied().max().unwrap_or(0);
     let flat = depth <= DEPTH_FACTOR * recorded.depth;
@@ -179,6 +184,31 @@ fn judge_work(tally: &mut Tally, tree: &Tree, walk: &Walk, tight: &[Aabb], recor
             recorded.depth
         )
     });
+}
+
+/// Where to look for the cause of a high cost.
+fn question(tree: &Tree, tight: &[Aabb]) -> String {
+    const AXES: [&str; 3] = ["x", "y", "z"];
+    let longest = |of: Vec3| {
+        let longer = |most: usize, axis: usize| if of[axis] > of[most] { axis } else { most };
+        (0..3).fold(0, longer)
+    };
+    let root = tree.nodes.first().map(|node| node.kind);
+    if let Some(NodeKind::Interior { left, right }) = root {
+        let [left, right] = [left, right].map(|child| tight[child as usize].centroid());
+        let extent = tight[0].extent();
+        let (split, long) = (longest((right - left).abs()), longest(extent));
+        if extent[split] < extent[long] {
+            let ([split_by, long_by], [short, most]) = (
+                [split, long].map(|axis| AXES[axis]),
+                [split, long].map(|axis| extent[axis]),
+            );
+            return format!(
+                "The children of your root lie beside each other along {split_by}, where all boxes extend over {short}; along {long_by} they extend over {most}"
+            );
+        }
+    }
+    "Is each node split along its longest axis, and is its box as small as possible?".into()
 }
 
 /// The cause of a high cost in a tree whose boxes are tight.
@@ -200,6 +230,7 @@ fn cause_of_cost(tree: &Tree, tight: &[Aabb]) -> &'static str {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::tasks::part2_task1::simple;
 
     /// Four unit cubes in a row along x.
     const ROW: [[Xyz; 2]; 4] = [
@@ -292,6 +323,55 @@ mod tests {
             order: vec![0, 1, 2, 3],
         };
         assert_eq!(failed(tree), [Aspect::LeafSize]);
+    }
+
+    /// The simple question about the axis: pairs of boxes far apart along x. `order` says how the
+    /// root divides them.
+    fn divided(order: [u32; 4]) -> Option<String> {
+        let work = simple::pairs(0);
+        let mut nodes = vec![leaf(0, 0, 0.0, 0.0); 7];
+        for (at, kind) in [
+            NodeKind::Interior { left: 1, right: 2 },
+            NodeKind::Interior { left: 3, right: 4 },
+            NodeKind::Interior { left: 5, right: 6 },
+        ]
+        .into_iter()
+        .chain((0..4).map(|first| NodeKind::Leaf { first, count: 1 }))
+        .enumerate()
+        {
+            nodes[at].kind = kind;
+        }
+        let order = order.to_vec();
+        let mut tree = Tree { nodes, order };
+        let Ok(walk) = walk(&tree, 4) else {
+            panic!("it is a tree")
+        };
+        let tight = tight_boxes(&tree, &walk, &work.bounds);
+        for (node, tight) in tree.nodes.iter_mut().zip(&tight) {
+            node.bounds = [tight.min.into(), tight.max.into()];
+        }
+        let answer = BuildAnswer {
+            tree,
+            repeatable: true,
+        };
+        let mut tally = Tally::default();
+        let recorded = simple::recorded(&work);
+        build(&mut tally, &work.bounds, 1, &answer, recorded);
+        let findings = tally.into_findings();
+        let mut failed = findings.into_iter().filter(|finding| finding.wrong > 0);
+        let worst = failed.next().map(|finding| (finding.aspect, finding.worst));
+        assert!(failed.next().is_none());
+        let (aspect, worst) = worst?;
+        assert_eq!(aspect, Aspect::Work);
+        worst.map(|worst| worst.message)
+    }
+
+    #[test]
+    fn a_split_along_the_wrong_axis_is_told_with_figures() {
+        assert_eq!(divided([0, 2, 1, 3]), None);
+        let says = divided([0, 1, 2, 3]).expect("it costs too much");
+        let expected = "your result: 4.7 tests per random line, in your tree of 7 nodes over 4 boxes; the reference's tree: 2.1 (up to 2 times that passes). The children of your root lie beside each other along y, where all boxes extend over 2; along x they extend over 91";
+        assert_eq!(says, expected);
     }
 
     #[test]

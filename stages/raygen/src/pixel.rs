@@ -12,10 +12,9 @@ use kit::{FilmSize, PixelEstimate, PixelSampler, Ray, Spectrum, Vec2};
 /// right one, whatever its size in pixels. `trace_ray` returns the radiance along the ray, and draws
 /// its random numbers from the same sampler.
 ///
-/// - `ns_aa == 1`: one ray through the centre of the pixel. Nothing is random: no position is drawn
-///   from the sampler.
-/// - `ns_aa > 1`: each sample has its own position in the pixel, one
-///   [`PixelSampler::get_sample`], uniform in [0, 1)².
+/// - `ns_aa == 1`: one ray through the centre of the pixel. Its position is not random.
+/// - `ns_aa > 1`: each sample has its own position in the pixel, uniform in [0, 1)², from
+///   [`PixelSampler::get_sample`].
 /// - `ns_aa == 0`: no rays. The estimate is black with 0 samples, not 0/0.
 ///
 /// A pixel outside the film is valid: the camera generates rays beyond the film as well.

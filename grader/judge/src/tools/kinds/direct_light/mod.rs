@@ -120,7 +120,7 @@ impl Check for kind::Direct {
     }
 
     fn simple(work: &DirectWork) -> Vec<DirectWork> {
-        simple::questions(work.strategy)
+        simple::questions(work.strategy, &work.world)
     }
 
     fn input(work: &DirectWork, call: usize) -> Option<String> {

@@ -11,13 +11,15 @@ const DOWN: Xyz = [0.0, -1.0, 0.0];
 /// The estimates at one point, where only their statistics can be wrong.
 const ESTIMATES: usize = 2000;
 
-/// The simple questions to the function that estimates by `strategy`.
-pub(crate) fn questions(strategy: Strategy) -> Vec<DirectWork> {
-    let worlds = match strategy {
+/// The simple questions to the function that estimates by `strategy`, for a case about `world`:
+/// worlds with light of the same kinds come first.
+pub(crate) fn questions(strategy: Strategy, world: &LitWorld) -> Vec<DirectWork> {
+    let mut worlds = match strategy {
         Strategy::ZeroBounce => return vec![work(strategy, LitWorld::default(), emitting(), 0)],
         Strategy::Lights => [lights(), random_lights()].concat(),
         Strategy::Hemisphere => surroundings(),
     };
+    worlds.sort_by_key(|other| kinds_of_light(other) != kinds_of_light(world));
     let few = worlds
         .iter()
         .flat_map(|world| [1, 2].map(|samples| work(strategy, world.clone(), points(), samples)));
@@ -70,7 +72,7 @@ fn floor(material: Material, wo: Xyz) -> ShadedPoint {
     }
 }
 
-/// Worlds with one light of radiance, intensity or irradiance 1.
+/// Worlds with light of radiance or irradiance 1, or intensity 1 at the distance 1.
 fn lights() -> Vec<LitWorld> {
     let of = |light: Light, panels: Vec<Panel>| LitWorld {
         lights: vec![light],
@@ -84,9 +86,16 @@ fn lights() -> Vec<LitWorld> {
         direction: DOWN,
         irradiance: [1.0; 3],
     };
+    // Not straight above: its direction has a component along each axis that a mistake may take for
+    // the cosine.
+    let aside = Light::Point {
+        position: [0.0, 3.0, 4.0],
+        intensity: [25.0; 3],
+    };
     vec![
         of(point(1.0), Vec::new()),
         of(point(2.0), Vec::new()),
+        of(aside, Vec::new()),
         of(sun, Vec::new()),
         of(point(-1.0), Vec::new()),
         of(point(2.0), vec![wall(lamp(1.0, [0.0; 3]))]),
@@ -125,6 +134,21 @@ fn surroundings() -> Vec<LitWorld> {
     random_lights().into_iter().chain(large).collect()
 }
 
+/// Whether a world has light of each kind: point lights, spot lights, directional ones, lamps, an
+/// environment.
+fn kinds_of_light(world: &LitWorld) -> [bool; 5] {
+    let has = |is_of_kind: fn(&Light) -> bool| world.lights.iter().any(is_of_kind);
+    let is_lamp =
+        |panel: &Panel| matches!(panel.material, Material::Emission(of) if of != [0.0; 3]);
+    [
+        has(|light| matches!(light, Light::Point { .. })),
+        has(|light| matches!(light, Light::Spot { .. })),
+        has(|light| matches!(light, Light::Directional { .. })),
+        world.panels.iter().any(is_lamp),
+        world.environment.is_some() || has(|light| matches!(light, Light::Sky(_))),
+    ]
+}
+
 fn work(strategy: Strategy, world: LitWorld, points: Vec<ShadedPoint>, samples: u32) -> DirectWork {
     DirectWork {
         world,
@@ -132,5 +156,21 @@ fn work(strategy: Strategy, world: LitWorld, points: Vec<ShadedPoint>, samples: 
         points,
         samples,
         seed: 0,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn light_of_the_same_kind_as_in_the_case_comes_first() {
+        let all = questions(Strategy::Lights, &LitWorld::default()).len();
+        for world in lights().into_iter().chain(random_lights()) {
+            let questions = questions(Strategy::Lights, &world);
+            let first = questions.first().map(|work| kinds_of_light(&work.world));
+            assert_eq!(first, Some(kinds_of_light(&world)), "{world:?}");
+            assert_eq!(questions.len(), all);
+        }
     }
 }

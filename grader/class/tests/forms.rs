@@ -285,6 +285,12 @@ fn a_clone_says_when_it_was_committed() {
     let doubt = read("main").doubt.expect("it cannot be");
     assert_eq!(doubt, "committed before the commit that it follows");
     assert!(read("main~1").doubt.is_none());
+    // A clone that calls itself shallow, and is not.
+    let head = std::fs::read(folder.path().join(".git/refs/heads/main")).expect("a commit");
+    let shallow = folder.path().join(".git/shallow");
+    std::fs::write(&shallow, head).expect("a file");
+    assert_eq!(read("main").doubt.as_ref(), Some(&doubt));
+    std::fs::remove_file(shallow).expect("a file");
     // A clock that is wrong is no reason to be late for years.
     git(
         folder.path(),

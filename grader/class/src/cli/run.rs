@@ -323,7 +323,7 @@ fn write_tables(matches: &ArgMatches, out: &Out, plan: Plan) -> Result<Exit, Gra
 fn run_again(left: usize) -> GraderError {
     let have = plural(left, "submission has", "submissions have");
     GraderError::new(format!(
-        "{have} no score, because the machine failed or another one is not done: run the same command again"
+        "{have} no score, because the grader failed or has not finished: run the same command again"
     ))
 }
 

@@ -383,7 +383,10 @@ impl Git {
         let [author, committer] = own[..] else {
             return Err(unusual());
         };
+        // A clone may call itself shallow to hide the parents that it has.
         let parents = self.text(&[
+            "--shallow-file",
+            "",
             "log",
             "--no-walk",
             "--format=%ct",

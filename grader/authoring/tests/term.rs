@@ -37,6 +37,10 @@ fn term() -> (tempfile::TempDir, PathBuf) {
     (folder, root)
 }
 
+/// What students read of the rule in the comments of `course.toml`.
+const LATE: &str = "Late work loses 10 % of its points for each day that begins after the deadline. The first 15 minutes \
+                    are free. More than 5 days late it gets no points.";
+
 /// Replaces a text in a file that contains it once.
 fn edit(path: &Path, old: &str, new: &str) {
     let text = fs::read_to_string(path).expect("a file");
@@ -85,6 +89,11 @@ fn the_files_of_a_term_change_course_book_and_handouts() {
         "\ndates = []\n",
         "\ndates = [{ part = 1, due = 2027-02-15T23:59:00+01:00 }]\n",
     );
+    edit(
+        &file,
+        "# [late]\n# grace_minutes = 15\n# percent_per_day = 10\n# most_days = 5\n",
+        "[late]\ngrace_minutes = 15\npercent_per_day = 10\nmost_days = 5\n",
+    );
     fs::write(root.join("front.md"), "Ask in room 7.\n").expect("it is writable");
     fs::create_dir(root.join("scenes")).expect("a folder");
     fs::write(root.join("scenes/ours.dae"), "<COLLADA/>").expect("it is writable");
@@ -121,11 +130,17 @@ fn the_files_of_a_term_change_course_book_and_handouts() {
         "**CS \"101\", Spring 2027**",
         "Ask in room 7.",
         "| 1 |  | 2027-02-15 23:59+01:00 |",
+        LATE,
         "There are 6 tasks.",
     ] {
         assert!(front.contains(words), "{words}: {front}");
     }
     assert!(read("stages/book/src/part1/task4.md").contains("leaves the task out"));
+    assert!(
+        read("stages/book/src/part1/README.md")
+            .contains("gives the code of: Intersecting spheres.*")
+    );
+    assert!(!read("stages/book/src/part2/README.md").contains("gives the code of"));
 
     let handout = Handout::carve(&workspace, 1).expect("a handout");
     let text = |path: &str| String::from_utf8_lossy(&handout.files[Path::new(path)]).into_owned();
@@ -142,6 +157,7 @@ fn the_files_of_a_term_change_course_book_and_handouts() {
             .any(|removed| removed.key == "part4.task1")
     );
     assert!(text("README.md").contains("| 1 |  | 2027-02-15 23:59+01:00 |"));
+    assert!(text("README.md").contains(LATE));
     assert!(handout.files.contains_key(Path::new("scenes/dae/ours.dae")));
 
     // What is taken back is as it was.
@@ -154,6 +170,38 @@ fn the_files_of_a_term_change_course_book_and_handouts() {
         course.select("part1.task3").expect("a task")[0].points(Tier::Core),
         30.0
     );
+
+    let chapter = "stages/book/src/part1/task1.md";
+    fs::remove_file(workspace.root().join(chapter)).expect("it is removable");
+    let problems = book::problems(&workspace, &course).expect("a book");
+    assert_eq!(
+        problems,
+        [format!("{chapter}: the chapter of part1.task1 is missing")]
+    );
+}
+
+/// Without a network or the tag, what `get-first-light` got before is kept.
+#[test]
+#[cfg(unix)]
+fn a_clone_that_fails_takes_nothing_away() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let root = folder.path();
+    let script = include_str!("../src/term/new/get-first-light");
+    fs::write(root.join("get-first-light"), script).expect("it is writable");
+    let settings = "[first_light]\nversion = \"9.9.9\"\nsource = \"nowhere\"\n";
+    fs::write(root.join("course.toml"), settings).expect("it is writable");
+    fs::create_dir(root.join(COPY)).expect("a folder");
+    let output = std::process::Command::new("sh")
+        .arg(root.join("get-first-light"))
+        .output()
+        .expect("a shell");
+    let errors = String::from_utf8_lossy(&output.stderr);
+    assert!(!output.status.success(), "{errors}");
+    assert!(
+        errors.contains("cannot clone the tag v9.9.9 of nowhere"),
+        "{errors}"
+    );
+    assert!(root.join(COPY).is_dir(), "{errors}");
 }
 
 #[test]

@@ -163,7 +163,7 @@ fn what_could_not_be_read_is_a_question_and_no_zero() {
             id: "zz".into(),
             ..Student::default()
         }],
-        maximum: None,
+        ..Roster::default()
     };
     let marks = Marks {
         system: System::Canvas,

@@ -63,7 +63,7 @@ impl Term {
         seconds_of_due(&self.dates_of(part)?.due?)
     }
 
-    /// The dates as a table in Markdown; empty if there are none.
+    /// The dates as a table in Markdown, and the rule for late work; empty if there are no dates.
     pub fn table(&self) -> String {
         if self.dates.is_empty() {
             return String::new();
@@ -73,6 +73,9 @@ impl Term {
         for dates in &self.dates {
             let (opens, due) = (date(&dates.opens), date(&dates.due));
             let _ = writeln!(text, "| {} | {opens} | {due} |", dates.part);
+        }
+        if let Some(late) = &self.late {
+            let _ = writeln!(text, "\n{}", late.sentences());
         }
         text
     }
@@ -98,6 +101,23 @@ impl Term {
                 late.percent_per_day
             ))),
         }
+    }
+}
+
+impl LateRule {
+    /// The rule in words for students.
+    fn sentences(&self) -> String {
+        let mut text = format!(
+            "Late work loses {} % of its points for each day that begins after the deadline.",
+            self.percent_per_day
+        );
+        if self.grace_minutes > 0 {
+            let _ = write!(text, " The first {} minutes are free.", self.grace_minutes);
+        }
+        if let Some(days) = self.most_days {
+            let _ = write!(text, " More than {days} days late it gets no points.");
+        }
+        text
     }
 }
 

@@ -36,6 +36,10 @@ pub fn problems(workspace: &Workspace, course: &Course) -> Result<Vec<String>, G
         let Some(path) = chapter(&task.key) else {
             continue;
         };
+        if !workspace.root().join(&path).is_file() {
+            problems.push(format!("{path}: the chapter of {} is missing", task.key));
+            continue;
+        }
         let text = read(&path)?;
         let row = row_end(task);
         let functions = format!("| `{}`", task.holes[0]);

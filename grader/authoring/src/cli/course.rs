@@ -7,7 +7,7 @@ use authoring::term::update::Update;
 use authoring::term::{self, build, new, own_case, own_mistakes};
 use authoring::{check, diff};
 use base::program::Exit;
-use base::{GraderError, Workspace, errln, out, outln};
+use base::{GraderError, VERSION, Workspace, errln, out, outln};
 use clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
 use grader::cli::subprogram;
 use grader::course::Course;
@@ -108,10 +108,15 @@ fn run_new(matches: &ArgMatches) -> Result<Exit, GraderError> {
     let [name, when] = ["name", "term"].map(|name| given(name).expect("it has a default"));
     new::new(&first_light, folder, &name, &when, &source)?;
     outln!(
-        "{} is your course. Write its dates and points into course.toml, and run `cargo grader course check --quick` there; \
-         README.md has the other commands",
+        "{} is your course. Write its dates and points into course.toml, and run `cargo grader course check --quick` there, \
+         which builds the grader of this course, silently and once, in some minutes; README.md has the other commands",
         folder.display()
     );
+    if !new::has_tag_of_version(&first_light) {
+        outln!(
+            "This checkout has no tag v{VERSION}: ./get-first-light and the workflows of the course clone it from `source`"
+        );
+    }
     if !source.contains("://") && !source.contains('@') {
         outln!(
             "Others get First Light from {source}, the `source` in course.toml: on another machine it has to be a URL"

@@ -77,16 +77,26 @@ fn settings(course: &Course, name: &str, when: &str, source: &str) -> String {
         .replace("{parts}\n", &parts)
 }
 
+/// Whether the tag that `get-first-light` clones is in this checkout.
+pub fn has_tag_of_version(workspace: &Workspace) -> bool {
+    let tag = format!("refs/tags/v{VERSION}");
+    git(workspace, &["rev-parse", "--verify", "--quiet", &tag]).is_some()
+}
+
 /// Where a checkout was cloned from: its remote `origin`. A checkout without one names itself.
 pub fn source_of(workspace: &Workspace) -> String {
+    git(workspace, &["remote", "get-url", "origin"])
+        .unwrap_or_else(|| workspace.root().display().to_string())
+}
+
+/// What git prints in a checkout, trimmed; `None` if it fails or prints nothing.
+fn git(workspace: &Workspace, args: &[&str]) -> Option<String> {
     let output = std::process::Command::new("git")
         .arg("-C")
         .arg(workspace.root())
-        .args(["remote", "get-url", "origin"])
+        .args(args)
         .output();
-    let url = output.ok().filter(|output| output.status.success());
-    let url = url.and_then(|output| String::from_utf8(output.stdout).ok());
-    let url = url.map(|url| url.trim().to_string());
-    url.filter(|url| !url.is_empty())
-        .unwrap_or_else(|| workspace.root().display().to_string())
+    let output = output.ok().filter(|output| output.status.success())?;
+    let text = String::from_utf8(output.stdout).ok()?.trim().to_string();
+    (!text.is_empty()).then_some(text)
 }

@@ -69,23 +69,26 @@ pub(super) fn judged(task: &str, name: &str, case: &OwnCase) -> own_cases::OwnCa
     }
 }
 
-/// The text of a file from which a teacher can start: the simplest question of the same kind as
-/// that of the case `spec`; where there is none, its first call or the whole.
+/// The text of a file from which a teacher can start: the first call of the simplest question of
+/// the same kind as that of the case `spec`, or of its own; the whole where calls depend on each
+/// other.
 pub fn template(spec: &Spec, tier: Tier) -> Result<String, GraderError> {
     let simplest = spec.simple().into_iter().next();
-    let simplest = simplest.or_else(|| spec.only_call(0));
+    let question = simplest.as_ref().unwrap_or(spec);
+    let first_call = question.only_call(0);
     let case = OwnCase {
         about: checked(spec.about).to_string(),
         tier,
         points: 1.0,
-        work: simplest.as_ref().unwrap_or(spec).work.clone(),
+        work: first_call.as_ref().unwrap_or(question).work.clone(),
     };
     let (task, name) = (spec.task, spec.name);
     let case = toml::to_string(&case)
         .map_err(|e| GraderError::new(format!("{task}/{name} cannot be written as a file: {e}")))?;
     Ok(format!(
         "# A question such as {task}/{name} asks. Change it, and store it as cases/{task}/NAME.toml in the folder of your\n\
-         # term. .first-light/grader/wire/src says what each field means. Core points are for textbook code.\n\
+         # term. .first-light/grader/wire/src says what each field means; a list, or a block `[[...]]` with what follows\n\
+         # it, is copied for a further call. Core points are for textbook code.\n\
          {case}"
     ))
 }
@@ -105,6 +108,13 @@ mod tests {
                 continue;
             }
             let text = template(&spec, Tier::Core).expect("it can be written");
+            let lines = text.lines().count();
+            let is_one_call = spec.only_call(0).is_some();
+            assert!(
+                lines < 60 || !is_one_call,
+                "{} has {lines} lines",
+                spec.name
+            );
             let path = format!("cases/{}/our_case.toml", spec.task);
             let inputs = BTreeMap::from([(path.into(), text.into_bytes())]);
             match read(&inputs, Path::new("term")) {

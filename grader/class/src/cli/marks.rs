@@ -3,9 +3,9 @@
 use crate::collect::{Class, points};
 use crate::late::Lateness;
 use crate::out::Out;
-use crate::roster::Roster;
 use crate::roster::join::{Join, Problem};
 use crate::roster::table::{self, Marks, System};
+use crate::roster::{Roster, Student};
 use base::{GraderError, outln, write_whole};
 use clap::ArgMatches;
 use std::path::PathBuf;
@@ -38,7 +38,8 @@ pub(super) fn write(matches: &ArgMatches, out: &Out, class: &Class) -> Result<bo
         table::write(marked, &roster, &join, &marks)?.as_bytes(),
     )?;
 
-    if let Some(why) = about_maximum(system, &roster, class) {
+    let [possible, _] = class.plan.max_score();
+    if let Some(why) = about_maximum(&marks, &roster, possible) {
         outln!("{why}");
     }
     let name = |i: usize| class.rows[i].name.line();
@@ -69,6 +70,13 @@ pub(super) fn write(matches: &ArgMatches, out: &Out, class: &Class) -> Result<bo
     if !late.is_empty() && lateness.is_none() {
         outln!("late, as the course system says: {}", late.join(", "));
     }
+    let absent: Vec<String> = (roster.students.iter().zip(&join.submissions))
+        .filter(|(_, submission)| submission.is_none())
+        .map(|(student, _)| shown(student))
+        .collect();
+    if !absent.is_empty() {
+        outln!("no submission: {}", absent.join("; "));
+    }
     let missing = join
         .submissions
         .iter()
@@ -82,30 +90,54 @@ pub(super) fn write(matches: &ArgMatches, out: &Out, class: &Class) -> Result<bo
     Ok(is_decided)
 }
 
-/// Moodle takes a mark as one of its own maximum, and leaves out what is larger without a word.
-fn about_maximum(system: System, roster: &Roster, class: &Class) -> Option<String> {
-    let [possible, _] = class.plan.max_score();
-    let maximum = roster.maximum.filter(|_| system == System::Moodle)?;
-    (maximum != possible).then(|| {
+/// What does not fit the assignment in the course system. Both take a mark as one of their own
+/// maximum. Moodle leaves out what is larger without a word; Canvas makes a new assignment of a
+/// column whose name it does not know.
+fn about_maximum(marks: &Marks, roster: &Roster, possible: f64) -> Option<String> {
+    let assignment = marks.assignment.as_str();
+    let maximum = match marks.system {
+        System::Csv => None,
+        System::Moodle => roster.maximum,
+        System::Canvas => {
+            let mut all = roster.assignments.iter();
+            let Some((_, maximum)) = all.find(|(name, _)| *name == assignment) else {
+                let names = roster.assignments.iter().map(|(name, _)| name.line());
+                let names: Vec<String> = names.collect();
+                return (!names.is_empty()).then(|| {
+                    format!(
+                        "the roster has no assignment `{assignment}`, and Canvas will make a new one; `--assignment` takes one of: {}",
+                        names.join(", ")
+                    )
+                });
+            };
+            Some(*maximum)
+        }
+    };
+    maximum.filter(|maximum| *maximum != possible).map(|maximum| {
+        let larger = match marks.system {
+            System::Moodle => ", which leaves out larger marks",
+            _ => "",
+        };
         format!(
-            "the maximum grade in Moodle is {}, and {} points are possible: change it there before you import, or {} points are not all",
-            points(maximum),
+            "{} points are possible, and the assignment has {} in the course system{larger}: change it there before you import",
             points(possible),
-            points(possible)
+            points(maximum),
         )
     })
 }
 
+/// A student's name, and what else is known that tells the student from others.
+fn shown(student: &Student) -> String {
+    let known = [&student.id, &student.login, &student.number].map(Untrusted::line);
+    let known = known.into_iter().find(|known| !known.is_empty());
+    match known {
+        Some(known) => format!("{} ({known})", student.name.line()),
+        None => student.name.line(),
+    }
+}
+
 fn about(roster: &Roster, problem: &Problem) -> String {
-    let student = |i: &usize| {
-        let student = &roster.students[*i];
-        let known = [&student.id, &student.login, &student.number].map(Untrusted::line);
-        let known = known.into_iter().find(|known| !known.is_empty());
-        match known {
-            Some(known) => format!("{} ({known})", student.name.line()),
-            None => student.name.line(),
-        }
-    };
+    let student = |i: &usize| shown(&roster.students[*i]);
     match problem {
         Problem::Nobody => {
             "no student of the roster has this name or number. Rename it to the student's identifier".into()
@@ -120,5 +152,44 @@ fn about(roster: &Roster, problem: &Problem) -> String {
         Problem::Again(of) => {
             format!("{} handed in more than one. Remove those that do not count", student(of))
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_assignment_that_does_not_fit_is_named() {
+        let canvas = Roster {
+            assignments: vec![("Part 1 (12)".into(), 80.0), ("Quiz (9)".into(), 5.0)],
+            ..Roster::default()
+        };
+        let moodle = Roster {
+            maximum: Some(80.0),
+            ..Roster::default()
+        };
+        let about = |system, roster: &Roster, assignment: &str, possible| {
+            let marks = Marks {
+                system,
+                assignment: assignment.into(),
+                add_extra: false,
+            };
+            about_maximum(&marks, roster, possible).unwrap_or_default()
+        };
+        for system in System::ALL {
+            assert_eq!(about(system, &canvas, "Part 1 (12)", 80.0), "");
+            assert_eq!(about(system, &moodle, "Part 1 (12)", 80.0), "");
+        }
+        assert_eq!(about(System::Csv, &moodle, "", 83.0), "");
+        let other = about(System::Canvas, &canvas, "Part 1 (12)", 83.0);
+        assert!(other.starts_with("83 points are possible, and the assignment has 80"));
+        assert!(!other.contains("leaves out"), "{other}");
+        assert!(about(System::Moodle, &moodle, "", 83.0).contains("leaves out larger marks"));
+        let unknown = about(System::Canvas, &canvas, "Part 1", 80.0);
+        assert!(
+            unknown.ends_with("one of: Part 1 (12), Quiz (9)"),
+            "{unknown}"
+        );
     }
 }

@@ -29,7 +29,7 @@ pub(super) fn section(class: &Class, page_names: &[String]) -> Markup {
             h3 id=(format!("mistakes-{}", task.task)) { (task.task) " " (task.title) }
             @for idea in &task.ideas {
                 details.idea {
-                    summary { (bar(idea.students(), most)) span { (idea.idea.name) span.soft { ": " (idea.lost()) " points lost" } } }
+                    summary { (bar(idea.students(), most)) span { (idea.idea.name) span.soft { ": " (idea.lost()) " lost" } } }
                     (teach_again(task, idea))
                     @for mistake in &idea.mistakes {
                         details.mistake {
@@ -133,7 +133,35 @@ pub(super) fn simplest(call: &Simplest) -> Markup {
         div.simplest {
             p { strong { "The simplest call" } " like one of " code { (call.case) } ":" }
             p { code { (call.input.line()) } }
-            p { code { (call.result.line()) } }
+            p { code { (result(call)) } }
         }
+    }
+}
+
+/// The result without the ray, which the message of a wrong answer repeats at its end.
+fn result(call: &Simplest) -> String {
+    let (input, result) = (call.input.line(), call.result.line());
+    let ray = input.split("; ").next().unwrap_or_default();
+    let result = result.strip_suffix(ray).unwrap_or(&result);
+    result.trim_end().to_string()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_ray_of_a_call_is_shown_once() {
+        let call = |result: &str| Simplest {
+            case: "range".into(),
+            aspect: None,
+            input: "Ray: o = 0, d = 1; sphere".into(),
+            result: result.into(),
+        };
+        assert_eq!(
+            result(&call("expected: a miss. Ray: o = 0, d = 1")),
+            "expected: a miss."
+        );
+        assert_eq!(result(&call("expected: a miss")), "expected: a miss");
     }
 }

@@ -50,13 +50,16 @@ impl IdeaMistakes<'_> {
             .sum()
     }
 
-    /// How many points they lost in the task.
+    /// The points that they lost in the task, such as "6 points".
     pub(super) fn lost(&self) -> String {
         let lost = self
             .mistakes
             .iter()
             .fold(0.0, |sum, mistake| sum + mistake.lost);
-        points((lost * 4.0).round() / 4.0)
+        match points((lost * 4.0).round() / 4.0).as_str() {
+            "1" => "1 point".to_string(),
+            lost => format!("{lost} points"),
+        }
     }
 
     /// The shortest of the simplest calls.

@@ -208,7 +208,7 @@ mod tests {
                 student("Kim Lee", "1", "s4", "kim1", ""),
                 student("Kim Lee", "2", "s5", "kim2", ""),
             ],
-            maximum: None,
+            ..Roster::default()
         }
     }
 

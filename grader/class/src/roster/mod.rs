@@ -15,8 +15,10 @@ use submission::Untrusted;
 pub struct Roster {
     /// The students, in the order of the file.
     pub students: Vec<Student>,
-    /// The most points that the course system gives for the assignment, if the file says so.
+    /// The most points that Moodle gives for the assignment, if the file says so.
     pub maximum: Option<f64>,
+    /// The assignments of Canvas, by the names of their columns, and the most points of each.
+    pub assignments: Vec<(Untrusted, f64)>,
 }
 
 /// A student of a roster. What the file does not say is empty.
@@ -140,6 +142,7 @@ impl Roster {
         }
         let mut students = Vec::new();
         let mut maximum = None;
+        let mut assignments = Vec::new();
         for record in reader.records() {
             let record = record.map_err(|e| e.to_string())?;
             let value = |field: Field| {
@@ -178,7 +181,13 @@ impl Roster {
             let is_empty = [&student.name, &student.id, &student.login, &student.number]
                 .iter()
                 .all(|text| text.is_empty());
-            if !is_empty && name != POINTS_POSSIBLE {
+            if name == POINTS_POSSIBLE {
+                assignments = header
+                    .iter()
+                    .zip(&record)
+                    .filter_map(|(name, points)| Some((name.into(), points.parse().ok()?)))
+                    .collect();
+            } else if !is_empty {
                 maximum = maximum.or_else(|| value(Field::Maximum).parse().ok());
                 students.push(student);
             }
@@ -186,7 +195,11 @@ impl Roster {
         if students.is_empty() {
             return Err("there is no student in it".into());
         }
-        Ok(Roster { students, maximum })
+        Ok(Roster {
+            students,
+            maximum,
+            assignments,
+        })
     }
 }
 

@@ -6,7 +6,7 @@
 mod search_index;
 mod site;
 
-use base::errln;
+use base::{errln, outln};
 use book::source::Links;
 use std::path::Path;
 use std::process::ExitCode;
@@ -20,7 +20,7 @@ fn main() -> ExitCode {
     let args: Vec<&str> = args.iter().map(String::as_str).collect();
     let result = match args.as_slice() {
         [folder] if !folder.starts_with('-') => site::build(Path::new(folder), Links::Project),
-        [folder, "--published"] => site::build(Path::new(folder), Links::Nowhere),
+        [folder, "--published"] => publish(Path::new(folder)),
         _ => Err(USAGE.into()),
     };
     match result {
@@ -30,4 +30,10 @@ fn main() -> ExitCode {
             ExitCode::from(2)
         }
     }
+}
+
+fn publish(folder: &Path) -> Result<(), String> {
+    site::build(folder, Links::Nowhere)?;
+    outln!("The site is ready: {}", folder.join("index.html").display());
+    Ok(())
 }

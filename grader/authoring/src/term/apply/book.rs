@@ -6,7 +6,7 @@ use crate::check::book::{checkpoint, points_of_part, row_end};
 use base::GraderError;
 use grader::course::chapter::chapter;
 use grader::course::consistency::total_points;
-use grader::course::{Course, Task};
+use grader::course::{Course, Part, Task};
 use std::path::{Path, PathBuf};
 use submission::file_tree::Files;
 
@@ -31,9 +31,20 @@ pub(super) fn with_changes(
         let old = text(files, &path)?;
         let new = match after.tasks().find(|other| other.key == task.key) {
             Some(now) => with_points(&old, task, now),
-            None => with_note(&old),
+            None => after_heading(
+                &old,
+                "*This course leaves the task out: its code is given, and nothing of it is graded.*",
+            ),
         };
         changed.push((path, new));
+    }
+    for part in &before.parts {
+        let Some(words) = left_out(part, after) else {
+            continue;
+        };
+        let path = PathBuf::from(format!("stages/book/src/part{}/README.md", part.number));
+        let chapter = after_heading(&text(files, &path)?, &words);
+        changed.push((path, chapter));
     }
     let mut hosting = text(files, Path::new(HOSTING))?;
     for part in &before.parts {
@@ -72,12 +83,21 @@ fn with_points(chapter: &str, before: &Task, now: &Task) -> String {
     }
 }
 
-/// A chapter of a task that is left out.
-fn with_note(chapter: &str) -> String {
-    after_heading(
-        chapter,
-        "*This course leaves the task out: its code is given, and nothing of it is graded.*",
-    )
+/// What the chapter of a part says of its tasks that are left out, if some are.
+fn left_out(part: &Part, after: &Course) -> Option<String> {
+    let is_left_out = |task: &&Task| after.tasks().all(|other| other.key != task.key);
+    let titles: Vec<&str> = part
+        .tasks
+        .iter()
+        .filter(is_left_out)
+        .map(|task| task.title.as_str())
+        .collect();
+    (!titles.is_empty()).then(|| {
+        format!(
+            "*This course leaves out, and gives the code of: {}.*",
+            titles.join("; ")
+        )
+    })
 }
 
 /// The first chapter with the name of the course, the teacher's words and the dates.

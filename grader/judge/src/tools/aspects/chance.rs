@@ -10,6 +10,7 @@ use kit::{Tally as SampleTally, Vec3};
 use statistics::chi_square;
 use statistics::{detectable_bias, sidak, two_sided};
 use std::collections::HashSet;
+use std::f64::consts::{PI, TAU};
 
 /// Probability that a whole run reports a false alarm on right code.
 const RUN_FALSE_ALARM: f64 = 1e-6;
@@ -79,7 +80,7 @@ pub(crate) fn spread(
         });
         return;
     }
-    let fit = chi_square::fit(directions.iter().copied(), pdf);
+    let fit = chi_square::fit(directions.iter().copied(), &pdf);
     let sure = fit.detectable_deviation(test_false_alarm());
     tally.set_detectable(Aspect::Spread, sure);
     let badness = -fit.p.max(1e-300).log10();
@@ -97,13 +98,43 @@ pub(crate) fn spread(
             );
         }
         format!(
-            "your {} directions are not distributed {right}: right directions deviate this much with a probability of {:.0e}, allowed is {:.0e} (a deviation of {:.0} % is always detected)",
+            "your {} directions are not distributed {right}{}: right directions deviate this much with a probability {}, allowed is {:.0e} (a deviation of {:.0} % is always detected)",
             directions.len(),
-            fit.p,
+            means(directions, &pdf),
+            match fit.p {
+                0.0 => "below 1e-300".into(),
+                p => format!("of {p:.0e}"),
+            },
             test_false_alarm(),
             100.0 * sure
         )
     });
+}
+
+/// Which way the mean of `directions` differs from that of the density `pdf`; empty if two decimals
+/// of both are the same.
+fn means(directions: &[Option<Vec3>], pdf: impl Fn(Vec3) -> f64) -> String {
+    const STEPS: u32 = 200;
+    let middle = |i: u32| (f64::from(i) + 0.5) / f64::from(STEPS);
+    let mut right = Vec3::ZERO;
+    for (i, j) in (0..STEPS).flat_map(|i| (0..STEPS).map(move |j| (i, j))) {
+        let z = 2.0 * middle(i) - 1.0;
+        let (sin, cos) = kit::math::sin_cos(TAU * middle(j));
+        let across = (1.0 - z * z).sqrt();
+        let d = Vec3::new(across * cos, across * sin, z);
+        right += pdf(d) * d;
+    }
+    let right = right * (4.0 * PI / f64::from(STEPS * STEPS));
+    let yours = directions.iter().flatten().sum::<Vec3>() / directions.len() as f64;
+    let [yours, right] = [yours, right].map(|mean| {
+        // Adding 0 turns -0 into 0.
+        let [x, y, z] = mean.to_array().map(|x| (100.0 * x).round() / 100.0 + 0.0);
+        format!("({x}, {y}, {z})")
+    });
+    match yours == right {
+        true => String::new(),
+        false => format!(" (their mean is {yours}, that of right ones {right})"),
+    }
 }
 
 /// The class of random results that are the same in each call.
@@ -172,6 +203,26 @@ mod tests {
         assert_eq!(of_directions(&[0.3, 0.6]), Some(ALWAYS_THE_SAME));
         let all: Vec<f64> = (0..8000).map(|i| f64::from(i) / 8000.0).collect();
         assert!(matches!(of_directions(&all), Some(Class::Towards(_))));
+    }
+
+    #[test]
+    fn directions_in_half_of_the_turn_have_another_mean_than_right_ones() {
+        let by_cosine = |d: Vec3| d.z.max(0.0) / PI;
+        let directions = |turn: f64| {
+            let of = move |i: u32| {
+                let (height, angle) = (f64::from(i % 100) + 0.5, f64::from(i / 100) + 0.5);
+                let (sin, cos) = (turn * angle / 100.0).sin_cos();
+                let z = (height / 100.0).sqrt();
+                let across = (1.0 - z * z).sqrt();
+                Some(Vec3::new(across * cos, across * sin, z))
+            };
+            (0..10_000).map(of).collect::<Vec<_>>()
+        };
+        assert_eq!(means(&directions(TAU), by_cosine), "");
+        let half = means(&directions(PI), by_cosine);
+        // The mean distance from the axis, 2/3, times that of a sine over half a turn, 2/pi.
+        let expected = " (their mean is (0, 0.42, 0.67), that of right ones (0, 0, 0.67))";
+        assert_eq!(half, expected);
     }
 
     #[test]

@@ -24,9 +24,9 @@ pub struct Graded<'a> {
     specs: &'a [Spec],
 }
 
+#[cfg(test)]
 impl<'a> Graded<'a> {
     /// A report without workers that could be asked more.
-    #[cfg(test)]
     pub(crate) fn for_tests(report: TaskReport) -> Graded<'a> {
         Graded {
             report,
@@ -34,7 +34,9 @@ impl<'a> Graded<'a> {
             specs: &[],
         }
     }
+}
 
+impl Graded<'_> {
     /// The simplest call for the wrong answers of `result`, a part of those of the task, that
     /// `choice` leaves.
     pub fn simplest(

@@ -1,4 +1,4 @@
-//! The cases, and the answers of the reference to them.
+//! The cases, and the reference's answers to them.
 
 use judge::cases::{self, Spec};
 use std::sync::{LazyLock, OnceLock};

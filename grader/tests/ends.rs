@@ -163,8 +163,8 @@ fn case(name: &str) -> Case {
     }
 }
 
-/// The cases of a task after one that does not return are not run for an editor; simple questions to
-/// such code have a short limit.
+/// The cases of a task after one that does not return are not run for an editor; simple questions
+/// to such code have a short limit.
 fn a_task_is_left_at_its_first_timeout(worker: &Worker) {
     for (patience, limit) in [
         (Patience::OneTimeout, 600),

@@ -49,8 +49,8 @@ pub fn list(class: &Path) -> Result<Vec<Entry>, GraderError> {
             false => is_link.then_some(LINK),
         };
         let mut name = name.to_string_lossy().into_owned();
-        // Two names that are no UTF-8 may look the same.
-        while files.iter().any(|(other, _)| *other == name) {
+        // A name that is no UTF-8 may look like another one.
+        while is_no_text && files.iter().any(|(other, _)| *other == name) {
             name.push('\'');
         }
         if !name.starts_with('.') {
@@ -66,9 +66,9 @@ pub fn list(class: &Path) -> Result<Vec<Entry>, GraderError> {
     Ok(named(files))
 }
 
-/// Names the entries. Two that differ only by their ending keep it: `anna` and `anna.zip`. So does one
-/// whose name would be another file's: `anna.zip.zip` beside `anna.zip`. A name is a key of results and
-/// marks, so no two entries have the same.
+/// Names the entries. Two that differ only by their ending keep it: `anna` and `anna.zip`. So does
+/// one whose name would be another file's: `anna.zip.zip` beside `anna.zip`. A name is a key of
+/// results and marks, so no two entries have the same.
 fn named(files: Vec<(String, Option<&'static str>)>) -> Vec<Entry> {
     let mut times: BTreeMap<String, usize> = BTreeMap::new();
     for (file, _) in &files {
@@ -99,13 +99,13 @@ fn stem(file: &str) -> &str {
     if length == 0 { file } else { &file[..length] }
 }
 
-/// How much of a name's hash is in that of its page. A student chooses the name, and must not be able
-/// to find one with the page of somebody else.
+/// How much of a name's hash is in that of its page. A student chooses the name, and must not be
+/// able to find one with the page of somebody else.
 const PAGE_HASH: usize = 24;
 
 /// The file names of the students' pages, without `.html`, in the order of `names`. A name that is
-/// no plain file name on every system is written with `_` and a part of its hash, and so is one that
-/// looks like that.
+/// no plain file name on every system is written with `_` and a part of its hash, and so is one
+/// that looks like that.
 pub fn page_names(names: &[&str]) -> Vec<String> {
     let plain = |name: &str| -> String {
         let places = name.char_indices();

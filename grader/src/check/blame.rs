@@ -1,8 +1,8 @@
 //! Which function of a task is to blame for a wrong answer.
 //!
 //! A function that calls another one of its task gives its wrong answers on: `intersect_triangle`
-//! misses where `test_triangle` does. And what no case judges by itself, such as `record_triangle`, is
-//! seen in the answers of its caller only.
+//! misses where `test_triangle` does. And what no case judges by itself, such as `record_triangle`,
+//! is seen in the answers of its caller only.
 
 use crate::course::Task;
 use crate::course::sources::{self, SourceFile};
@@ -50,21 +50,23 @@ impl<'a> Blame<'a> {
     /// Of the functions of `task`, whose stage has these files and whose cases had these results.
     pub fn new(task: &'a Task, files: &[SourceFile], cases: &[CaseResult]) -> Blame<'a> {
         let body = |name: &str| {
-            let mut bodies = files
-                .iter()
-                .filter_map(|file| sources::body(&file.text, name));
-            bodies.next().unwrap_or_default()
+            let mut files = files.iter();
+            let body = files.find_map(|file| sources::body(&file.text, name));
+            body.unwrap_or_default()
         };
         let wrong: Vec<WrongCalls<'_>> = cases.iter().map(|case| wrong(&case.findings)).collect();
         let is_judged = |name: &str| cases.iter().any(|case| judges(&case.findings, name));
-        let called = |caller: &str, name: &'a str| Called {
-            name,
-            is_wrong: wrong.iter().any(|wrong| wrong.contains_key(name)),
-            is_wrong_apart: wrong.iter().any(|wrong| wrong.contains_key(name))
-                && !wrong.iter().any(|wrong| {
-                    let [called, caller] = [name, caller].map(|function| wrong.get(function));
-                    called.zip(caller).is_some_and(|(a, b)| !a.is_disjoint(b))
-                }),
+        let called = |caller: &str, name: &'a str| {
+            let is_wrong = wrong.iter().any(|wrong| wrong.contains_key(name));
+            let are_wrong_together = wrong.iter().any(|wrong| {
+                let [called, caller] = [name, caller].map(|function| wrong.get(function));
+                called.zip(caller).is_some_and(|(a, b)| !a.is_disjoint(b))
+            });
+            Called {
+                name,
+                is_wrong,
+                is_wrong_apart: is_wrong && !are_wrong_together,
+            }
         };
         let functions = task.holes.iter().map(|name| {
             let code = body(name);
@@ -104,8 +106,8 @@ impl<'a> Blame<'a> {
         names.filter(|name| blamed.contains(name)).collect()
     }
 
-    /// The findings of a case or a question with only those wrong answers that `function` is to blame
-    /// for.
+    /// The findings of a case or a question with only those wrong answers that `function` is to
+    /// blame for.
     pub fn only(&self, function: &str, findings: Vec<Finding>) -> Vec<Finding> {
         let wrong = wrong(&findings);
         let chosen = findings.iter().map(|finding| {

@@ -47,8 +47,8 @@ const NAMED: usize = 4;
 
 impl Finding {
     /// What is wrong in the core cases of a task, for each function that is to blame by itself;
-    /// nothing if none of the cases fails. With `extra`, what is wrong in those of extra credit if no
-    /// core case fails. `files` are those of its stage.
+    /// nothing if none of the cases fails. With `extra`, what is wrong in those of extra credit if
+    /// no core case fails. `files` are those of its stage.
     pub fn all(
         graded: &Graded<'_>,
         task: &Task,
@@ -60,14 +60,13 @@ impl Finding {
         failed.retain(|case| extra || case.tier == judge::Tier::Core);
         let blame = Blame::new(task, files, &report.result.cases);
         let functions = blame.functions(&failed);
-        let [_, _, ..] = functions[..] else {
-            let finding = Finding::of(report, task, &failed, functions.first().copied());
+        if functions.len() < 2 || failed.iter().any(|case| case.crash.is_some()) {
+            let only = match functions[..] {
+                [function] => Some(function),
+                _ => None,
+            };
+            let finding = Finding::of(report, task, &failed, only);
             return Ok(finding.into_iter().collect());
-        };
-        if failed.iter().any(|case| case.crash.is_some()) {
-            return Ok(Finding::of(report, task, &failed, None)
-                .into_iter()
-                .collect());
         }
         let mut findings = Vec::new();
         for function in functions {
@@ -97,8 +96,8 @@ impl Finding {
         Ok(findings)
     }
 
-    /// What is wrong in the `failed` cases of the task `graded`, which `function` is to blame for if
-    /// it is known; `None` if none of them fails by itself.
+    /// What is wrong in the `failed` cases of the task `graded`, which `function` is to blame for
+    /// if it is known; `None` if none of them fails by itself.
     fn of(
         report: &TaskReport,
         graded: &Task,

@@ -2,9 +2,9 @@
 
 use std::collections::BTreeSet;
 
-/// The line of `body`, counted from 0, that `clue` is certainly about: the only one that computes or
-/// compares with every name of the function's code that the clue mentions. `None` if there is no such
-/// line, or several. The first line, the signature, does not count.
+/// The line of `body`, counted from 0, that `clue` is certainly about: the only one that computes
+/// or compares with every name of the function's code that the clue mentions. `None` if there is no
+/// such line, or several. The first line, the signature, does not count.
 pub fn of(body: &str, clue: &str) -> Option<usize> {
     let lines = body.lines().map(|line| line.split("//").next());
     let lines = lines.map(Option::unwrap_or_default).enumerate().skip(1);

@@ -1,10 +1,10 @@
 //! `grader check`: what the compiler and the grader find, in the form in which editors read it.
 //!
 //! The command first checks the stages with cargo, whose messages are passed on unchanged
-//! ([`cargo_check`]), then grades the tasks whose code changed ([`again`]; [`stored`] has the findings
-//! of the others), and prints for each function that is to blame ([`blame`]) what is wrong
-//! ([`finding`]) as a message of rustc's form ([`rustc_message`]) at the student's function, or at the
-//! line that a hint is certainly about ([`meant_line`]).
+//! ([`cargo_check`]), then grades the tasks whose code changed ([`again`]; [`stored`] has the
+//! findings of the others), and prints for each function that is to blame ([`blame`]) what is wrong
+//! ([`finding`]) as a message of rustc's form ([`rustc_message`]) at the student's function, or at
+//! the line that a hint is certainly about ([`meant_line`]).
 
 pub mod again;
 pub mod blame;
@@ -22,7 +22,7 @@ use finding::Finding;
 use rustc_message::{Diagnostic, Level, Mark};
 
 /// The messages about one task: a hint for each function that is not written yet, and a warning for
-/// each that is wrong. `files` are those of its stage.
+/// each function that is wrong. `files` are those of the task's stage.
 pub fn messages(
     task: &Task,
     files: &[SourceFile],
@@ -50,8 +50,8 @@ fn gap(task: &Task, files: &[SourceFile], name: &str, colours: bool) -> Option<D
     Some(message)
 }
 
-/// The warning about what is wrong in a function: where its code panicked, at the line that the hint
-/// means, or else at the name of the function.
+/// The warning about what is wrong in a function: where its code panicked, at the line that the
+/// hint means, or else at the name of the function.
 fn warning(
     task: &Task,
     files: &[SourceFile],

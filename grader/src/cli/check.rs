@@ -125,7 +125,7 @@ fn report(
                 stage == task.stage || whole_scenes && INTERSECTION_STAGES.contains(&stage)
             };
             let linked = files.iter().filter(|(stage, _)| linked(stage));
-            code_hash(&given, request.extra, linked.map(|(_, files)| files))
+            code_hash(given, request.extra, linked.map(|(_, files)| files))
         })
     };
     // What a handout contains the solution of is right.
@@ -216,7 +216,7 @@ fn given_code(workspace: &Workspace) -> Result<u64, GraderError> {
 /// A number that changes with the code that a task is graded with: the `given` code and the files
 /// of the `stages` that are linked.
 fn code_hash<'a>(
-    given: &u64,
+    given: u64,
     extra: bool,
     stages: impl Iterator<Item = &'a Vec<SourceFile>>,
 ) -> String {

@@ -236,8 +236,8 @@ fn next_open_task(
     }
 }
 
-/// Writes `report.json`, the results of its tasks, whose stages had these fingerprints, and the tests
-/// of their worst answers.
+/// Writes `report.json`, the results of its tasks, whose stages had these fingerprints, and the
+/// tests of their worst answers.
 pub(super) fn store(
     workspace: &Workspace,
     report: &mut Report,

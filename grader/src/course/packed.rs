@@ -1,18 +1,15 @@
 //! Packed goldens: the snapshots of a task in one compressed file.
 //!
 //! In the course's checkout they are text, one file each, to be reviewed. A handout has
-//! `golden/TASK.pack` instead: entries, each a line `BYTES NAME`, then the bytes, compressed together
-//! by [`judge::compressed`]. What nobody reviews as text, such as the signatures of mistakes, is
-//! [`binary`] everywhere.
+//! `golden/TASK.pack` instead: entries, each a line `BYTES NAME`, then the bytes, compressed
+//! together by [`judge::compressed`]. What nobody reviews as text, such as the signatures of
+//! mistakes, is [`binary`] everywhere.
 
 pub mod binary;
 
 use base::{GraderError, Workspace};
-use judge::compressed::{compress, decompress};
+use judge::compressed::{MAX_UNPACKED, compress, decompress};
 use std::path::{Path, PathBuf};
-
-/// The largest size of an unpacked file. The largest of the course has 1.5 MB.
-const MAX_UNPACKED: usize = 64 << 20;
 
 /// The task to whose pack a file of the folder `golden` belongs, for the path below that folder;
 /// `None` for files that are not packed.

@@ -32,8 +32,8 @@ struct File {
     boxes: Vec<OfBox>,
 }
 
-/// Declares the table of an example: a shape, a ray and the expected result. A macro, because serde's
-/// `flatten` would leave out which field is unknown, and in which line.
+/// Declares the table of an example: a shape, a ray and the expected result. A macro, because
+/// serde's `flatten` would leave out which field is unknown, and in which line.
 macro_rules! shape_and_ray {
     ($name:ident { $($field:ident: $of:ty),* }) => {
         #[derive(Debug, Deserialize)]

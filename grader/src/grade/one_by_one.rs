@@ -1,5 +1,5 @@
-//! Grades tasks one after the other for an editor, which shows what is wrong in a task as soon as it
-//! is known.
+//! Grades tasks one after the other for an editor, which shows what is wrong in a task as soon as
+//! it is known.
 //!
 //! Nothing is measured and no picture is rendered. A task is left at its first call that does not
 //! return: the others of its cases would take as long again at each save.

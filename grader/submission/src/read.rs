@@ -50,8 +50,8 @@ const SKIPPED_FOLDERS: [&str; 2] = ["target", ".git"];
 /// time to read thousands of folders inside each other grows with the square of their number.
 const MAX_DEPTH: usize = 64;
 
-/// The longest path of a source file below `src`, in bytes, as of an archive's: a system may not find
-/// the place of a longer one in the folder that it is compiled in.
+/// The longest path of a source file below `src`, in bytes, as of an archive's: a system may not
+/// find the place of a longer one in the folder that it is compiled in.
 const MAX_PATH: usize = 512;
 
 /// How deep the sources of a stage lie in a project: `stages/STAGE/src`.

@@ -1,7 +1,8 @@
 //! Part 5: adaptive sampling.
 //!
-//! Reading order: [`stop`] (task 1, the stopping criterion; task 2, the same with little of its bias),
-//! [`pixel`] (task 1, the sampling loop that uses it), [`rate`] (the image of the sampling rate).
+//! Reading order: [`stop`] (task 1, the stopping criterion; task 2, the same with little of its
+//! bias), [`pixel`] (task 1, the sampling loop that uses it), [`rate`] (the image of the sampling
+//! rate).
 
 pub mod pixel;
 pub mod rate;

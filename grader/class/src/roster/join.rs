@@ -117,8 +117,8 @@ impl Join {
     }
 }
 
-/// The students who fit a clue. A number decides alone. An identifier does not decide against a name:
-/// students choose their logins, and one may be the name of somebody else.
+/// The students who fit a clue. A number decides alone. An identifier does not decide against a
+/// name: students choose their logins, and one may be the name of somebody else.
 fn fitting(roster: &Roster, clue: &Clue) -> Vec<usize> {
     let those = |fits: &dyn Fn(&Student) -> bool| -> Vec<usize> {
         let students = roster.students.iter().enumerate();

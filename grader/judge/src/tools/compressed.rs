@@ -11,6 +11,9 @@ const PRESET: u32 = 9;
 /// is compressed.
 const SMALLEST_DICTIONARY: usize = 1 << 16;
 
+/// The largest size of an unpacked file. The largest of the course have 1.5 MB.
+pub const MAX_UNPACKED: usize = 64 << 20;
+
 /// Compresses bytes. The same bytes give the same result on every machine.
 pub fn compress(plain: &[u8]) -> Vec<u8> {
     let mut options = LzipOptions::with_preset(PRESET);

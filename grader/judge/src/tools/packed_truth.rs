@@ -10,7 +10,7 @@
 //! what it holds can be looked up, but not listed as inputs with their results. `grader handout`
 //! writes it.
 
-use super::compressed::{compress, decompress};
+use super::compressed::{MAX_UNPACKED, compress, decompress};
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use std::cell::RefCell;
@@ -27,9 +27,6 @@ pub const FILE: &str = "grader/judge/src/tools/packed_truth.bin";
 const PACKED: Option<&[u8]> = None;
 // STUB: const PACKED: Option<&[u8]> = Some(include_bytes!("packed_truth.bin"));
 // END SOLUTION(part5.task2)
-
-/// The largest size of an unpacked table. That of the handout of Part 1 has 1 MB.
-const MAX_UNPACKED: usize = 64 << 20;
 
 /// The results of the formulas of each task, by the hash of formula and input.
 pub type Tables = BTreeMap<&'static str, BTreeMap<u64, Vec<u8>>>;

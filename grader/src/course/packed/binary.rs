@@ -1,7 +1,6 @@
 //! Values that programs store for programs: postcard, compressed.
 
-use super::MAX_UNPACKED;
-use judge::compressed::{compress, decompress};
+use judge::compressed::{MAX_UNPACKED, compress, decompress};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 

@@ -50,7 +50,8 @@ impl Pixels {
         self.expected(stops, |pixel| pixel.mean())
     }
 
-    /// The mean of all pixels with this task's conditions, and how many samples they take on average.
+    /// The mean of all pixels with this task's conditions, and how many samples they take on
+    /// average.
     pub(super) fn mean_and_samples(&self) -> [f64; 2] {
         let samples = self.expected(sure, |pixel| pixel.count() as f64);
         [self.mean(sure), samples]

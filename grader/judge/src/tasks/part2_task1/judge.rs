@@ -188,23 +188,16 @@ fn judge_work(tally: &mut Tally, tree: &Tree, walk: &Walk, tight: &[Aabb], recor
 
 /// Where to look for the cause of a high cost.
 fn question(tree: &Tree, tight: &[Aabb]) -> String {
-    const AXES: [&str; 3] = ["x", "y", "z"];
-    let longest = |of: Vec3| {
-        let longer = |most: usize, axis: usize| if of[axis] > of[most] { axis } else { most };
-        (0..3).fold(0, longer)
-    };
     let root = tree.nodes.first().map(|node| node.kind);
     if let Some(NodeKind::Interior { left, right }) = root {
         let [left, right] = [left, right].map(|child| tight[child as usize].centroid());
         let extent = tight[0].extent();
-        let (split, long) = (longest((right - left).abs()), longest(extent));
+        let [split, long] = [(right - left).abs(), extent].map(Vec3::max_position);
         if extent[split] < extent[long] {
-            let ([split_by, long_by], [short, most]) = (
-                [split, long].map(|axis| AXES[axis]),
-                [split, long].map(|axis| extent[axis]),
-            );
+            let [split_by, long_by] = [split, long].map(|axis| ["x", "y", "z"][axis]);
             return format!(
-                "The children of your root lie beside each other along {split_by}, where all boxes extend over {short}; along {long_by} they extend over {most}"
+                "The children of your root lie beside each other along {split_by}, where all boxes extend over {}; along {long_by} they extend over {}",
+                extent[split], extent[long]
             );
         }
     }

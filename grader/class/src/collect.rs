@@ -27,8 +27,10 @@ pub struct Class {
 /// The result of one submission.
 #[derive(Clone, Debug)]
 pub struct Row {
-    /// The student's name.
+    /// The name of the submission, the key of marks and results.
     pub name: Untrusted,
+    /// Whose it is, by the roster.
+    pub owner: Option<Untrusted>,
     /// How it ended.
     pub status: Status,
     /// The points; `None` if there is no score.
@@ -71,6 +73,11 @@ pub struct TaskOutcome {
 }
 
 impl Row {
+    /// Whose submission it is: the student's name if the roster says it, else the submission's.
+    pub fn who(&self) -> &Untrusted {
+        self.owner.as_ref().unwrap_or(&self.name)
+    }
+
     /// What a person should know about it, in one line.
     pub fn about(&self) -> String {
         let detail = self.status.detail().into_iter();
@@ -148,10 +155,20 @@ pub struct Score {
     pub tasks: BTreeMap<String, [f64; 2]>,
 }
 
+/// What the rows depend on besides the plan and the units.
+#[derive(Clone, Debug, Default)]
+pub struct Options {
+    /// What a submission gets that could not be read.
+    pub on_unreadable: OnUnreadable,
+    /// The students' names, by those of their submissions.
+    pub owners: BTreeMap<String, Untrusted>,
+}
+
 /// What a submission gets that could not be read.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum OnUnreadable {
     /// No score: its student may have the code, and it is a question to the teacher.
+    #[default]
     Ask,
     /// 0 points, as the teacher has decided.
     Zero,
@@ -166,12 +183,13 @@ impl Class {
     pub fn read(
         out: &Out,
         plan: Plan,
-        on_unreadable: OnUnreadable,
+        options: &Options,
         mut visit: impl FnMut(&Plan, usize, &Row, Option<&Details>) -> Result<(), GraderError>,
     ) -> Result<Class, GraderError> {
         let mut rows = Vec::new();
         for (i, planned) in plan.submissions.iter().enumerate() {
-            let (row, details) = row(out, &plan, planned, on_unreadable)?;
+            let (mut row, details) = row(out, &plan, planned, options.on_unreadable)?;
+            row.owner = options.owners.get(planned.name.raw()).cloned();
             visit(&plan, i, &row, details.as_ref())?;
             rows.push(row);
         }
@@ -227,6 +245,7 @@ fn row(
     let without_unit = |status, score| {
         let row = Row {
             name: planned.name.clone(),
+            owner: None,
             status,
             score,
             notes: Vec::new(),
@@ -310,6 +329,7 @@ fn row(
     });
     let row = Row {
         name: planned.name.clone(),
+        owner: None,
         status,
         score: Some(score),
         notes,

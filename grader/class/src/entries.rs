@@ -30,7 +30,22 @@ const ENDINGS: [&str; 4] = [".tar.gz", ".tgz", ".tar", ".zip"];
 /// ending of a file that is being written, it is still a name.
 const PAGE_NAME: usize = 160;
 
-/// Lists the submissions in `class`, sorted by name. Hidden entries are left out. A file that is no
+/// Hidden entries that systems and programs make. Any other was handed in, and has a row.
+const MADE_BY_SYSTEMS: [&str; 8] = [
+    ".DS_Store",
+    ".Spotlight-V100",
+    ".Trashes",
+    ".directory",
+    ".fseventsd",
+    ".git",
+    ".gitignore",
+    ".localized",
+];
+
+/// The same, with what their names begin with.
+const MADE_BY_SYSTEMS_TOO: [&str; 3] = ["._", ".nfs", ".Trash-"];
+
+/// Lists the submissions in `class`, sorted by name, without what systems made. A file that is no
 /// archive is listed, too: somebody handed it in, and reading it says what is wrong.
 pub fn list(class: &Path) -> Result<Vec<Entry>, GraderError> {
     let failed = |e: std::io::Error| GraderError::file("read", class, e);
@@ -53,7 +68,7 @@ pub fn list(class: &Path) -> Result<Vec<Entry>, GraderError> {
         while is_no_text && files.iter().any(|(other, _)| *other == name) {
             name.push('\'');
         }
-        if !name.starts_with('.') {
+        if !is_made_by_a_system(&name) {
             files.push((name, problem));
         }
     }
@@ -90,6 +105,11 @@ fn named(files: Vec<(String, Option<&'static str>)>) -> Vec<Entry> {
         .collect();
     entries.sort_by(|a, b| a.name.cmp(&b.name));
     entries
+}
+
+fn is_made_by_a_system(name: &str) -> bool {
+    let mut starts = MADE_BY_SYSTEMS_TOO.iter();
+    MADE_BY_SYSTEMS.contains(&name) || starts.any(|start| name.starts_with(start))
 }
 
 fn stem(file: &str) -> &str {
@@ -172,6 +192,17 @@ mod tests {
                 (name("''"), Some(NOT_UTF_8)),
             ]
         );
+    }
+
+    #[test]
+    fn a_hidden_entry_is_a_submission_unless_a_system_made_it() {
+        let class = tempfile::tempdir().expect("a folder");
+        for file in [".DS_Store", "._anna.zip", ".git", ".x", ".y.zip"] {
+            std::fs::write(class.path().join(file), "").expect("a file");
+        }
+        let entries = list(class.path()).expect("it can be listed").into_iter();
+        let names: Vec<String> = entries.map(|entry| entry.name).collect();
+        assert_eq!(names, [".x", ".y"]);
     }
 
     #[test]

@@ -34,7 +34,7 @@ const FEWEST_WRONG: usize = 3;
 /// Two submissions with the same wrong answers or the same files.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pair {
-    /// The two names, sorted.
+    /// Whose they are, in the order of the class.
     pub names: [Untrusted; 2],
     /// The tasks with the same wrong answers: the key, the number of wrong answers, how many other
     /// students have them as well.
@@ -63,7 +63,7 @@ pub fn pairs(class: &Class) -> Vec<Pair> {
     let n = class.rows.iter().filter(|row| row.graded.is_some()).count();
     let mut pairs: BTreeMap<[usize; 2], Pair> = BTreeMap::new();
     let new = |[a, b]: [usize; 2]| Pair {
-        names: [a, b].map(|i| class.rows[i].name.clone()),
+        names: [a, b].map(|i| class.rows[i].who().clone()),
         tasks: Vec::new(),
         expected: (n * (n - 1)) as f64 / 2.0,
         stages: Vec::new(),
@@ -119,7 +119,7 @@ pub fn shared_by_many(class: &Class) -> Vec<SharedFiles> {
         stage,
         names: students
             .iter()
-            .map(|&i| class.rows[i].name.clone())
+            .map(|&i| class.rows[i].who().clone())
             .collect(),
     })
     .collect()

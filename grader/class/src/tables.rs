@@ -2,7 +2,7 @@
 //! students' pages. They are a function of the plan and of the units in `OUT`: the same bytes,
 //! whichever machines graded.
 
-use crate::collect::{Class, OnUnreadable};
+use crate::collect::{Class, Options};
 use crate::out::{Out, read_regular};
 use crate::plan::Plan;
 use crate::{entries, gradebook, pages};
@@ -15,13 +15,13 @@ pub fn write(
     out: &Out,
     plan: Plan,
     hint: HintLevel,
-    on_unreadable: OnUnreadable,
+    options: &Options,
 ) -> Result<Class, GraderError> {
     let names = plan.submissions.iter().map(|planned| planned.name.raw());
     let page_names = entries::page_names(&names.collect::<Vec<_>>());
     let students = out.join("students");
     std::fs::create_dir_all(&students).map_err(|e| GraderError::file("create", &students, e))?;
-    let class = Class::read(out, plan, on_unreadable, |plan, i, row, details| {
+    let class = Class::read(out, plan, options, |plan, i, row, details| {
         let pictures = |name: &str| read_regular(&out.picture(name)).ok();
         let page = pages::student::page(plan, row, details, hint, &pictures);
         let path = students.join(format!("{}.html", page_names[i]));

@@ -4,7 +4,7 @@
 //! `cargo test` tries some thousand; the ignored tests go on for `FIRSTLIGHT_FUZZ_SECONDS` each.
 
 use crate::fake_class::{Behaviour, FakeClass};
-use class::collect::OnUnreadable;
+use class::collect::Options;
 use class::out::Out;
 use class::plan::Plan;
 use class::pool;
@@ -263,7 +263,7 @@ fn damaged_plans(seeds: impl Iterator<Item = u64>) {
         if let Ok(Some(plan)) = Plan::load(&out.plan()) {
             read += 1;
             let hint = grader::report::HintLevel::Remedy;
-            let _ = class::tables::write(&out, plan, hint, OnUnreadable::Ask);
+            let _ = class::tables::write(&out, plan, hint, &Options::default());
         }
     }
     assert!(read > 0, "every plan is refused");

@@ -1,6 +1,6 @@
 //! Which pairs of a class are asked about.
 
-use class::collect::{Class, OnUnreadable};
+use class::collect::{Class, Options};
 use class::likeness::{self, EXPECTED, Pair};
 use class::out::Out;
 use serde_json::{Value, json};
@@ -46,7 +46,7 @@ fn class(folder: &Path, students: &[[&str; 4]], stages: &[&str]) -> Class {
         "settings": { "what": "part1", "seed": 7, "limits": "", "revision": null, "course": {} },
     });
     let plan = serde_json::from_value(plan).expect("a plan");
-    Class::read(&out, plan, OnUnreadable::Ask, |_, _, _, _| Ok(())).expect("a class")
+    Class::read(&out, plan, &Options::default(), |_, _, _, _| Ok(())).expect("a class")
 }
 
 /// The pairs of a class of 30, of whom only the first differ from all right.

@@ -2,7 +2,7 @@
 //! bytes.
 
 use crate::fake_class::{Behaviour, FakeClass, HOSTILE};
-use class::collect::{Class, OnUnreadable};
+use class::collect::{Class, OnUnreadable, Options};
 use class::out::Out;
 use class::plan::Plan;
 use class::pool;
@@ -186,7 +186,11 @@ fn what_could_not_be_read_is_a_question_and_no_zero() {
             "\r\n,,zz,,,0\r\n",
         ),
     ] {
-        let tables = class.tables_with(&out, on_unreadable);
+        let options = Options {
+            on_unreadable,
+            ..Options::default()
+        };
+        let tables = class.tables_with(&out, &options);
         let says = |path: &str, words: &str| {
             let text = text(&tables, path);
             assert!(text.contains(words), "{path}: {words}: {text}");
@@ -194,7 +198,7 @@ fn what_could_not_be_read_is_a_question_and_no_zero() {
         says("gradebook.csv", row);
         says("class.html", heading);
         says("students/zz.html", page);
-        let read = Class::read(&out, class.plan.clone(), on_unreadable, |_, _, _, _| Ok(()));
+        let read = Class::read(&out, class.plan.clone(), &options, |_, _, _, _| Ok(()));
         let read = read.expect("a class");
         assert_eq!(read.is_complete(), on_unreadable == OnUnreadable::Zero);
         let names: Vec<&str> = read.rows.iter().map(|row| row.name.raw()).collect();
@@ -202,6 +206,35 @@ fn what_could_not_be_read_is_a_question_and_no_zero() {
         let table = table::write(&read, &roster, &join, &marks).expect("a table");
         assert!(table.ends_with(mark), "{table}");
     }
+}
+
+/// Course systems name files by numbers; the teacher's pages name students. The keys of marks stay.
+#[test]
+fn with_a_roster_pages_say_whose_a_submission_is() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let class = FakeClass::new(folder.path(), 3);
+    let out = class.out("out");
+    grade(&class, &out, 0, 1, Behaviour::Fine);
+    let roster = folder.path().join("roster.csv");
+    let students = "name,login\n\"Lovelace, <i>Ada</i>\",student00\nBo,student01\n";
+    std::fs::write(&roster, students).expect("a file");
+    let output = Command::new(env!("CARGO_BIN_EXE_class"))
+        .args(["class", "--collect", "--for", "csv", "--roster"])
+        .args([&roster, Path::new("--out"), out.path()])
+        .output()
+        .expect("it runs");
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(1), "{said}");
+    let read = |path: &str| std::fs::read_to_string(out.join(path)).expect("a page");
+    let (page, student) = (read("class.html"), read("students/student00.html"));
+    let link = r#"<a href="students/student00.html" title="student00">Lovelace, &lt;i&gt;Ada"#;
+    assert!(page.contains(link), "{page}");
+    assert!(
+        page.contains(r#"title="student02">student02</a>"#),
+        "{page}"
+    );
+    assert!(student.contains("<h1>Lovelace, &lt;i&gt;Ada"), "{student}");
+    assert!(read("gradebook.csv").contains("\nstudent00,"));
 }
 
 /// A script may take the tables if every submission has a score, has to ask if something is to be

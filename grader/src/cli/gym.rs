@@ -9,6 +9,7 @@ use crate::report::terminal::Page;
 use base::program::Exit;
 use base::{GraderError, Workspace, out, outln, write_whole};
 use clap::{Arg, ArgMatches, Command};
+use judge::plural;
 use pictures::{png, terminal};
 use std::io::{IsTerminal, stdout};
 use std::path::Path;
@@ -87,7 +88,10 @@ pub(super) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
         outcome.asked,
         match missed.len() {
             0 => String::new(),
-            n => format!(" The next round begins with all {n} that you have missed so far."),
+            n => format!(
+                " The next round begins with what is not recognized yet: {}.",
+                plural(n, "picture", "pictures")
+            ),
         }
     );
     Ok(Exit::Passed)

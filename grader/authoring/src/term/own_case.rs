@@ -69,9 +69,12 @@ pub(super) fn judged(task: &str, name: &str, case: &OwnCase) -> own_cases::OwnCa
     }
 }
 
+/// The most lines of a file from which somebody starts.
+const LONGEST: usize = 300;
+
 /// The text of a file from which a teacher can start: the first call of the simplest question of
 /// the same kind as that of the case `spec`, or of its own; the whole where calls depend on each
-/// other.
+/// other. An error if that has more than [`LONGEST`] lines.
 pub fn template(spec: &Spec, tier: Tier) -> Result<String, GraderError> {
     let simplest = spec.simple().into_iter().next();
     let question = simplest.as_ref().unwrap_or(spec);
@@ -85,6 +88,12 @@ pub fn template(spec: &Spec, tier: Tier) -> Result<String, GraderError> {
     let (task, name) = (spec.task, spec.name);
     let case = toml::to_string(&case)
         .map_err(|e| GraderError::new(format!("{task}/{name} cannot be written as a file: {e}")))?;
+    let lines = case.lines().count();
+    if lines > LONGEST {
+        return Err(GraderError::new(format!(
+            "the question of {task}/{name} has {lines} lines, too many to start from. Take another case of {task} with fewer shapes or boxes"
+        )));
+    }
     Ok(format!(
         "# A question such as {task}/{name} asks. Change it, and store it as cases/{task}/NAME.toml in the folder of your\n\
          # term. .first-light/grader/wire/src says what each field means; a list, or a block `[[...]]` with what follows\n\
@@ -100,14 +109,24 @@ mod tests {
 
     #[test]
     fn every_case_whose_answers_are_judged_has_a_template() {
-        let mut timed = 0;
+        let (mut timed, mut too_long) = (0, Vec::new());
         let mut seen = BTreeSet::new();
         for spec in judge::cases::all(0) {
             // One case of each kind in each task.
             if !seen.insert((spec.task, spec.work.kind())) {
                 continue;
             }
-            let text = template(&spec, Tier::Core).expect("it can be written");
+            let text = match template(&spec, Tier::Core) {
+                Ok(text) => text,
+                Err(error) => {
+                    assert!(
+                        error.to_string().contains("too many to start from"),
+                        "{error}"
+                    );
+                    too_long.push(format!("{}/{}", spec.task, spec.name));
+                    continue;
+                }
+            };
             let lines = text.lines().count();
             let is_one_call = spec.only_call(0).is_some();
             assert!(
@@ -127,6 +146,7 @@ mod tests {
             }
         }
         assert_eq!(timed, 1);
+        assert_eq!(too_long, ["part2.task3/mesh_in_cornell_box"]);
     }
 
     #[test]

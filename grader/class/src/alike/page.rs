@@ -18,6 +18,8 @@ pub const LISTED: usize = 100;
 pub struct Contents {
     /// How many submissions were compared.
     pub students: usize,
+    /// The submissions of which something could not be compared, and why.
+    pub unread: Vec<(Untrusted, Untrusted)>,
     /// The strongest pairs.
     pub pairs: Vec<Pair>,
     /// How many pairs were found.
@@ -85,6 +87,10 @@ fn left_out(contents: &Contents) -> Markup {
                 (contents.found) " pairs were found. The " (shown) " with the largest shares are shown, the other "
                 (contents.found - shown) " are lines of " a href="alike.csv" { "alike.csv" } ", strongest first."
             }
+        }
+        @if !contents.unread.is_empty() {
+            p { "Not compared:" }
+            ul { @for (name, why) in &contents.unread { li { (name.line()) ": " (why.line()) } } }
         }
         @if contents.not_compared > 0 {
             p {

@@ -49,14 +49,14 @@ pub(super) fn run(
     let names: Vec<&str> = entries.iter().map(|entry| entry.name.as_str()).collect();
     let folders = entries::page_names(&names);
     let mut students = Vec::new();
+    let mut unread = Vec::new();
     for (i, entry) in entries.iter().enumerate() {
         progress(i, entries.len());
         let name = Untrusted::from(entry.name.as_str());
         let read = match reader.read_entry(class, entry, revision) {
             Ok(read) => read,
             Err(unreadable) => {
-                let why = Untrusted::from(unreadable.why());
-                errln!("not compared: {}: {}", name.line(), why.line());
+                unread.push((name, Untrusted::from(unreadable.why())));
                 continue;
             }
         };
@@ -68,15 +68,16 @@ pub(super) fn run(
             };
             let bytes: usize = files.values().map(Vec::len).sum();
             if bytes > LARGEST_STAGE {
-                errln!(
-                    "not compared: {stage} of {}: it has more than 1 MB",
-                    name.line()
-                );
+                let why = format!("{stage} has more than 1 MB");
+                unread.push((name.clone(), why.into()));
                 continue;
             }
             stages.insert(stage.clone(), Source::new(files, known));
         }
         students.push(Student { name, stages });
+    }
+    for (name, why) in &unread {
+        errln!("not compared: {}: {}", name.line(), why.line());
     }
     let owners = Owners::new(&students);
     let pairs = pairs::pairs(&students, &owners, pairs::COMPARED);
@@ -87,6 +88,7 @@ pub(super) fn run(
     let (pasted, with_pasted) = pairs::pasted(&grader, &students, page::LISTED);
     let contents = Contents {
         students: students.len(),
+        unread,
         pairs: strongest.collect(),
         found: pairs.listed.len(),
         not_compared: pairs.not_compared,

@@ -8,38 +8,40 @@ use crate::roster::table::{self, Marks, System};
 use crate::roster::{Roster, Student};
 use base::{GraderError, outln, write_whole};
 use clap::ArgMatches;
-use std::path::PathBuf;
 use submission::Untrusted;
 
-/// Writes the marks, if the arguments ask for them, and prints what a person has to decide. Returns
-/// whether there is nothing to decide.
-pub(super) fn write(matches: &ArgMatches, out: &Out, class: &Class) -> Result<bool, GraderError> {
+/// Writes the marks of the students in `roster`, whose submissions `join` knows, and prints what a
+/// person has to decide. Returns whether there is nothing to decide.
+pub(super) fn write(
+    matches: &ArgMatches,
+    out: &Out,
+    class: &Class,
+    roster: &Roster,
+    join: &Join,
+) -> Result<bool, GraderError> {
     let system = matches
         .get_one::<String>("for")
         .and_then(|name| System::named(name));
-    let (Some(path), Some(system)) = (matches.get_one::<PathBuf>("roster"), system) else {
+    let Some(system) = system else {
         return Ok(true);
     };
-    let roster = Roster::read(path)?;
-    let names: Vec<&str> = class.rows.iter().map(|row| row.name.raw()).collect();
-    let join = Join::of(&roster, &names);
     let given = matches.get_one::<String>("assignment").cloned();
     let marks = Marks {
         system,
         assignment: given.unwrap_or_else(|| format!("First Light {}", class.plan.settings.what)),
         add_extra: matches.get_flag("add-extra"),
     };
-    let lateness = Lateness::of(class, &roster, &join);
+    let lateness = Lateness::of(class, roster, join);
     let marked = lateness.as_ref().map(|lateness| lateness.apply(class));
     let marked = marked.as_ref().unwrap_or(class);
     let file = out.join(system.file());
     write_whole(
         &file,
-        table::write(marked, &roster, &join, &marks)?.as_bytes(),
+        table::write(marked, roster, join, &marks)?.as_bytes(),
     )?;
 
     let [possible, _] = class.plan.max_score();
-    if let Some(why) = about_maximum(&marks, &roster, possible) {
+    if let Some(why) = about_maximum(&marks, roster, possible) {
         outln!("{why}");
     }
     let name = |i: usize| class.rows[i].name.line();
@@ -60,11 +62,7 @@ pub(super) fn write(matches: &ArgMatches, out: &Out, class: &Class) -> Result<bo
         is_decided &= lateness.questions.is_empty();
     }
     for (submission, problem) in &join.problems {
-        outln!(
-            "no mark: {}: {}",
-            name(*submission),
-            about(&roster, problem)
-        );
+        outln!("no mark: {}: {}", name(*submission), about(roster, problem));
     }
     let late: Vec<String> = join.late.iter().map(|i| name(*i)).collect();
     if !late.is_empty() && lateness.is_none() {

@@ -2,13 +2,15 @@
 
 use super::engines::{Shard, UnitCommand, missing};
 use super::{alike, marks};
-use crate::collect::{Class, OnUnreadable, Status};
+use crate::collect::{Class, OnUnreadable, Options, Status};
 use crate::course_hash;
 use crate::out::Out;
 use crate::plan::{Plan, Settings};
 use crate::progress::Progress;
 use crate::reading::intake::Revision;
 use crate::reading::{Reader, process};
+use crate::roster::Roster;
+use crate::roster::join::Join;
 use crate::{pool, regrade, tables, unit};
 use base::program::Exit;
 use base::{GraderError, Workspace, errln, out, outln, write_whole};
@@ -16,6 +18,7 @@ use clap::ArgMatches;
 use grader::course::Course;
 use grader::report::HintLevel;
 use judge::plural;
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use submission::Untrusted;
 use submission::arguments::containment;
@@ -285,7 +288,18 @@ fn write_tables(matches: &ArgMatches, out: &Out, plan: Plan) -> Result<Exit, Gra
             .find(|hint| hint.number().to_string() == *level)
     });
     let hint = hint.unwrap_or(HintLevel::Findings);
-    let class = tables::write(out, plan, hint, on_unreadable(matches))?;
+    let roster = matches.get_one::<PathBuf>("roster");
+    let roster = roster.map(|path| Roster::read(path)).transpose()?;
+    let names: Vec<&str> = (plan.submissions.iter())
+        .map(|planned| planned.name.raw())
+        .collect();
+    let join = roster.as_ref().map(|roster| Join::of(roster, &names));
+    let joined = roster.as_ref().zip(join.as_ref());
+    let options = Options {
+        owners: joined.map_or_else(BTreeMap::new, |(roster, join)| join.owners(roster, &names)),
+        ..options(matches)
+    };
+    let class = tables::write(out, plan, hint, &options)?;
     outln!("{}", class.summary());
     for row in &class.rows {
         let what = match (&row.score, &row.status) {
@@ -312,7 +326,10 @@ fn write_tables(matches: &ArgMatches, out: &Out, plan: Plan) -> Result<Exit, Gra
         class.plan.settings.seed,
         out.join("{gradebook.csv,class.html,students/}").display()
     );
-    let is_decided = marks::write(matches, out, &class)?;
+    let is_decided = match joined {
+        Some((roster, join)) => marks::write(matches, out, &class, roster, join)?,
+        None => true,
+    };
     match class.not_graded() {
         0 => Ok(verdict(class.is_complete() && is_decided)),
         left => Err(run_again(left)),
@@ -327,11 +344,14 @@ fn run_again(left: usize) -> GraderError {
     ))
 }
 
-/// What a submission gets that could not be read.
-fn on_unreadable(matches: &ArgMatches) -> OnUnreadable {
-    match matches.get_flag("zero-unreadable") {
-        true => OnUnreadable::Zero,
-        false => OnUnreadable::Ask,
+/// What the arguments say about rows.
+fn options(matches: &ArgMatches) -> Options {
+    Options {
+        on_unreadable: match matches.get_flag("zero-unreadable") {
+            true => OnUnreadable::Zero,
+            false => OnUnreadable::Ask,
+        },
+        ..Options::default()
     }
 }
 
@@ -345,7 +365,7 @@ fn show_regrade(matches: &ArgMatches, out: &Out) -> Result<Exit, GraderError> {
             ))
         })
     };
-    let read = |plan| Class::read(out, plan, on_unreadable(matches), |_, _, _, _| Ok(()));
+    let read = |plan| Class::read(out, plan, &options(matches), |_, _, _, _| Ok(()));
     let old = read(load(out.plan())?)?;
     let new = read(load(out.proposed_plan())?)?;
     let changes = regrade::changes(&old, &new);

@@ -79,7 +79,7 @@ fn listed(heading: &str, rows: &[&Row]) -> Markup {
             ul {
                 @for row in rows {
                     li {
-                        strong { (row.name.line()) } ": "
+                        strong { (row.who().line()) } ": "
                         (row.status.detail().map(Untrusted::line).unwrap_or_default())
                     }
                 }

@@ -25,7 +25,7 @@ pub fn page(
     let what = &plan.settings.what;
     let [max_core, max_extra] = plan.max_score().map(points);
     let body = html! {
-        h1 { (row.name.line()) }
+        h1 { (row.who().line()) }
         @match (&row.score, details) {
             (Some(score), Some(_)) => p {
                 strong { (points(score.core)) " of " (max_core) " points" }
@@ -64,7 +64,7 @@ pub fn page(
             }
         }
     };
-    whole_page(&format!("{}, {what}", row.name.line()), &body, None)
+    whole_page(&format!("{}, {what}", row.who().line()), &body, None)
 }
 
 fn table(report: &StudentReport) -> Markup {

@@ -34,7 +34,7 @@ pub(super) fn section(class: &Class, page_names: &[String]) -> Markup {
 
 /// A link to the page of a student.
 pub(super) fn link(row: &Row, page: &str) -> Markup {
-    html! { a href=(format!("students/{page}.html")) { (row.name.line()) } }
+    html! { a href=(format!("students/{page}.html")) title=(row.name.line()) { (row.who().line()) } }
 }
 
 fn line(class: &Class, row: &Row, page: &str) -> Markup {

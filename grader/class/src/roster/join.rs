@@ -8,6 +8,8 @@
 //! Without such a pattern the name is one of the student's own: identifier, login, e-mail, name.
 
 use super::{Roster, Student};
+use std::collections::BTreeMap;
+use submission::Untrusted;
 
 /// What the name of a submission says about who handed it in.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -114,6 +116,17 @@ impl Join {
         }
         join.problems.sort_by_key(|(entry, _)| *entry);
         join
+    }
+
+    /// The students' names, by those of their submissions, `entries`.
+    pub fn owners(&self, roster: &Roster, entries: &[&str]) -> BTreeMap<String, Untrusted> {
+        let students = roster.students.iter().zip(&self.submissions);
+        students
+            .filter(|(student, _)| !student.name.is_empty())
+            .filter_map(|(student, entry)| {
+                Some((entries[(*entry)?].to_string(), student.name.clone()))
+            })
+            .collect()
     }
 }
 

@@ -237,6 +237,7 @@ mod tests {
         });
         let rows = rows.iter().map(|(name, core)| Row {
             name: (*name).into(),
+            owner: None,
             status: match core {
                 Some(_) => Status::Graded,
                 None => Status::Infrastructure("the disk is full".into()),

@@ -1,7 +1,7 @@
 //! A class whose units are graded by a shell script instead of a compiler: it copies results that
 //! were made before, by a temporary file and a rename as the program does.
 
-use class::collect::{OnUnreadable, points};
+use class::collect::{Options, points};
 use class::hash;
 use class::out::Out;
 use class::plan::Plan;
@@ -94,16 +94,12 @@ impl FakeClass {
 
     /// Writes the tables and returns all their bytes.
     pub(crate) fn tables(&self, out: &Out) -> BTreeMap<PathBuf, Vec<u8>> {
-        self.tables_with(out, OnUnreadable::Ask)
+        self.tables_with(out, &Options::default())
     }
 
-    /// The same, with a decision on what could not be read.
-    pub(crate) fn tables_with(
-        &self,
-        out: &Out,
-        on_unreadable: OnUnreadable,
-    ) -> BTreeMap<PathBuf, Vec<u8>> {
-        tables::write(out, self.plan.clone(), HintLevel::Remedy, on_unreadable).expect("tables");
+    /// The same, with what the teacher decided or knows.
+    pub(crate) fn tables_with(&self, out: &Out, options: &Options) -> BTreeMap<PathBuf, Vec<u8>> {
+        tables::write(out, self.plan.clone(), HintLevel::Remedy, options).expect("tables");
         let names = ["gradebook.csv", "class.html", "lecture.html"];
         let mut files = names.map(|name| out.join(name)).to_vec();
         let pages = std::fs::read_dir(out.join("students")).expect("pages");

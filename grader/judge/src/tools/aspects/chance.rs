@@ -34,8 +34,9 @@ pub(crate) fn test_false_alarm() -> f64 {
 pub(crate) fn mean(tally: &mut Tally, what: &str, numbers: &SampleTally, truth: f64) {
     let z = numbers.z_against(truth);
     let wrong = two_sided(z).is_nan() || two_sided(z) < test_false_alarm();
-    let all_equal = numbers.count() > 1 && numbers.variance() == 0.0 && numbers.mean() != 0.0;
-    let class = wrong.then(|| match all_equal {
+    let all_equal = numbers.count() > 1 && numbers.variance() == 0.0;
+    // Where all are 0 the size says more.
+    let class = wrong.then(|| match all_equal && numbers.mean() != 0.0 {
         true => ALWAYS_THE_SAME,
         false => Class::of_number(numbers.mean(), truth),
     });
@@ -44,8 +45,12 @@ pub(crate) fn mean(tally: &mut Tally, what: &str, numbers: &SampleTally, truth: 
     tally.set_detectable(Aspect::Mean, sure);
     tally.judge_class(Aspect::Mean, 0, class, z.abs(), || {
         if all_equal {
+            let random = match numbers.mean() {
+                0.0 => format!("the mean {truth:.5}"),
+                _ => format!("random ones with the mean {truth:.5}. {FROM_THE_SAMPLER}"),
+            };
             return format!(
-                "your result: {} {what} that are all {:.5}; expected: random ones with the mean {truth:.5}. {FROM_THE_SAMPLER}",
+                "your result: {} {what} that are all {:.5}; expected: {random}",
                 numbers.count(),
                 numbers.mean()
             );

@@ -173,7 +173,8 @@ impl Call<'_> {
         let class = wrong_unless(off <= bound, || Class::of_number(answered, right));
         self.judge_class(Aspect::T, class, off / bound, |function| {
             format!(
-                "{function}: your result: t = {answered:?}; expected: {right:?} (error {off:.1e}, allowed {bound:.1e})"
+                "{function}: your result: t = {answered:?}; expected: {right:?} (error {off:.1e}, allowed {})",
+                allowed(bound)
             )
         });
     }
@@ -246,17 +247,19 @@ impl Call<'_> {
         let class = wrong_unless(off <= bound, || self.position_class(expected, p));
         self.judge_class(Aspect::Position, class, off / bound, |function| {
             format!(
-                "{function}: your result: p = {}; expected: {} (error {off:.1e}, allowed {bound:.1e})",
+                "{function}: your result: p = {}; expected: {} (error {off:.1e}, allowed {})",
                 show(p),
-                show(right)
+                show(right),
+                allowed(bound)
             )
         });
         if let Some((surface, bound)) = expected.surface {
             let off = surface.distance(p);
             self.judge(Aspect::Position, off <= bound, off / bound, |function| {
                 format!(
-                    "{function}: your result: p = {}; expected: a point on the surface (distance {off:.1e}, allowed {bound:.1e})",
-                    show(p)
+                    "{function}: your result: p = {}; expected: a point on the surface (distance {off:.1e}, allowed {})",
+                    show(p),
+                    allowed(bound)
                 )
             });
         }
@@ -292,6 +295,8 @@ impl Call<'_> {
             })
         });
         self.judge_class(aspect, class, off.max(length_off), |function| {
+            // A component of -0 is 0.
+            let show = |n: Vec3| show(n + Vec3::ZERO);
             let result = format!("{function}: your result: {name} = {}", show(given));
             match right {
                 _ if !is_unit => format!("{result} of length {length}; expected: length 1"),
@@ -414,6 +419,14 @@ fn worst<const N: usize>(values: [f64; N]) -> f64 {
 /// The bits of the ray's numbers: NaN equals itself.
 fn bits(r: &Ray) -> [[u64; 3]; 3] {
     [r.o, r.d, [r.min_t, r.max_t, 0.0]].map(|v| v.map(f64::to_bits))
+}
+
+/// The text of an allowed error.
+fn allowed(bound: f64) -> String {
+    match bound {
+        0.0 => "none".to_string(),
+        _ => format!("{bound:.1e}"),
+    }
 }
 
 pub(crate) fn show(v: Vec3) -> String {

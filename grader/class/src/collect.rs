@@ -4,7 +4,7 @@ mod points;
 mod report;
 
 pub use formats::gradebook::points_text as points;
-pub use report::{Case, Diagnosis, Finding, Simplest, StudentReport, Task};
+pub use report::{Case, Diagnosis, Drawing, Finding, Simplest, StudentReport, Task};
 
 use crate::late;
 use crate::out::{Out, read_regular};

@@ -110,6 +110,13 @@ fn mistakes_are_grouped_by_idea_and_a_lecture_names_nobody() {
     let student = text("students/student04.html");
     assert!(student.contains("data:image/png;base64,UE5H"), "{student}");
     assert!(student.contains("N = 4"), "{student}");
+    // The page opens with what is wrong: the call, drawn, and the picture. The table is below.
+    let places =
+        ["data:image/svg+xml", "data:image/png", "All tasks"].map(|part| student.find(part));
+    assert!(
+        places.is_sorted() && places[0].is_some(),
+        "{places:?} {student}"
+    );
     let full = text("students/student10.html");
     assert!(!full.contains("Some answers are wrong"), "{full}");
 }

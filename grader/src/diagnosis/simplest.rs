@@ -5,6 +5,7 @@
 //! the same aspect, the same function and the same class of error is the simplest.
 
 use crate::score::{CaseResult, TaskResult, order};
+use crate::sketch::Sketch;
 use crate::workers::crash::{self, Crash, CrashKind};
 use crate::workers::runner::{Ending, Patience};
 use crate::workers::stage_workers::StageWorkers;
@@ -13,7 +14,7 @@ use judge::cases::Spec;
 use judge::shown::ShownCall;
 use judge::tally::{Aspect, Class, Fault, Finding, WrongAnswer};
 use judge::{Tier, repro, variations};
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 use wire::{Answer, Outcome, Work};
 
 /// The most failed cases for which a simple call is looked for; the first that has one is shown.
@@ -39,9 +40,18 @@ pub struct SimplestCall {
     /// Its circumstances, as far as mistakes often depend on them.
     #[serde(skip)]
     pub circumstances: Vec<&'static str>,
-    /// The call with its results, to be drawn.
-    #[serde(skip)]
+    /// The call with its results, to be drawn; in a report, its drawing.
+    #[serde(
+        rename = "drawing",
+        serialize_with = "drawing",
+        skip_serializing_if = "Option::is_none"
+    )]
     pub shown: Option<ShownCall>,
+}
+
+fn drawing<S: Serializer>(shown: &Option<ShownCall>, serializer: S) -> Result<S::Ok, S::Error> {
+    let sketch = shown.as_ref().and_then(Sketch::of);
+    sketch.map(|sketch| sketch.drawing()).serialize(serializer)
 }
 
 /// The simplest call for the failed cases of `task`, of which those that show the most come first.

@@ -2,7 +2,7 @@
 //!
 //! [`Sketch::of`] makes it of the call: `geometry` for rays at shapes, `samples` for pixels and
 //! cameras, `directions` for light and scattering, `spans` for trees. Then [`Sketch::text`] and
-//! [`Sketch::svg`] draw the same strokes. `plot` is the sheet of characters, which `explain` draws
+//! [`Sketch::svg`] draw the same strokes; [`Sketch::drawing`] is a file. `plot` is the sheet of characters, which `explain` draws
 //! on, too.
 
 mod directions;
@@ -16,6 +16,7 @@ mod text;
 mod view;
 
 pub use model::Sketch;
+pub use svg::Drawing;
 
 use judge::shown::ShownCall;
 

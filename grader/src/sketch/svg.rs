@@ -1,6 +1,7 @@
 //! A drawing as SVG.
 
 use super::model::{Ink, Layout, Sketch, Stroke, TAxis};
+use serde::Serialize;
 use std::fmt::Write;
 
 /// The size of the shapes, without room for words.
@@ -14,6 +15,18 @@ const MARGIN: f64 = 34.0;
 
 /// The height of the axis of `t`.
 const AXIS: f64 = 54.0;
+
+/// The style of a drawing that is a file of its own.
+const STYLE: &str = include_str!("drawing.css");
+
+/// A drawing as a file.
+#[derive(Clone, Debug, Serialize)]
+pub struct Drawing {
+    /// An SVG file.
+    pub svg: String,
+    /// What is seen, and what the signs mean.
+    pub caption: String,
+}
 
 impl Sketch {
     /// The drawing as an SVG element. The classes of its parts are `edge`, `inside`, `outside`,
@@ -72,18 +85,43 @@ impl Sketch {
 
     /// What the signs of the drawing mean, as HTML with the classes `good` and `bad`.
     pub fn key(&self) -> String {
+        let signs = self.signs().map(|(class, meaning)| match class {
+            "" => meaning.to_owned(),
+            class => format!("<span class=\"{class}\">{meaning}</span>"),
+        });
+        signs.collect::<Vec<_>>().join(" · ")
+    }
+
+    /// The meaning of each sign that is there, and its class.
+    fn signs(&self) -> impl Iterator<Item = (&'static str, &'static str)> {
         let meanings = [
-            (Ink::Expected, "<span class=\"good\">○ expected</span>"),
-            (Ink::Yours, "<span class=\"bad\">× yours</span>"),
-            (Ink::Ray, "● the ray's origin"),
+            (Ink::Expected, "good", "○ expected"),
+            (Ink::Yours, "bad", "× yours"),
+            (Ink::Ray, "", "● the ray's origin"),
             (
                 Ink::Outside,
+                "",
                 "dashed: out of the ray's range, or not traced",
             ),
         ];
-        let there = meanings.into_iter().filter(|(ink, _)| self.shows(*ink));
-        let there: Vec<&str> = there.map(|(_, meaning)| meaning).collect();
-        there.join(" · ")
+        let there = meanings.into_iter().filter(|(ink, ..)| self.shows(*ink));
+        there.map(|(_, class, meaning)| (class, meaning))
+    }
+
+    /// The drawing as a file, for who has no style sheet of ours, with its caption.
+    pub fn drawing(&self) -> Drawing {
+        let svg = self.svg();
+        let (start, rest) = svg.split_once('>').unwrap_or_default();
+        let start = start.replacen("<svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"", 1);
+        let signs = self.signs().map(|(_, meaning)| meaning);
+        let signs = signs.collect::<Vec<_>>().join(" · ");
+        Drawing {
+            svg: format!("{start}><style>{STYLE}</style>{rest}"),
+            caption: match signs.is_empty() {
+                true => self.caption.clone(),
+                false => format!("{}. {signs}", self.caption),
+            },
+        }
     }
 
     /// What is seen, as a sentence without its full stop.

@@ -161,6 +161,24 @@ fn a_tree_is_drawn_level_by_level_and_what_is_not_finite_is_left_out() {
     assert!(!without.contains('1'), "{without}");
 }
 
+/// A drawing of its own can be read without a style sheet of ours, and says what its signs mean.
+#[test]
+fn a_drawing_as_a_file_has_its_style_and_its_signs() {
+    let ray = Ray::new(Vec3::new(0.3, 0.3, -1.0), Vec3::Z);
+    let call = ShownCall::Ray(triangle(ray, Some(1.0), Some(5.0)));
+    let sketch = Sketch::of(&call).expect("a drawing");
+    let drawing = sketch.drawing();
+    let start = "<svg xmlns=\"http://www.w3.org/2000/svg\" class=";
+    assert!(drawing.svg.starts_with(start), "{}", drawing.svg);
+    let (_, style) = drawing.svg.split_once("<style>").expect("a style");
+    let (style, shapes) = style.split_once("</style>").expect("its end");
+    for class in shapes.split("class=\"").skip(1) {
+        let name = class.split('"').next().expect("a name");
+        assert!(style.contains(&format!(".{name} {{")), "{name}: {style}");
+    }
+    assert!(drawing.caption.contains(". ") && drawing.caption.contains("○ expected"));
+}
+
 #[test]
 fn directions_are_drawn_from_their_surface() {
     let drawn = text(ShownCall::Bounce(ShownBounce {

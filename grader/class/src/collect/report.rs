@@ -135,6 +135,18 @@ pub struct Simplest {
     pub input: Untrusted,
     /// Its result and the expected one.
     pub result: Untrusted,
+    /// The call, drawn.
+    #[serde(default)]
+    pub drawing: Option<Drawing>,
+}
+
+/// A drawing of a call.
+#[derive(Clone, Debug, Deserialize)]
+pub struct Drawing {
+    /// An SVG file.
+    pub svg: Untrusted,
+    /// What is seen, and what the signs mean.
+    pub caption: Untrusted,
 }
 
 impl Simplest {

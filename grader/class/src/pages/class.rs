@@ -112,7 +112,7 @@ fn pairs(class: &Class) -> Markup {
                 " pairs of this class would be expected to agree so by chance, given how often its students make each mistake, or if the files of a stage are equal."
             }
             div.scroll {
-                table {
+                table.pairs {
                     thead {
                         tr {
                             th { "who" }
@@ -143,8 +143,8 @@ fn line(pair: &Pair) -> Markup {
                     (task) ": " (count) " answers, " (others(*same))
                 }
             }
-            td { (pair.stages.join(" ")) }
-            td.number { @if !pair.tasks.is_empty() { (expected_pairs(pair.expected)) } }
+            td data-name="the same files:" { (pair.stages.join(" ")) }
+            td.number data-name="expected by chance:" { @if !pair.tasks.is_empty() { (expected_pairs(pair.expected)) } }
         }
     }
 }

@@ -4,7 +4,9 @@
 use super::mistakes::{self, IdeaMistakes, Mistake, TaskMistakes};
 use super::page as whole_page;
 use super::submissions::link;
-use crate::collect::{Class, Simplest};
+use crate::collect::{Class, Drawing, Simplest};
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
 use grader::course::chapter;
 use maud::{Markup, html};
 
@@ -132,8 +134,20 @@ pub(super) fn simplest(call: &Simplest) -> Markup {
     html! {
         div.simplest {
             p { strong { "The simplest call" } " like one of " code { (call.case) } ":" }
+            @if let Some(drawing) = &call.drawing { (drawn(drawing)) }
             p { code { (call.input.line()) } }
             p { code { (result(call)) } }
+        }
+    }
+}
+
+/// A drawing. As an image it can run no script and load nothing, whatever is in it.
+fn drawn(drawing: &Drawing) -> Markup {
+    let data = STANDARD.encode(drawing.svg.raw());
+    html! {
+        figure.drawing {
+            img src=(format!("data:image/svg+xml;base64,{data}")) alt=(drawing.caption.line());
+            figcaption { (drawing.caption.line()) }
         }
     }
 }
@@ -157,6 +171,7 @@ mod tests {
             aspect: None,
             input: "Ray: o = 0, d = 1; sphere".into(),
             result: result.into(),
+            drawing: None,
         };
         assert_eq!(
             result(&call("expected: a miss. Ray: o = 0, d = 1")),

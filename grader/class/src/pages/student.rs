@@ -44,11 +44,12 @@ pub fn page(
         }
         (list(&row.notes))
         @if let Some((unit, report)) = details {
-            (table(report))
-            @for task in &report.tasks {
+            @for task in told(report) {
                 @let sheet = unit.pictures.get(&task.key).and_then(|name| picture(name));
                 (task_section(task, report, hint, sheet.as_deref()))
             }
+            h2 { "All tasks" }
+            (table(report))
             @if !report.compiler.is_empty() {
                 h2 { "Why code was not compiled" }
                 pre.sentences { (shortened(&report.compiler)) }
@@ -67,6 +68,18 @@ pub fn page(
     whole_page(&format!("{}, {what}", row.who().line()), &body, None)
 }
 
+/// The tasks about which there is more to tell than their points. Those that lost core points come
+/// first: the page opens with what is wrong.
+fn told(report: &StudentReport) -> Vec<&Task> {
+    let mut tasks: Vec<&Task> = report.tasks.iter().filter(|task| is_told(task)).collect();
+    tasks.sort_by_key(|task| task.score >= task.max_score);
+    tasks
+}
+
+fn is_told(task: &Task) -> bool {
+    task.status != "passed" || task.score < task.max_score
+}
+
 fn table(report: &StudentReport) -> Markup {
     html! {
         div.scroll {
@@ -74,7 +87,12 @@ fn table(report: &StudentReport) -> Markup {
                 tr { th { "task" } th {} th.number { "points" } th.number { "extra" } }
                 @for task in &report.tasks {
                     tr {
-                        td { a href=(format!("#{}", task.key)) { (task.key) } }
+                        td {
+                            @match is_told(task) {
+                                true => a href=(format!("#{}", task.key)) { (task.key) },
+                                false => (task.key),
+                            }
+                        }
                         td { (task.title) }
                         td.number { (points(task.score)) " of " (points(task.max_score)) }
                         td.number { (points(task.robust_score)) " of " (points(task.robust_max_score)) }
@@ -95,7 +113,7 @@ fn task_section(
         true => (100.0 * task.score / task.max_score).clamp(0.0, 100.0),
         false => 100.0,
     };
-    let is_told = |case: &&Case| {
+    let lost_points = |case: &&Case| {
         case.tier == Tier::Core
             && case.score < case.max_score
             && !["not_attempted", "does_not_compile"].contains(&case.status.as_str())
@@ -106,6 +124,7 @@ fn task_section(
         h2 id=(task.key) { (task.key) " " (task.title) }
         div.meter { span style=(format!("width: {share:.0}%")) {} }
         p { (points(task.score)) " of " (points(task.max_score)) " points. " (status(task, report)) }
+        @if let Some(call) = task.simplest.as_ref().filter(|_| hint >= HintLevel::Findings) { (missing::simplest(call)) }
         @if let Some(sheet) = sheet { (picture_of(task, sheet)) }
         @if hint >= HintLevel::Findings { (list(&task.regularities)) }
         @if let Some(diagnosis) = diagnosis.filter(|_| hint >= HintLevel::Mistake) {
@@ -115,8 +134,7 @@ fn task_section(
             }
             @if hint >= HintLevel::Remedy { p { (diagnosis.hint) } }
         }
-        @if let Some(call) = task.simplest.as_ref().filter(|_| hint >= HintLevel::Findings) { (missing::simplest(call)) }
-        @for case in task.cases.iter().filter(is_told) { (case_card(case, hint)) }
+        @for case in task.cases.iter().filter(lost_points) { (case_card(case, hint)) }
         @if let Some(test) = test.filter(|_| hint >= HintLevel::Findings) {
             h3 { "The worst answer as a test" }
             pre { (shortened(test)) }
@@ -162,7 +180,7 @@ fn case_card(case: &Case, hint: HintLevel) -> Markup {
 /// The sentence about the status of a task.
 fn status(task: &Task, report: &StudentReport) -> &'static str {
     match task.status.as_str() {
-        "passed" => "Everything is right.",
+        "passed" if task.score >= task.max_score => "Everything is right.",
         "not_attempted" if report.missing.contains(&task.stage) => "Its stage was not handed in.",
         "not_attempted" => "It is not written yet.",
         "does_not_compile" if report.refused_stages.contains_key(&task.stage) => {

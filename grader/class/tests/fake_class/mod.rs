@@ -136,7 +136,8 @@ fn diagnosis(i: usize) -> Value {
 
 /// The simplest call of unit number `i`.
 fn simplest(i: usize) -> Value {
-    json!({ "case": "a_case", "aspect": "radiance", "input": format!("N = {i}"), "result": "your result: 0; expected: 1" })
+    json!({ "case": "a_case", "aspect": "radiance", "input": format!("N = {i}"), "result": "your result: 0; expected: 1",
+            "drawing": { "svg": HOSTILE, "caption": HOSTILE } })
 }
 
 /// The result of unit number `i`.

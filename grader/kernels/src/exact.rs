@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part1.task3)
 //! Exact sums and products: numbers as unevaluated sums of floats.
 //!
 //! J. R. Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric
@@ -122,4 +121,3 @@ mod tests {
         assert_eq!(zero.value(), 0.0);
     }
 }
-// END SOLUTION(part1.task3)

@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part2.task3)
 //! Trees that store boxes and triangles in one precision and are traversed in it, with one pair of
 //! tests.
 
@@ -66,4 +65,3 @@ fn tree<'a, R: Scalar, B: BoxTest, T: TriangleTest>(
         }),
     }
 }
-// END SOLUTION(part2.task3)

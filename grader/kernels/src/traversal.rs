@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part2.task3)
 //! Closest-hit traversal of a tree, with a choice of pruning slack.
 //!
 //! A box test and a primitive test round `t` differently: the `t` of a primitive may be slightly
@@ -110,4 +109,3 @@ fn nearer<R: Scalar>(a: Option<(R, PrimId)>, b: Option<(R, PrimId)>) -> Option<(
         (a, b) => a.or(b),
     }
 }
-// END SOLUTION(part2.task3)

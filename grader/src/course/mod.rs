@@ -13,7 +13,8 @@ use judge::Tier;
 use judge::examples;
 use judge::tally::Aspect;
 use serde::Deserialize;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::{Path, PathBuf};
 use term::Term;
 
 /// The course: its parts, tasks, cases and points.
@@ -26,6 +27,10 @@ pub struct Course {
     /// also leave out their solutions.
     #[serde(default)]
     pub ungraded: Vec<String>,
+    /// Files and folders that are a solution from the first line to the last, by the keys of the
+    /// tasks. Handouts also leave them out.
+    #[serde(default)]
+    pub whole_solutions: BTreeMap<String, Vec<PathBuf>>,
     /// Tasks and cases that a teacher leaves out, such as `part1.task2` and
     /// `part1.task3/slivers`. The code of such a task is given.
     #[serde(default)]
@@ -208,6 +213,13 @@ impl Course {
         graded
             .chain(ungraded)
             .filter_map(|key| Some((part_number(key)?, key)))
+    }
+
+    /// The task of which the file `path` is a solution from the first line to the last.
+    pub fn whole_solution(&self, path: &Path) -> Option<&str> {
+        let is_in = |folders: &Vec<PathBuf>| folders.iter().any(|folder| path.starts_with(folder));
+        let mut lists = self.whole_solutions.iter();
+        lists.find_map(|(key, folders)| is_in(folders).then_some(key.as_str()))
     }
 
     /// Whether a teacher leaves out the task `key`, or its case `case`.

@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task2)
 //! Camera rays, as `raygen::generate_ray` generates them.
 
 use crate::real::Real;
@@ -40,4 +39,3 @@ impl<R: Real> CameraAxes<R> {
         d * (one / d.length())
     }
 }
-// END SOLUTION(part6.task2)

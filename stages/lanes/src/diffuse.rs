@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task2)
 //! Diffuse surfaces, as `direct::lambert_f` and `direct::lambert_sample`, in the local space of the
 //! surface, where z is the normal.
 
@@ -60,4 +59,3 @@ pub fn lambert_sample<R: Real>(
         weight: lambert_f(reflectance) * (z / pdf),
     }
 }
-// END SOLUTION(part6.task2)

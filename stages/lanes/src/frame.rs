@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task2)
 //! Orthonormal bases around normals, as [`kit::Frame`].
 
 use crate::real::Real;
@@ -52,4 +51,3 @@ impl<R: Real> Frame<R> {
         self.s * w.x + self.t * w.y + self.n * w.z
     }
 }
-// END SOLUTION(part6.task2)

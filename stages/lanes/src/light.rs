@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task2)
 //! Samples of lights, as [`kit::Emitter::sample`] takes them, their densities, and what they
 //! contribute.
 
@@ -103,4 +102,3 @@ impl<R: Real> LightSample<R> {
         f * self.radiance * (weight * wi_z.abs() / self.pdf)
     }
 }
-// END SOLUTION(part6.task2)

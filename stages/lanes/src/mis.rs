@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task2)
 //! Multiple importance sampling, as `direct::estimate_direct_lighting_mis` weights its samples.
 
 use crate::real::{Mask, Real};
@@ -11,4 +10,3 @@ pub fn power_heuristic<R: Real>(own: R, other: R) -> R {
     let ratio = other / own;
     own.equals(zero).choose(zero, one / (one + ratio * ratio))
 }
-// END SOLUTION(part6.task2)

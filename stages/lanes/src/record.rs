@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task2)
 //! Points and normals at hits, as `intersect::record_triangle` and `intersect::intersect_sphere`
 //! record them.
 
@@ -53,4 +52,3 @@ pub fn sphere_normal<R: Real>(ray: &Ray<R>, sphere: &Sphere<R>, t: R) -> (Vec3<R
 pub fn sphere_point<R: Real>(sphere: &Sphere<R>, n: Vec3<R>) -> Vec3<R> {
     sphere.center + n * sphere.radius
 }
-// END SOLUTION(part6.task2)

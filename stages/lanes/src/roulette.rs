@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task2)
 //! Russian roulette, as `global::play_roulette` plays it.
 
 use crate::real::Real;
@@ -18,4 +17,3 @@ pub fn survival_probability<R: Real>(throughput: Vec3<R>) -> R {
 pub fn play<R: Real>(throughput: Vec3<R>, q: R, u: R) -> (Vec3<R>, R::Mask) {
     (throughput / q, u.less(q))
 }
-// END SOLUTION(part6.task2)

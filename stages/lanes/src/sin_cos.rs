@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task2)
 //! Sine and cosine, in the steps of [`kit::math::sin_cos`] (libm's, from FreeBSD).
 
 use crate::real::{Mask, Real};
@@ -111,4 +110,3 @@ const C3: f64 = 2.480_158_728_947_673e-05;
 const C4: f64 = -2.755_731_435_139_066_3e-07;
 const C5: f64 = 2.087_572_321_298_175e-09;
 const C6: f64 = -1.135_964_755_778_819_5e-11;
-// END SOLUTION(part6.task2)

@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task2)
 //! Mirrors and smooth glass, as `global::mirror_sample`, `refraction_sample` and `glass_sample`, in
 //! the local space of the surface, where z is the normal.
 
@@ -88,4 +87,3 @@ pub fn fresnel_dielectric<R: Real>(cos: R, eta: R) -> R {
     let is_total = cos_i.equals(zero) | cos2_t.at_most(zero);
     is_total.choose(one, share)
 }
-// END SOLUTION(part6.task2)

@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part1.task4)
 //! The sphere test (Haines, Günther, Akenine-Möller, "Precision Improvements for Ray/Sphere
 //! Intersection", Ray Tracing Gems, 2019, chapter 7), in the steps of `intersect::test_sphere`.
 
@@ -78,4 +77,3 @@ impl<R: Real> SphereEquation<R> {
         ]
     }
 }
-// END SOLUTION(part1.task4)

@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task2)
 //! The step off a surface at which a ray starts, as [`kit::Surface`] takes it.
 
 use crate::real::{Mask, Real};
@@ -74,4 +73,3 @@ impl<R: Real> Departure<R> {
         }
     }
 }
-// END SOLUTION(part6.task2)

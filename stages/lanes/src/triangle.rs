@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part1.task3)
 //! The triangle test (Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1),
 //! 2013), in the steps of `intersect::test_triangle`.
 //!
@@ -140,4 +139,3 @@ pub(crate) fn is_ordinary<R: Real>(x: R) -> R::Mask {
     let size = x.abs();
     x.constant(SMALLEST_PRODUCT).less(size) & size.less(x.constant(f64::INFINITY))
 }
-// END SOLUTION(part1.task3)

@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task1)
 //! Replays of pixels: the mean of the recorded samples is the rendered pixel, bit for bit.
 
 use crate::common::{own_scenes, scene_files};
@@ -385,4 +384,3 @@ fn a_stopped_render_resumes_to_the_same_picture() {
     assert_eq!(parts.rendered().luminance, whole.rendered().luminance);
     assert_eq!(parts.rendered().counters, whole.rendered().counters);
 }
-// END SOLUTION(part6.task1)

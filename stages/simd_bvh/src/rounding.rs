@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task1)
 //! Single precision numbers on one side of a double precision number. Without the branches of
 //! `next_up`, for code that every ray runs.
 
@@ -48,4 +47,3 @@ mod tests {
         assert_eq!(at_most(f64::NEG_INFINITY), f32::NEG_INFINITY);
     }
 }
-// END SOLUTION(part6.task1)

@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task2)
 //! The region of space that contains a bundle of rays.
 
 use crate::ray_packet::RayPacket;
@@ -418,4 +417,3 @@ mod tests {
         }
     }
 }
-// END SOLUTION(part6.task2)

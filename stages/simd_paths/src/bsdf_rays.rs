@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task2)
 //! Multiple importance sampling: the rays of a bounce in directions that the BSDF has sampled, and
 //! the light that they find.
 //!
@@ -310,4 +309,3 @@ fn weighted_background(scene: &PathScene<'_>, p: Vec3, d: Vec3, own: f64) -> Spe
     }
     sum
 }
-// END SOLUTION(part6.task2)

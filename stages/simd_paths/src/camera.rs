@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task2)
 //! Generates the camera rays of a batch.
 
 use crate::queue::{PathLanes, PathQueue};
@@ -95,4 +94,3 @@ pub(crate) fn generate_paths<S: Simd>(
         },
     )
 }
-// END SOLUTION(part6.task2)

@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task2)
 //! A table of numbers whose rows are appended from lanes and loaded into lanes.
 
 use crate::vec3x8::LANES;
@@ -112,4 +111,3 @@ mod tests {
         assert_eq!(columns.count(), 0);
     }
 }
-// END SOLUTION(part6.task2)

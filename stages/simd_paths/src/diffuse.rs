@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task2)
 //! Diffuse surfaces: direct light as in the stage `direct`, and scattering.
 
 use crate::PathMemory;
@@ -150,4 +149,3 @@ impl<S: Simd> PathPacket<'_, S> {
         (throughput, is_positive & survives)
     }
 }
-// END SOLUTION(part6.task2)

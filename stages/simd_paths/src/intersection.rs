@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task2)
 //! What rays hit: eight of them with a list of primitives in lanes, or many together with the tree
 //! of the fallback.
 
@@ -187,4 +186,3 @@ pub(crate) fn closest<S: Simd>(
         HitSource::Found(traced, first) => traced.hits(simd, first, rays.max_t),
     }
 }
-// END SOLUTION(part6.task2)

@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task2)
 //! Iterates over the lanes of a bit mask.
 
 /// The numbers of the lanes whose bits are set, in ascending order.
@@ -13,4 +12,3 @@ pub(crate) fn lanes(mut bits: u64) -> impl Iterator<Item = usize> {
         })
     })
 }
-// END SOLUTION(part6.task2)

@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task2)
 //! The few large primitives of a scene, such as the walls of a room.
 //!
 //! A ray in a room meets its walls far more often than what stands in the room. The walls are a
@@ -238,4 +237,3 @@ mod tests {
         }
     }
 }
-// END SOLUTION(part6.task2)

@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task2)
 //! Samples a light for eight points at once.
 
 use crate::lane_mask::lanes;
@@ -61,4 +60,3 @@ fn sample_each<S: Simd>(
         radiance: vector(|s| s.radiance.to_array()),
     }
 }
-// END SOLUTION(part6.task2)

@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task2)
 //! Materials by how the packets shade them.
 
 use crate::specular::SpecularMaterial;
@@ -26,4 +25,3 @@ pub(crate) fn classify(material: &Material) -> (MaterialClass, Spectrum) {
         _ => (MaterialClass::Other, Spectrum::BLACK),
     }
 }
-// END SOLUTION(part6.task2)

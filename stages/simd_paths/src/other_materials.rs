@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task2)
 //! Glossy surfaces and rough glass: the scalar fallback continues such paths one by one.
 
 use crate::lane_mask::lanes;
@@ -65,4 +64,3 @@ impl<S: Simd> PathPacket<'_, S> {
         survivors
     }
 }
-// END SOLUTION(part6.task2)

@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task2)
 //! One bounce of eight paths, as the stage `global` computes it.
 
 use crate::intersection::HitSource;
@@ -155,4 +154,3 @@ fn lanes_by_class(materials: &[(MaterialClass, Spectrum); LANES], hit: u64) -> [
     }
     masks
 }
-// END SOLUTION(part6.task2)

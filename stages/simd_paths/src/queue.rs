@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task2)
 //! The paths of a batch, one array per field, so that eight of them load into lanes.
 
 use crate::BATCH_SIZE;
@@ -149,4 +148,3 @@ fn store_vector<S: Simd>(
     store(&mut fields[1], first, lanes.y, mask);
     store(&mut fields[2], first, lanes.z, mask);
 }
-// END SOLUTION(part6.task2)

@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task2)
 //! Eight rays and their hits.
 
 use fearless_simd::{Simd, f64x8, mask64x8, prelude::*};
@@ -100,4 +99,3 @@ impl<S: Simd> HitPacket<S> {
 pub(crate) fn prim_id(number: f64) -> Option<PrimId> {
     (number >= 0.0).then_some(PrimId(number as u32))
 }
-// END SOLUTION(part6.task2)

@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task2)
 //! The random numbers of eight paths.
 //!
 //! They are drawn in many places and take many instructions: they are compiled once for each
@@ -28,4 +27,3 @@ pub(crate) fn next_2d<S: Simd>(simd: S, samplers: &mut PixelSamplers<LANES>) -> 
         },
     )
 }
-// END SOLUTION(part6.task2)

@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task2)
 //! The shadow rays of a bounce: collected from all packets, so that they fill the lanes and the
 //! rays to one light are traced together; and what the light adds to the paths.
 
@@ -337,4 +336,3 @@ fn store_vector<S: Simd>(v: Vec3x8<S>) -> [[f64; LANES]; 3] {
     v.z.store_array(&mut fields[2]);
     fields
 }
-// END SOLUTION(part6.task2)

@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task2)
 //! Sine and cosine of eight angles.
 
 use crate::lane_mask::lanes;
@@ -14,4 +13,3 @@ pub(crate) fn sin_cos<S: Simd>(radians: f64x8<S>) -> (f64x8<S>, f64x8<S>) {
     }
     (sin, cos)
 }
-// END SOLUTION(part6.task2)

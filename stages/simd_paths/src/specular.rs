@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task2)
 //! Mirrors and smooth glass.
 
 use crate::PathMemory;
@@ -172,4 +171,3 @@ fn in_lanes<S: Simd>(
         mirrors,
     }
 }
-// END SOLUTION(part6.task2)

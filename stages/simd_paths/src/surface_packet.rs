@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task2)
 //! Eight points on surfaces, as shading needs them.
 
 use crate::lane_mask::lanes;
@@ -158,4 +157,3 @@ impl<S: Simd> SurfacePacket<S> {
         (self.departure.origin(w), skip)
     }
 }
-// END SOLUTION(part6.task2)

@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task2)
 //! Traces a batch of paths from the camera to their ends.
 
 use crate::beam::BEAM_SIZE;
@@ -101,4 +100,3 @@ pub(crate) fn trace_paths<S: Simd>(
     memory.shadows = shadows;
     memory.traced = traced;
 }
-// END SOLUTION(part6.task2)

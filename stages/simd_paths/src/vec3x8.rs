@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task2)
 //! Eight numbers or vectors, one per lane.
 
 use fearless_simd::f64x8;
@@ -8,4 +7,3 @@ pub(crate) const LANES: usize = 8;
 
 /// A vector or a colour in each lane.
 pub(crate) type Vec3x8<S> = lanes::Vec3<f64x8<S>>;
-// END SOLUTION(part6.task2)

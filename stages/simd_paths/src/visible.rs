@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task2)
 //! The pixels that are not empty: in many pictures most camera rays hit nothing.
 
 use crate::beam::BEAM_SIZE;
@@ -69,4 +68,3 @@ impl VisiblePixels {
         )
     }
 }
-// END SOLUTION(part6.task2)

@@ -13,6 +13,9 @@
 //! first marker. A block without `STUB` lines (a helper, an import, a unit test) is removed. If the
 //! task is kept, the solution stays and the markers are removed. So students see no markers in
 //! either case.
+//!
+//! Files outside the stages that students hand in may be a solution from the first line to the last:
+//! `course.toml` lists them, and they have no markers.
 
 use base::GraderError;
 use std::collections::BTreeSet;
@@ -138,6 +141,28 @@ impl Carver {
         Ok(Carved {
             text: join_lines(out, !removed.is_empty()),
             removed,
+        })
+    }
+
+    /// Carves the file `name`, all of whose `text` is the solution of the task `key`. A marker in it
+    /// is an error: it says something else than the list of such files.
+    pub fn carve_whole(&self, name: &str, key: &str, text: String) -> Result<Carved, GraderError> {
+        for (number, line) in (1..).zip(text.lines()) {
+            if !matches!(read(line), Ok(Line::Code)) {
+                return Err(GraderError::new(format!(
+                    "{name}:{number}: course.toml lists the file as a solution from the first line to the last: remove this marker, or the file from the list"
+                )));
+            }
+        }
+        Ok(match self.carved_keys.contains(key) {
+            true => Carved {
+                text: String::new(),
+                removed: vec![(key.to_string(), text)],
+            },
+            false => Carved {
+                text,
+                removed: Vec::new(),
+            },
         })
     }
 }
@@ -316,6 +341,26 @@ fn last() {}
         let text = "//! Only words.\n";
         assert_eq!(carve(text).as_deref(), Ok(text));
         assert_eq!(carve("fn f() {}\r\n").as_deref(), Ok("fn f() {}\n"));
+    }
+
+    #[test]
+    fn a_whole_file_is_left_out_with_its_task() {
+        let of = |text: &str| {
+            let carver = carver(&["part1.task1"]);
+            ["part1.task1", "part2.task1"].map(|key| {
+                let carved = carver.carve_whole("f.rs", key, text.to_string());
+                carved
+                    .map(|carved| (carved.text, carved.removed.len()))
+                    .map_err(|error| error.to_string())
+            })
+        };
+        let [carved, kept] = of("fn f() {}\n");
+        assert_eq!(carved, Ok((String::new(), 1)));
+        assert_eq!(kept, Ok(("fn f() {}\n".to_string(), 0)));
+        for marked in of("a\n// BEGIN SOLUTION(part1.task1)\n") {
+            let error = marked.expect_err("it is marked, too");
+            assert!(error.starts_with("f.rs:2: course.toml lists"), "{error}");
+        }
     }
 
     #[test]

@@ -12,6 +12,7 @@ pub mod output_folder;
 pub mod readme;
 mod unit_tests;
 pub mod vendored;
+mod whole_solutions;
 
 use base::{GraderError, Workspace, folder_of};
 use carve::Carver;
@@ -70,10 +71,19 @@ impl Handout {
             removed: Vec::new(),
             reference_files: BTreeSet::new(),
         };
-        for path in file_tree::workspace_paths(root)? {
-            if selection.includes(&path) {
-                let contents = file_tree::read(root, &path)?;
-                handout.add(&selection, &carver, path, contents, root)?;
+        let paths = file_tree::workspace_paths(root)?;
+        for path in &paths {
+            if selection.includes(path) {
+                let contents = file_tree::read(root, path)?;
+                let solution_of = course.whole_solution(path);
+                handout.add(
+                    &selection,
+                    &carver,
+                    path.clone(),
+                    contents,
+                    solution_of,
+                    root,
+                )?;
             }
         }
         if let Some(key) = carver
@@ -87,6 +97,7 @@ impl Handout {
                 root.display()
             )));
         }
+        whole_solutions::check(&course, &paths)?;
         handout.shorten_summary();
         handout.add_truth(&carver);
         handout.remove_unit_tests(&selection)?;
@@ -184,13 +195,15 @@ impl Handout {
         self.removed.iter().any(|removed| removed.key == key)
     }
 
-    /// Adds a file of the workspace without the solutions to remove.
+    /// Adds a file of the workspace without the solutions to remove. All of it may be the solution of
+    /// the task `solution_of`.
     fn add(
         &mut self,
         selection: &FileSelection,
         carver: &Carver,
         path: PathBuf,
         contents: Vec<u8>,
+        solution_of: Option<&str>,
         root: &Path,
     ) -> Result<(), GraderError> {
         let is_rust = path.extension().is_some_and(|extension| extension == "rs");
@@ -200,14 +213,18 @@ impl Handout {
             return Ok(());
         }
         let text = text(&path, contents)?;
-        let is_marked = text.contains("// BEGIN SOLUTION(");
-        let carved = carver.carve(&path.to_string_lossy(), &text)?;
+        let is_solution = solution_of.is_some() || text.contains("// BEGIN SOLUTION(");
+        let name = path.to_string_lossy();
+        let carved = match solution_of {
+            Some(key) => carver.carve_whole(&name, key, text)?,
+            None => carver.carve(&name, &text)?,
+        };
         let text = if carved.removed.is_empty() || carved.text.is_empty() {
             carved.text
         } else {
             formatted(root, &path, &carved.text)?
         };
-        if is_marked && carved.removed.is_empty() {
+        if is_solution && carved.removed.is_empty() {
             self.reference_files.insert(path.clone());
         }
         let removed = carved

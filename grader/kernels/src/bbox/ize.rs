@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part2.task2)
 //! Williams's slabs with the far end moved by 2 units in the last place. This is more than the
 //! rounding errors of an entry and an exit: the test may hit although the ray misses closely, and
 //! never misses a hit. There is no early exit, so there are no mispredicted branches.
@@ -34,4 +33,3 @@ impl BoxTest for Ize {
         (near <= far).then_some(Interval { near, far })
     }
 }
-// END SOLUTION(part2.task2)

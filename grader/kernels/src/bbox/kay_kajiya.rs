@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part2.task2)
 //! Slab by slab: divide, sort the two values, intersect the interval.
 //!
 //! T. Kay, J. Kajiya, "Ray Tracing Complex Scenes", SIGGRAPH 1986. A ray that starts on a plane and
@@ -35,4 +34,3 @@ impl BoxTest for KayKajiya {
         (near <= far).then_some(Interval { near, far })
     }
 }
-// END SOLUTION(part2.task2)

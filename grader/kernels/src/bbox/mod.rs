@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part2.task2)
 //! Ray/box tests: the interval of the ray between the last entry and the first exit of three slabs.
 
 pub(crate) mod ize;
@@ -29,4 +28,3 @@ pub(crate) fn kernels() -> Vec<Kernel<kit::Aabb, kit::Interval>> {
         Kernel::new::<WithoutPrecomputation<Ize>, f32>(),
     ]
 }
-// END SOLUTION(part2.task2)

@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part2.task2)
 //! Branchless slabs, with comparisons ordered so that a NaN is ignored: a ray in the plane of a
 //! face is inside that slab.
 //!
@@ -34,4 +33,3 @@ impl BoxTest for NanSafe {
         (near <= far).then_some(Interval { near, far })
     }
 }
-// END SOLUTION(part2.task2)

@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part2.task2)
 //! What a ray/box test computes, and how it becomes a kernel.
 
 use crate::kernel::{KernelInfo, Test, ToF64};
@@ -51,4 +50,3 @@ impl<K: BoxTest> Test for WithoutPrecomputation<K> {
         K::intersect(b, ray)
     }
 }
-// END SOLUTION(part2.task2)

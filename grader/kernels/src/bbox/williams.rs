@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part2.task2)
 //! The order of the two planes is taken from the sign of `1/d`, so that -0 is handled correctly,
 //! too. The test returns as soon as the ray leaves one slab before it enters the next.
 //!
@@ -48,4 +47,3 @@ pub(super) fn slab<R: Scalar>(min: R, max: R, o: R, d: R) -> (R, R) {
         (at_min, at_max)
     }
 }
-// END SOLUTION(part2.task2)

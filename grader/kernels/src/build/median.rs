@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part2.task1)
 //! Splits at the median: half of the primitives on either side, ordered along the longest axis of
 //! the centroid bounds. This gives the shallowest tree, but not the one with the cheapest
 //! traversal.
@@ -16,4 +15,3 @@ pub(super) fn split(primitives: &mut [BuildPrimitive]) -> usize {
     });
     middle
 }
-// END SOLUTION(part2.task1)

@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part2.task1)
 //! Splits at the middle of the centroid bounds, on their longest axis. One pass over the primitives
 //! per node.
 //!
@@ -13,4 +12,3 @@ pub(super) fn split(primitives: &mut [BuildPrimitive]) -> usize {
     let middle = centroids.centroid()[axis];
     partition(primitives, |primitive| primitive.centroid[axis] < middle)
 }
-// END SOLUTION(part2.task1)

@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part2.task1)
 //! Top-down tree construction. The builders differ only in how a node is split. A leaf holds at
 //! most the given number of primitives; if a split leaves one side empty, the median split is used.
 
@@ -90,4 +89,3 @@ fn bounds_of(primitives: &[BuildPrimitive]) -> Aabb {
     let bounds = primitives.iter().map(|primitive| primitive.bounds);
     bounds.fold(Aabb::EMPTY, Aabb::union)
 }
-// END SOLUTION(part2.task1)

@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part2.task1)
 //! The primitives of a node, which a split partitions.
 
 use kit::{Aabb, PrimId, Vec3};
@@ -30,4 +29,3 @@ pub(super) fn partition(
     }
     left
 }
-// END SOLUTION(part2.task1)

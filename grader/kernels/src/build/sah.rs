@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part2.task1)
 //! Splits by the surface area heuristic, the split with the least expected traversal cost: a random
 //! ray hits a box with a probability proportional to its surface area, and then tests its contents.
 //! The candidates are the borders of 16 bins on each axis.
@@ -71,4 +70,3 @@ pub(super) fn split(primitives: &mut [BuildPrimitive]) -> usize {
     let (_, axis, border) = best;
     partition(primitives, |primitive| bin_of(axis, primitive) < border)
 }
-// END SOLUTION(part2.task1)

@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part1.task4)
 //! The discriminant as `a (r² - |l|²)`, where `l = f - (b/a) d` is the vector from the centre to
 //! the nearest point of the line. It compares the radius with a distance, instead of subtracting
 //! two numbers as large as the squared distance of the sphere.
@@ -36,4 +35,3 @@ impl SphereTest for Haines {
         first_in_range(ray, near, far)
     }
 }
-// END SOLUTION(part1.task4)

@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part1.task4)
 //! Ray/sphere tests: the smallest root of `a t² + 2 b t + c` in the ray's range, with
 //! `f = o - center`, `a = d·d`, `b = f·d`, `c = f·f - r²`. Tangents count.
 
@@ -30,4 +29,3 @@ pub(crate) fn kernels() -> Vec<Kernel<kit::Sphere, HitF64>> {
         Kernel::new::<ReprojectedPoint<Haines>, f32>(),
     ]
 }
-// END SOLUTION(part1.task4)

@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part1.task4)
 //! Computes the root whose terms add, and the other one from the product of the roots,
 //! `t0 t1 = c / a`: neither cancels. The discriminant still cancels.
 //!
@@ -48,4 +47,3 @@ fn roots<R: Scalar>(ray: &Ray<R>, a: R, b: R, c: R, root: R) -> Option<R> {
         first_in_range(ray, c / q, q / a)
     }
 }
-// END SOLUTION(part1.task4)

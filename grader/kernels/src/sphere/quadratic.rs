@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part1.task4)
 //! The textbook quadratic formula. `b² - 4ac` cancels if the sphere is far away, `-b + √` if the
 //! origin is near the surface.
 //!
@@ -39,4 +38,3 @@ impl SphereTest for Quadratic {
         first_in_range(ray, (-b - root) / (two * a), (-b + root) / (two * a))
     }
 }
-// END SOLUTION(part1.task4)

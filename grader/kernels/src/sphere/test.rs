@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part1.task4)
 //! What a ray/sphere test computes, and how it becomes a kernel.
 
 use crate::kernel::{Hit, HitF64, KernelInfo, Test};
@@ -74,4 +73,3 @@ impl<K: SphereTest> Test for ReprojectedPoint<K> {
         })
     }
 }
-// END SOLUTION(part1.task4)

@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part1.task3)
 //! A precomputed matrix per triangle that maps the triangle to (0,0), (1,0), (0,1): nine numbers
 //! and a choice of axis. The test multiplies by its three rows.
 //!
@@ -83,4 +82,3 @@ impl Test for BaldwinWeber {
         is_inside.then_some(Hit { t, p })
     }
 }
-// END SOLUTION(part1.task3)

@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part1.task3)
 //! Edge functions in plain arithmetic with an error bound; if the bound does not decide the sign,
 //! exact arithmetic does. The decision is always that of exact arithmetic on the rounded inputs.
 //!
@@ -91,4 +90,3 @@ fn exact_volumes<R: Scalar>(tri: &Triangle<R>, ray: &Ray<R>) -> [R; 3] {
     };
     [volume(&b, &c), volume(&c, &a), volume(&a, &b)]
 }
-// END SOLUTION(part1.task3)

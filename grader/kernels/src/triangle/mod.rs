@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part1.task3)
 //! Ray/triangle tests. Edges, vertices and both ends of the ray's range count; both faces are hit.
 //!
 //! With the vertices relative to the ray's origin, `A = p0 - o` and so on, the ray's line passes
@@ -50,4 +49,3 @@ pub(crate) fn kernels() -> Vec<Kernel<kit::Triangle, HitF64>> {
         Kernel::new::<PointFromWeights<Filtered>, f64>(),
     ]
 }
-// END SOLUTION(part1.task3)

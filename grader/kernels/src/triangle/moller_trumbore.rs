@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part1.task3)
 //! The textbook test: Cramer's rule, with two cross products.
 //!
 //! T. Möller, B. Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", Journal of Graphics
@@ -118,4 +117,3 @@ impl TriangleTest for Culling {
         })
     }
 }
-// END SOLUTION(part1.task3)

@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part1.task3)
 //! Intersects the ray with the plane, then tests on which side of each edge the point is.
 //!
 //! E. Haines, "Essential Ray Tracing Algorithms", in A. Glassner (ed.), An Introduction to Ray
@@ -50,4 +49,3 @@ impl TriangleTest for PlaneThenSides {
         })
     }
 }
-// END SOLUTION(part1.task3)

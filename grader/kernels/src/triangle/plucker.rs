@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part1.task3)
 //! The side on which the ray passes each edge, in Plücker coordinates: a line is its direction and
 //! its moment about the world's origin. Far from the origin the moments are large, and their
 //! differences cancel.
@@ -40,4 +39,3 @@ impl TriangleTest for Plucker {
         })
     }
 }
-// END SOLUTION(part1.task3)

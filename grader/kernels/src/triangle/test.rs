@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part1.task3)
 //! What a ray/triangle test computes, and how it becomes a kernel.
 
 use crate::kernel::{Hit, HitF64, KernelInfo, Test};
@@ -85,4 +84,3 @@ pub(super) fn sum_if_same_sign<R: Scalar>([u, v, w]: [R; 3]) -> Option<R> {
     let det = u + v + w;
     (det != zero).then_some(det)
 }
-// END SOLUTION(part1.task3)

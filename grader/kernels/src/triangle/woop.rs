@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part1.task3)
 //! Space is translated and sheared so that the ray becomes the z axis; then the test computes three
 //! signed areas in the plane. Triangles that share a vertex shear it to the same two numbers, so no
 //! ray passes between them.
@@ -70,4 +69,3 @@ pub(super) fn sheared<R: Scalar>(
         b2: w * inv_det,
     })
 }
-// END SOLUTION(part1.task3)

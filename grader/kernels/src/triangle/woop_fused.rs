@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part1.task3)
 //! Woop's test with accurate areas: Kahan's difference of products, with two fused multiply-adds
 //! per edge, is accurate although the products cancel. The areas of a sliver cancel almost
 //! completely.
@@ -57,4 +56,3 @@ impl TriangleTest for FusedAtZero {
         })
     }
 }
-// END SOLUTION(part1.task3)

@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task2)
 //! `lanes::camera` and `raygen::generate_ray`.
 
 use crate::inputs::{Random, coordinates};
@@ -48,4 +47,3 @@ fn directions() {
         }
     }
 }
-// END SOLUTION(part6.task2)

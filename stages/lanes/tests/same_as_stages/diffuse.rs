@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task2)
 //! `lanes::diffuse`, `direct::lambert_f`, `direct::lambert_pdf` and `direct::lambert_sample`.
 
 use crate::inputs::{Random, coordinates, join, vector};
@@ -101,4 +100,3 @@ fn samples() {
     }
     assert!(count > 2000, "{count} samples");
 }
-// END SOLUTION(part6.task2)

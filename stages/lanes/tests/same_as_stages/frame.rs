@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task2)
 //! `lanes::frame` and `kit::Frame`.
 
 use crate::inputs::{Random, coordinates, join, vector};
@@ -50,4 +49,3 @@ fn frames() {
         );
     }
 }
-// END SOLUTION(part6.task2)

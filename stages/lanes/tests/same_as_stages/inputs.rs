@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task2)
 //! Random and hard inputs from a fixed seed.
 
 use kit::{PixelSampler, Ray, Triangle, Vec3, warp};
@@ -144,4 +143,3 @@ pub(crate) fn coordinates<R>(v: lanes::Vec3<R>) -> [R; 3] {
 pub(crate) fn join<const N: usize>(parts: &[&[f64]]) -> [f64; N] {
     parts.concat().try_into().expect("as many numbers")
 }
-// END SOLUTION(part6.task2)

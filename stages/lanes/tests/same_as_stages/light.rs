@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task2)
 //! `lanes::light`, `kit::Emitter::sample`, `kit::Emitter::pdf`,
 //! `direct::estimate_direct_lighting_importance` and `direct::estimate_direct_lighting_mis`.
 
@@ -288,4 +287,3 @@ fn densities_of_meshes() {
     }
     assert!(counts.iter().all(|&count| count > 1000), "{counts:?}");
 }
-// END SOLUTION(part6.task2)

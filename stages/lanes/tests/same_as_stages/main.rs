@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task2)
 //! Each formula has the bits of the plain function that it restates, at every width and with every
 //! instruction set, for hard inputs and random ones.
 
@@ -16,4 +15,3 @@ mod sphere;
 mod surface;
 mod triangle;
 mod widths;
-// END SOLUTION(part6.task2)

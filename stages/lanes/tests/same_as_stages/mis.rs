@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task2)
 //! `lanes::mis` and `direct::mis::power_heuristic`.
 
 use crate::inputs::Random;
@@ -37,4 +36,3 @@ fn weights() {
     }
     assert!(fractions > 500, "{fractions} weights are between 0 and 1");
 }
-// END SOLUTION(part6.task2)

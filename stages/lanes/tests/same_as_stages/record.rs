@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task2)
 //! `lanes::record`, `intersect::record_triangle` and `intersect::intersect_sphere`.
 
 use crate::inputs::{Random, coordinates, join, numbers, ray, vector};
@@ -144,4 +143,3 @@ fn spheres() {
         hits.len()
     );
 }
-// END SOLUTION(part6.task2)

@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task2)
 //! `lanes::roulette` and `global::play_roulette`.
 
 use crate::inputs::{Random, vector};
@@ -58,4 +57,3 @@ fn survivors() {
     }
     assert!(counts.iter().all(|&count| count > 1000), "{counts:?}");
 }
-// END SOLUTION(part6.task2)

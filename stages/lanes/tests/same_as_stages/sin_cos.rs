@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task2)
 //! `lanes::sin_cos` and `kit::math::sin_cos`.
 
 use crate::widths::{Formula, as_number, at_every_width, same};
@@ -47,4 +46,3 @@ fn bits_are_those_of_libm() {
     }
     assert!(inexact < inputs.len() / 100, "{inexact} are not exact");
 }
-// END SOLUTION(part6.task2)

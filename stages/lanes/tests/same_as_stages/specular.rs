@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task2)
 //! `lanes::specular`, `global::glass_sample`, `mirror_sample` and `refraction_sample`.
 
 use crate::inputs::{Random, join, vector};
@@ -87,4 +86,3 @@ fn samples() {
     }
     assert!(counts.iter().all(|&count| count > 1000), "{counts:?}");
 }
-// END SOLUTION(part6.task2)

@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task2)
 //! `lanes::sphere` and `intersect::test_sphere`.
 
 use crate::inputs::{Random, join, numbers, ray, vector};
@@ -72,4 +71,3 @@ fn spheres() {
     }
     assert!(counts.iter().all(|&count| count > 2_000), "{counts:?}");
 }
-// END SOLUTION(part6.task2)

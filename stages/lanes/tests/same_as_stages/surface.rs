@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task2)
 //! `lanes::surface` and `kit::Surface::leave`.
 
 use crate::inputs::{Random, coordinates, join, vector};
@@ -147,4 +146,3 @@ fn spheres() {
         );
     }
 }
-// END SOLUTION(part6.task2)

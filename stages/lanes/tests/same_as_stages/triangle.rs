@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task2)
 //! `lanes::triangle` and `intersect::test_triangle`.
 
 use crate::inputs::{Random, join, numbers, ray, vector};
@@ -86,4 +85,3 @@ fn triangles() {
     let [misses, hits, _] = counts;
     assert!(misses > 5_000 && hits > 2_000, "{counts:?}");
 }
-// END SOLUTION(part6.task2)

@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task2)
 //! Computes a formula with one number and with eight.
 
 use fearless_simd::{Simd, f32x8, f64x8, prelude::*};
@@ -69,4 +68,3 @@ fn compare<S: Simd, F: Formula<I, O>, const I: usize, const O: usize>(
 pub(crate) fn as_number<R: Real>(mask: R::Mask, like: R) -> R {
     mask.choose(like.constant(1.0), like.constant(0.0))
 }
-// END SOLUTION(part6.task2)

@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task1)
 //! Helpers of several tests.
 
 use std::fs;
@@ -21,4 +20,3 @@ pub(crate) fn scene_files(folders: &[PathBuf]) -> Vec<PathBuf> {
     assert!(!files.is_empty(), "no scenes in {folders:?}");
     files
 }
-// END SOLUTION(part6.task1)

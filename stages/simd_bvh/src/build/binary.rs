@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task1)
 //! Builds the binary tree of least expected cost, from the root downwards, with the surface area
 //! heuristic, and on the way back to the root decides how it collapses to a wide tree.
 
@@ -271,4 +270,3 @@ fn partition(prims: &mut [BuildPrimitive], plane: &SplitPlane) -> usize {
     }
     count
 }
-// END SOLUTION(part6.task1)

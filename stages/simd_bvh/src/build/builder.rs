@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task1)
 //! Builds the wide tree: from triangles and spheres to nodes and blocks.
 
 use crate::build::binary;
@@ -200,4 +199,3 @@ mod tests {
         assert!(one == with_threads(5), "five threads build another tree");
     }
 }
-// END SOLUTION(part6.task1)

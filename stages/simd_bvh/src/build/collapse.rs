@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task1)
 //! Collapses a binary tree to a wide one: decides which of its nodes become children of the same
 //! wide node.
 
@@ -122,4 +121,3 @@ fn add<'t>(node: NodeRef<'t>, mut lanes: usize, children: &mut Vec<WideChild<'t>
         children.push(WideChild::Spheres(node));
     }
 }
-// END SOLUTION(part6.task1)

@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task1)
 //! Which primitives of a scene are so large that they are better apart from the tree: the walls of
 //! a room, the floor below an object.
 //!
@@ -106,4 +105,3 @@ mod tests {
         assert_eq!(chosen(&boxes), []);
     }
 }
-// END SOLUTION(part6.task1)

@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task1)
 //! From primitives to a wide tree. Reading order: `builder` (from triangles to the tree), `presplit`
 //! (long thin triangles), `large` (walls), `sah` and `binary` (the binary tree of least cost),
 //! `collapse` and `widen` (from two to eight children per node).
@@ -10,4 +9,3 @@ pub(crate) mod large;
 pub(crate) mod presplit;
 pub(crate) mod sah;
 pub(crate) mod widen;
-// END SOLUTION(part6.task1)

@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task1)
 //! Splits triangles whose boxes are mostly empty before the tree is built.
 //!
 //! The box of a long thin triangle that is not along an axis is nearly empty, and rays that enter
@@ -307,4 +306,3 @@ mod tests {
         assert!(split(&[flat, point, tiny, flat]).len() <= 6);
     }
 }
-// END SOLUTION(part6.task1)

@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task1)
 //! The surface area heuristic: where to split a set of primitives.
 
 use crate::layout::LANES;
@@ -290,4 +289,3 @@ pub(crate) fn cheapest_plane(
         bin: bin as f32,
     })
 }
-// END SOLUTION(part6.task1)

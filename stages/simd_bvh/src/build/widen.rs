@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task1)
 //! Writes the nodes of the wide tree, in parallel: every subtree knows how many nodes and blocks it
 //! adds, so its place is known before those to its left are written.
 
@@ -175,4 +174,3 @@ fn bounds(leaf: NodeRef<'_>, range: &Range<u32>, prims: &[BuildPrimitive]) -> Pa
     let boxes = prims.iter().map(BuildPrimitive::bounds);
     boxes.fold(PackedBox::EMPTY, PackedBox::union)
 }
-// END SOLUTION(part6.task1)

@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task1)
 //! A ray/box test for any ray. It is conservative: it never misses a box with a primitive that the
 //! ray hits.
 
@@ -73,4 +72,3 @@ impl ScalarBoxTest {
         entry <= self.max_t + SLACK * self.max_t.abs()
     }
 }
-// END SOLUTION(part6.task1)

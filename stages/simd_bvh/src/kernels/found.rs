@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task1)
 //! The closest hit that a traversal has found.
 
 use crate::intersect::ExactTest;
@@ -33,4 +32,3 @@ impl Found {
         }
     }
 }
-// END SOLUTION(part6.task1)

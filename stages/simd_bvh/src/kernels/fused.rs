@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task1)
 //! A product and a sum with one rounding, on every processor.
 
 use fearless_simd::{Level, Simd, prelude::*};
@@ -40,4 +39,3 @@ fn is_one_instruction(level: Level) -> bool {
     #[cfg(not(target_arch = "x86_64"))]
     return !level.is_fallback();
 }
-// END SOLUTION(part6.task1)

@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task1)
 //! A ray in the tree's space that single precision can handle.
 
 use crate::layout::space::{LocalRay, ORDINARY, TreeSpace};
@@ -104,4 +103,3 @@ impl TScale {
         t * self.speed - self.start
     }
 }
-// END SOLUTION(part6.task1)

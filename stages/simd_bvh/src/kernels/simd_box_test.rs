@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task1)
 //! Tests a ray against the eight boxes of a node at once.
 
 use crate::kernels::fused::mul_add;
@@ -252,4 +251,3 @@ const BYTES: [u8; 4 * LANES] = {
     }
     bytes
 };
-// END SOLUTION(part6.task1)

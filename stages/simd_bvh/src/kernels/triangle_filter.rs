@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task1)
 //! Tests a ray against eight triangles at once in single precision: which it may hit, and which it
 //! hits for certain.
 //!
@@ -294,4 +293,3 @@ pub(crate) fn widened<S: Simd>(simd: S, integers: &[u16; 8]) -> f32x8<S> {
 pub(crate) fn first_lanes(count: u32) -> u32 {
     (1 << count) - 1
 }
-// END SOLUTION(part6.task1)

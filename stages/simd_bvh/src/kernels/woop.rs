@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task1)
 //! The triangle test in double precision, for the few triangles that pass the filter.
 
 use kit::{Ray, TriangleHit, Vec3 as KitVec3};
@@ -67,4 +66,3 @@ fn permuted(v: &[f64; 3], [x, y, z]: [usize; 3]) -> Vec3<f64> {
         z: v[z],
     }
 }
-// END SOLUTION(part6.task1)

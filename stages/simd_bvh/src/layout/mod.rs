@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task1)
 //! The memory layout of boxes, triangles and spheres. Reading order: `space` (the tree's own space),
 //! `packed_box` (boxes during the build), `node`, `triangle_block` and `sphere_block`, `prefetch`.
 
@@ -11,4 +10,3 @@ pub(crate) mod triangle_block;
 
 /// The number of children of a node and of primitives of a block, which are tested at once.
 pub(crate) const LANES: usize = 8;
-// END SOLUTION(part6.task1)

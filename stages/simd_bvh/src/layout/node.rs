@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task1)
 //! A node: the boxes of up to eight children in single precision, the children, and their orders
 //! from near to far.
 
@@ -256,4 +255,3 @@ mod tests {
         assert_eq!(kinds, expected);
     }
 }
-// END SOLUTION(part6.task1)

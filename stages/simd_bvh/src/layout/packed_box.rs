@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task1)
 //! Boxes in single precision while the tree is built: 32 bytes, and a union is one operation.
 //!
 //! # Why a box contains every hit of its primitive
@@ -127,4 +126,3 @@ mod tests {
         assert_eq!(both.half_area(), packed.half_area());
     }
 }
-// END SOLUTION(part6.task1)

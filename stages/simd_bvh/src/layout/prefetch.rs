@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task1)
 //! Loads memory into the cache before it is needed.
 
 /// The size of a cache line on most machines; on others a prefetch does too much or too little.
@@ -27,4 +26,3 @@ pub(crate) fn prefetch<const SIZE: usize>(start: *const u8) {
     #[cfg(not(target_arch = "x86_64"))]
     let _ = (start, LINE);
 }
-// END SOLUTION(part6.task1)

@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task1)
 //! The tree's own space: centred at the origin, with a size of about 1.
 //!
 //! Single precision has 24 bits. To use all of them, primitives and rays are translated and scaled
@@ -153,4 +152,3 @@ fn exponent(x: f64) -> i32 {
 fn power_of_two(exponent: i32) -> f64 {
     f64::from_bits(((exponent + 1023) as u64) << 52)
 }
-// END SOLUTION(part6.task1)

@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task1)
 //! A leaf of up to eight spheres: finds those that a ray misses for certain.
 
 use crate::layout::LANES;
@@ -79,4 +78,3 @@ impl SphereBlock {
         filled & !(misses & is_sound.to_bitmask() as u32)
     }
 }
-// END SOLUTION(part6.task1)

@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task1)
 //! A leaf of up to eight triangles with 16 bits a coordinate.
 
 use crate::kernels::woop::Vertices;
@@ -147,4 +146,3 @@ mod tests {
         assert_eq!(unit_for(0.0), SMALLEST_UNIT);
     }
 }
-// END SOLUTION(part6.task1)

@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task1)
 //! The state of one of many rays that are traced together.
 
 use crate::intersect::ExactTest;
@@ -169,4 +168,3 @@ impl RaySlot {
         self.stack.cull(simd, self.end);
     }
 }
-// END SOLUTION(part6.task1)

@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task1)
 //! The primitives of a convex region.
 
 use crate::intersect::TestCounts;
@@ -177,4 +176,3 @@ mod tests {
         }
     }
 }
-// END SOLUTION(part6.task1)

@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task1)
 //! Which rays of a group need a node, a block of triangles or a block of spheres next.
 
 use crate::layout::node::Child;
@@ -69,4 +68,3 @@ impl SlotQueues {
         self.spheres.push(slot, next.is_spheres());
     }
 }
-// END SOLUTION(part6.task1)

@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task1)
 //! The stack of a ray that is traced together with others.
 
 use crate::kernels::simd_box_test::BoxHits;
@@ -158,4 +157,3 @@ mod tests {
         assert!(!stack.start(&[Child(1); SlotStack::SIZE]));
     }
 }
-// END SOLUTION(part6.task1)

@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task1)
 //! The traversal of the tree by a group of rays together.
 //!
 //! One ray waits most of the time: each step depends on the one before, and the processor often
@@ -225,4 +224,3 @@ impl<S: Simd, const ANY: bool> StreamTraversal<'_, '_, S, ANY> {
         queues.push(number, slot.stack.top());
     }
 }
-// END SOLUTION(part6.task1)

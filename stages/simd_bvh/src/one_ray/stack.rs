@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task1)
 //! The stack of children that a traversal has still to visit.
 
 use crate::kernels::simd_box_test::Key;
@@ -131,4 +130,3 @@ mod tests {
         assert_eq!(stack.pop(len), None);
     }
 }
-// END SOLUTION(part6.task1)

@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task1)
 //! One traversal of the tree by an ordinary ray, for the closest hit or for any hit.
 
 use crate::intersect::{ExactTest, TestCounts};
@@ -252,4 +251,3 @@ impl<'a, 'e, S: Simd, const ANY: bool> Traversal<'a, 'e, S, ANY> {
         self.end = range_end(limit);
     }
 }
-// END SOLUTION(part6.task1)

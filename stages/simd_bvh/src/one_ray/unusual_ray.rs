@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task1)
 //! Traversal by a ray that single precision cannot handle: one box after the other in double
 //! precision, and every primitive with the scalar kernel.
 
@@ -65,4 +64,3 @@ pub(crate) fn closest(
     }
     found.closest
 }
-// END SOLUTION(part6.task1)

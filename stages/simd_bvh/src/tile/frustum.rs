@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task1)
 //! The region of all rays of a tile, and the boxes that are outside of it.
 //!
 //! # Why no box that a ray hits is outside
@@ -169,4 +168,3 @@ impl Frustum {
         corners
     }
 }
-// END SOLUTION(part6.task1)

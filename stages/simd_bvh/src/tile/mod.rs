@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task1)
 //! The traversal by a tile: up to 64 rays from one point, the apex, which visit each node and each
 //! block once, together. Reading order: `rays` (the rays in columns), `frustum` (eight boxes
 //! against all rays at once), `planes` (the triangles of a block against rays, with the proof that
@@ -14,4 +13,3 @@ pub(crate) const SIZE: usize = 64;
 
 /// The number of rays that are tested against a triangle at once.
 pub(crate) const GROUP: usize = 16;
-// END SOLUTION(part6.task1)

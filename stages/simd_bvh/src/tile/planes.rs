@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task1)
 //! The triangles of a block as planes through the apex of a tile, and rays tested against them in
 //! single precision.
 //!
@@ -346,4 +345,3 @@ fn product<S: Simd, F: SimdFloat<S, Element = f32>>(simd: S, normal: &[F; 3], d:
         mul_add(simd, normal[1], d[1], normal[2] * d[2]),
     )
 }
-// END SOLUTION(part6.task1)

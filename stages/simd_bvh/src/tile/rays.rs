@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task1)
 //! The rays of a tile in single precision, in columns, and what each has hit so far.
 
 use super::frustum::{Frustum, MAX_SLOPE, RELATIVE};
@@ -310,4 +309,3 @@ impl TileRays {
         (ids.simd_eq(id) | skips.simd_eq(id)).to_bitmask()
     }
 }
-// END SOLUTION(part6.task1)

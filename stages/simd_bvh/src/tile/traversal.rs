@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task1)
 //! The traversal of the tree by a tile.
 //!
 //! A triangle that a ray hits for certain, and before all others, is remembered with an interval
@@ -366,4 +365,3 @@ impl<S: Simd> TileTraversal<'_, '_, S> {
         }
     }
 }
-// END SOLUTION(part6.task1)

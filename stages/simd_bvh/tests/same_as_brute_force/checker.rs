@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task1)
 //! Checks the trees of a scene against brute force.
 
 use bvh::{construct_bvh, intersect_bvh};
@@ -313,4 +312,3 @@ impl Random {
         }
     }
 }
-// END SOLUTION(part6.task1)

@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task1)
 //! The wide tree finds the hits of brute force, bit for bit.
 
 mod checker;
@@ -399,4 +398,3 @@ fn few_boxes_and_triangles_are_tested() {
     assert!(each(counts.box_tests) < 100, "{counts:?}");
     assert!(each(counts.prim_tests) < 30, "{counts:?}");
 }
-// END SOLUTION(part6.task1)

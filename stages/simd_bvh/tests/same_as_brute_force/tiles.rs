@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task1)
 //! Rays that are traced by the tile have the hits of rays that are traced alone, bit for bit.
 
 use crate::checker::{Random, exact};
@@ -350,4 +349,3 @@ fn on_millions_of_rays() {
         );
     }
 }
-// END SOLUTION(part6.task1)

@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task2)
 //! Intersection of eight rays with a list of primitives: faster than a tree if there are few.
 
 mod nearby;
@@ -258,4 +257,3 @@ impl<S: Simd> HitPacket<S> {
         }
     }
 }
-// END SOLUTION(part6.task2)

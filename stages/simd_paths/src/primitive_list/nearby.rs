@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task2)
 //! The few primitives that the rays of a beam may hit.
 //!
 //! The camera rays of a pixel, or the shadow rays from one spot to one light, pass the same few
@@ -142,4 +141,3 @@ impl NearbyPrimitives {
         }
     }
 }
-// END SOLUTION(part6.task2)

@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task2)
 //! Tests eight rays against a sphere.
 
 use super::PacketTest;
@@ -40,4 +39,3 @@ pub(super) fn test<S: Simd>(
         det: f64x8::splat(simd, 1.0),
     })
 }
-// END SOLUTION(part6.task2)

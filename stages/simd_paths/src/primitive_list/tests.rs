@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task2)
 //! A list of primitives finds the hits of the scalar kernels, bit for bit.
 
 use super::{PrimitiveList, Scratch};
@@ -204,4 +203,3 @@ fn the_list_finds_the_hits_of_brute_force() {
     }
     assert!(hits > 50_000, "{hits} rays hit");
 }
-// END SOLUTION(part6.task2)

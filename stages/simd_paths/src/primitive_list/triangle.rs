@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task2)
 //! Tests eight rays against triangles that share vertices.
 
 use super::PacketTest;
@@ -82,4 +81,3 @@ fn load<S: Simd>(simd: S, vertex: &ProjectedVertex) -> Vec3x8<S> {
         z: f64x8::load_array_ref(simd, &vertex[2]),
     }
 }
-// END SOLUTION(part6.task2)

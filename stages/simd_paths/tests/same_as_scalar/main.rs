@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task2)
 //! Packets compute the radiance of scalar paths, bit for bit, with every instruction set.
 
 mod scalar;
@@ -200,4 +199,3 @@ fn at_spheres_smaller_than_rounding() {
         assert!(hit.is_some(), "the ray misses a radius of {radius}");
     }
 }
-// END SOLUTION(part6.task2)

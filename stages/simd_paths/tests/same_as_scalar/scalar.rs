@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task2)
 //! Scalar paths with the stages, intersected by brute force.
 
 use direct::{
@@ -328,4 +327,3 @@ impl ScalarFallback for ScalarPaths<'_> {
         Some(NextRay { ray, skip })
     }
 }
-// END SOLUTION(part6.task2)

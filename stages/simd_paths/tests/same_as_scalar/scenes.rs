@@ -1,4 +1,3 @@
-// BEGIN SOLUTION(part6.task2)
 //! Random scenes: a box that contains triangles and spheres of every material and lights of every
 //! kind.
 
@@ -206,4 +205,3 @@ pub(crate) fn random_scene(random: &mut Random, max_triangles: usize) -> LitScen
     let environment = (random.below(10) == 0).then(|| Environment::uniform(random.colour()));
     LitScene::new(scene, environment)
 }
-// END SOLUTION(part6.task2)

@@ -14,6 +14,8 @@ fn kinds() -> Vec<(Spec, Vec<Spec>)> {
             Work::Direct(work) => format!("{:?}", work.strategy),
             // Some of its cases count the tests.
             Work::Traverse(world) => format!("{} {}", world.any_hit, spec.name),
+            // The work of a tree is recorded for some of its cases.
+            Work::Build(_) => format!("build {}", spec.name),
             work => work.kind().into(),
         };
         kinds

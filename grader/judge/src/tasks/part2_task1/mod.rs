@@ -90,7 +90,10 @@ impl Check for kind::Build {
         work: &BuildWork,
         answer: &BuildAnswer,
     ) {
-        let recorded = simple::recorded(work).or_else(|| recorded::tree(case.name));
+        let recorded = match simple::is_simple(work) {
+            true => simple::recorded(work),
+            false => recorded::tree(case.name),
+        };
         judge::build(tally, &work.bounds, work.max_leaf_size, answer, recorded);
     }
 

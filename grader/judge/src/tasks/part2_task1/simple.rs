@@ -33,6 +33,12 @@ pub(crate) fn questions() -> Vec<BuildWork> {
     questions
 }
 
+/// Whether these boxes are a simple question. The work of a case is recorded for its own boxes: it
+/// says nothing about those of a simple question, which is judged as the case is.
+pub(super) fn is_simple(work: &BuildWork) -> bool {
+    questions().contains(work)
+}
+
 fn work(places: &[f64], axis: usize, max_leaf_size: u32) -> BuildWork {
     let bounds = places.iter().map(|&place| {
         let mut min: Xyz = [0.0; 3];

@@ -2,7 +2,8 @@
 
 use super::colors::{self, Palette, Pattern};
 use super::lines::{Hidden, Lines};
-use super::ray_lines::{draw_walk, frustum};
+use super::ray_lines::{draw_walk, frustum, roulette};
+use super::sample_lines;
 use crate::digits;
 use crate::project::is_drawn;
 use crate::report::light_case::LightCase;
@@ -72,6 +73,9 @@ pub(super) fn legend(view: &CaseView, palette: &Palette) -> Vec<(Sample, Color32
             (solid, right, "right directions, where there is one"),
             (Sample::Dot, palette.attention, "lights"),
         ],
+        CaseView::Pixel(case) => sample_lines::pixel_legend(case, palette),
+        CaseView::Scatter(case) => sample_lines::scatter_legend(case, palette),
+        CaseView::Plot(case) => sample_lines::plot_legend(case, palette),
     }
 }
 
@@ -82,6 +86,9 @@ pub(super) fn draw(lines: &Lines<'_>, ui: &Ui, opened: &OpenCase, view: &CaseVie
         CaseView::Tree(case) => tree(lines, case, opened.walk.node()),
         CaseView::Visits(case) => visits(lines, ui, case, opened.step),
         CaseView::Light(case) => light(lines, ui, case),
+        CaseView::Pixel(case) => sample_lines::pixel(lines, ui, case),
+        CaseView::Scatter(case) => sample_lines::scatter(lines, ui, case),
+        CaseView::Plot(case) => sample_lines::plot(lines, ui, case),
     }
 }
 
@@ -304,6 +311,9 @@ fn light(lines: &Lines<'_>, ui: &Ui, case: &LightCase) {
             "n",
         );
         lines.disc(point.p, 4.0, lines.palette.selected);
+    }
+    for &(p, factor) in &case.roulettes {
+        roulette(lines, p, factor);
     }
     for &(p, wo) in &case.viewers {
         let color = lines.palette.ray(RayRole::Camera);

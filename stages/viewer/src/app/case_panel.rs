@@ -227,11 +227,15 @@ fn verdict(view: &CaseView, opened: &OpenCase) -> Option<(Verdict, String)> {
                 ),
             }
         }
-        CaseView::Ray(_) | CaseView::Light(_) => of_case,
+        CaseView::Ray(_)
+        | CaseView::Light(_)
+        | CaseView::Pixel(_)
+        | CaseView::Scatter(_)
+        | CaseView::Plot(_) => of_case,
     })
 }
 
-/// A view of what differs in the case, or of everything that it shows, from a corner.
+/// A view of what differs in the case, or of everything that it shows.
 fn framed(view: &CaseView, film: FilmSize) -> Orbit {
     let bounds = view.focus();
     // The two corners of the bounds as points of a scene.
@@ -244,5 +248,5 @@ fn framed(view: &CaseView, film: FilmSize) -> Orbit {
             .to_vec(),
         ..Scene::default()
     };
-    Orbit::new(frame(&scene, kit::Vec3::new(0.5, 0.35, 1.0), film))
+    Orbit::new(frame(&scene, view.seen_from(), film))
 }

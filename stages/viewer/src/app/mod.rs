@@ -23,6 +23,7 @@ mod picture_panel;
 mod problem_panel;
 mod ray_lines;
 mod report_panel;
+mod sample_lines;
 mod sample_plots;
 mod scale;
 mod scene_lines;

@@ -134,17 +134,25 @@ fn roulettes(lines: &Lines<'_>, inspector: &Inspector) {
             continue;
         };
         match played.survivor {
-            None => {
-                lines.cross(hit.p, lines.palette.attention);
-                lines.name_at(hit.p, lines.palette.attention, "roulette ends it");
-            }
+            None => roulette(lines, hit.p, None),
             Some(after) if after != played.throughput => {
                 let factor = after.max_channel() / played.throughput.max_channel();
-                let name = format!("roulette: x {factor:.2}");
-                lines.name_at(hit.p, lines.palette.attention, &name);
+                roulette(lines, hit.p, Some(factor));
             }
             Some(_) => {}
         }
+    }
+}
+
+/// Roulette at a surface of a path: the factor of the throughput, or the end of the path.
+pub(super) fn roulette(lines: &Lines<'_>, p: Vec3, factor: Option<f64>) {
+    let color = lines.palette.attention;
+    match factor {
+        None => {
+            lines.cross(p, color);
+            lines.name_at(p, color, "roulette ends it");
+        }
+        Some(factor) => lines.name_at(p, color, &format!("roulette: x {factor:.2}")),
     }
 }
 

@@ -7,6 +7,8 @@ use super::{colors, inspector_panel, key_button, lines, pair_view};
 use crate::command::Command;
 use crate::digits;
 use crate::report::child_order::{ChildOrder, EnteredChild};
+use crate::report::pixel_case::PixelCase;
+use crate::report::scatter_case::ScatterCase;
 use crate::report::tree_case::TreeCase;
 use crate::report::visit_case::VisitCase;
 use crate::report::{CasePart, CaseView, FailedCase, OpenCase, RayCase};
@@ -73,6 +75,11 @@ pub(super) fn show(ui: &mut Ui, session: &Session, commands: &mut Vec<Command>) 
                     ("rays", light.rays.len().to_string()),
                 ],
             ),
+            Some(CaseView::Pixel(pixel)) => facts(ui, "pixel", &pixel_facts(pixel)),
+            Some(CaseView::Scatter(scatter)) => {
+                facts(ui, "directions", &directions(scatter));
+            }
+            Some(CaseView::Plot(plot)) => facts(ui, "plot", &plot.facts),
             None => {}
         },
         Some(part) => picture_facts(ui, opened, part, commands),
@@ -81,6 +88,37 @@ pub(super) fn show(ui: &mut Ui, session: &Session, commands: &mut Vec<Command>) 
     if case.test().is_some() && ui.button("Save as test").clicked() {
         commands.push(Command::SaveCaseAsTest);
     }
+}
+
+/// The samples of a pixel.
+fn pixel_facts(case: &PixelCase) -> Vec<(&'static str, String)> {
+    let [x, y] = case.pixel;
+    let mut rows = vec![
+        ("pixel", format!("{x}, {y}")),
+        ("samples", format!("{} of {}", case.taken, case.most)),
+        (
+            "in the pixel",
+            format!("{} of {}", case.inside(), case.samples.len()),
+        ),
+    ];
+    if !case.checks.is_empty() {
+        rows.push(("rule called", format!("{} times", case.checks.len())));
+    }
+    rows
+}
+
+/// The directions of a call, in local space: the normal is (0, 0, 1).
+fn directions(case: &ScatterCase) -> Vec<(&'static str, String)> {
+    let local = |w: kit::Vec3| short(kit::Vec3::new(w.x, -w.z, w.y));
+    let rows = [
+        ("to the viewer", Some(case.wo)),
+        ("to the light", case.wi),
+        ("exact", case.expected),
+        ("yours", case.yours),
+    ];
+    let rows = rows.into_iter();
+    rows.filter_map(|(name, w)| Some((name, local(w?))))
+        .collect()
 }
 
 /// What the report says about a case.

@@ -320,15 +320,13 @@ pub(super) fn progress(ui: &mut Ui, session: &mut Session, commands: &mut Vec<Co
     });
     ui.horizontal_wrapped(|ui| {
         let compares = session.comparison().is_some();
-        let toggle =
-            |ui: &mut Ui, is_on: bool, label: &str| ui.selectable_label(is_on, label).clicked();
         let toggle_alone = |ui: &mut Ui, is_on: bool, label: &str| {
             let button = egui::Button::selectable(is_on && !compares, label);
             let response = ui.add_enabled(!compares, button);
             let response = response.on_disabled_hover_text("A and B are shown: end the comparison");
             response.clicked()
         };
-        if toggle(ui, session.cell_mode(), "Cell (C)") {
+        if toggle_alone(ui, session.cell_mode(), "Cell (C)") {
             commands.push(Command::ToggleCell);
         }
         if toggle_alone(ui, session.shows_rate(), "Rate (T)") {

@@ -89,7 +89,10 @@ fn path_sheet(
         });
         ui.label(RichText::new(session.message()).size(text::SMALL));
         if path_use == PathUse::Open {
-            let known = session.recent().iter().chain(session.course_scenes());
+            let recent = session.recent();
+            let others = session.course_scenes().iter();
+            let others = others.filter(|scene| !recent.contains(scene));
+            let known = recent.iter().chain(others);
             ScrollArea::vertical().max_height(180.0).show(ui, |ui| {
                 for path in known {
                     if ui.link(path.display().to_string()).clicked() {
@@ -106,7 +109,7 @@ fn path_sheet(
 }
 
 /// The width of a column of keys, in points.
-const COLUMN: f32 = 400.0;
+const COLUMN: f32 = 430.0;
 
 fn help(ui: &mut Ui) {
     // Nothing in it can be pressed, so its lines may be close to each other.

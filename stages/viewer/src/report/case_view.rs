@@ -2,11 +2,14 @@
 
 use super::file::FailedCase;
 use super::light_case::LightCase;
+use super::pixel_case::PixelCase;
+use super::plot_case::PlotCase;
 use super::ray_case::RayCase;
+use super::scatter_case::ScatterCase;
 use super::tree_case::TreeCase;
 use super::visit_case::VisitCase;
 use crate::project::is_drawn;
-use kit::Aabb;
+use kit::{Aabb, Vec3};
 use wire::work::ScriptedWorld;
 use wire::{Answer, Work};
 
@@ -21,6 +24,12 @@ pub enum CaseView {
     Visits(VisitCase),
     /// An estimate of light, or a path.
     Light(LightCase),
+    /// The samples of a pixel.
+    Pixel(PixelCase),
+    /// Directions at a surface, and its lobe.
+    Scatter(ScatterCase),
+    /// Numbers as a plot.
+    Plot(PlotCase),
 }
 
 impl CaseView {
@@ -59,8 +68,36 @@ impl CaseView {
             (Work::Paths(paths), Some(Answer::Paths(answers))) => {
                 CaseView::Light(LightCase::of_path(paths.get(call)?, answers.get(call)?))
             }
+            (Work::Pixels(work), Some(Answer::Pixels(answers))) => {
+                CaseView::Pixel(PixelCase::of_pixel(work, call, answers.get(call)?)?)
+            }
+            (Work::AdaptivePixels(work), Some(Answer::AdaptivePixels(answers))) => {
+                CaseView::Pixel(PixelCase::of_adaptive(work.get(call)?, answers.get(call)?))
+            }
+            (Work::Lambert(work), Some(Answer::Lambert(answers))) => {
+                CaseView::Scatter(ScatterCase::of_diffuse(work, answers, call)?)
+            }
+            (Work::Specular(_), Some(answer)) => {
+                CaseView::Scatter(ScatterCase::of_specular(spec, case.tier, answer, call)?)
+            }
+            (Work::Roulette(work), Some(Answer::Roulette(answers))) => {
+                CaseView::Plot(PlotCase::of_roulette(work, answers, call)?)
+            }
+            (
+                Work::Stop(work) | Work::SureStop(work),
+                Some(Answer::Stop(answers) | Answer::SureStop(answers)),
+            ) => CaseView::Plot(PlotCase::of_stop(work.get(call)?, answers.get(call)?)?),
             _ => return None,
         })
+    }
+
+    /// From where it is seen best: a plot and a square from the front, all else from a corner.
+    pub fn seen_from(&self) -> Vec3 {
+        match self {
+            CaseView::Plot(_) => Vec3::Z,
+            CaseView::Pixel(case) if case.checks.is_empty() => Vec3::Z,
+            _ => Vec3::new(0.5, 0.35, 1.0),
+        }
     }
 
     /// A box around what differs from the truth, or else around what is drawn.
@@ -88,7 +125,9 @@ impl CaseView {
                     (None, _) => all,
                 }
             }
-            CaseView::Light(_) => all,
+            CaseView::Light(_) | CaseView::Pixel(_) | CaseView::Scatter(_) | CaseView::Plot(_) => {
+                all
+            }
         }
     }
 
@@ -107,6 +146,9 @@ impl CaseView {
                 all.grown_by(case.record.ray.o)
             }
             CaseView::Light(case) => case.bounds(),
+            CaseView::Pixel(case) => case.bounds(),
+            CaseView::Scatter(case) => case.bounds(),
+            CaseView::Plot(case) => case.bounds(),
         }
     }
 }

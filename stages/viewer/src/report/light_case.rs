@@ -49,6 +49,8 @@ pub struct LightCase {
     /// The rays that are right: origin and unit direction. For an estimate by random directions there
     /// is no single right one.
     pub right: Vec<(Vec3, Vec3)>,
+    /// What roulette does at the surfaces of a path: the factor of the throughput, or the end.
+    pub roulettes: Vec<(Vec3, Option<f64>)>,
     /// The radiance that the stage returned.
     pub radiance: [f64; 3],
 }
@@ -92,6 +94,7 @@ impl LightCase {
                 })
                 .collect(),
             right,
+            roulettes: Vec::new(),
             radiance: answer.radiance,
         }
     }
@@ -114,6 +117,11 @@ impl LightCase {
             right.push((point.p, d));
         }
         right.truncate(path.max_depth as usize);
+        let ends = path.steps.iter().position(|step| step.roulette.is_none());
+        let played = path.steps.iter().take(ends.map_or(usize::MAX, |i| i + 1));
+        let roulettes = played
+            .map(|step| (step.p.into(), step.roulette))
+            .filter(|(_, factor)| *factor != Some(1.0));
         LightCase {
             rays: rays
                 .map(|(i, ray)| {
@@ -128,6 +136,7 @@ impl LightCase {
                     }
                 })
                 .collect(),
+            roulettes: roulettes.collect(),
             points,
             right,
             radiance: answer.radiance,

@@ -2,7 +2,8 @@
 //!
 //! Reading order: [`mod@file`] (what is read of `report.json`), [`stage_answer`] (what the stages of
 //! this program answer now), [`case_view`] (a case in 3D: [`ray_case`], [`tree_case`],
-//! [`visit_case`] with [`child_order`], [`light_case`]), [`case_pictures`] (golden, actual and
+//! [`visit_case`] with [`child_order`], [`light_case`], [`pixel_case`], [`scatter_case`],
+//! [`plot_case`]), [`case_pictures`] (golden, actual and
 //! difference), [`open_case`] (the case that is shown).
 
 pub mod case_pictures;
@@ -11,7 +12,10 @@ pub mod child_order;
 pub mod file;
 pub mod light_case;
 pub mod open_case;
+pub mod pixel_case;
+pub mod plot_case;
 pub mod ray_case;
+pub mod scatter_case;
 pub mod stage_answer;
 pub mod tree_case;
 pub mod visit_case;

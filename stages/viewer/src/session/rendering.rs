@@ -69,6 +69,9 @@ impl Session {
     }
 
     pub(super) fn toggle_cell(&mut self) {
+        if self.comparison.is_some() {
+            return self.say("A and B are shown: end the comparison to draw a cell");
+        }
         self.cell_mode = !self.cell_mode;
         if self.cell_mode {
             self.say("Cell mode: drag a rectangle in the picture");

@@ -101,11 +101,17 @@ fn noise_is_no_difference_and_maps_wait_for_the_end_of_a_comparison() {
     assert!(window.harness.query_by_label(equal).is_none());
     let noise = format!("{differing} pixels differ, none of them beyond the noise.");
     window.harness.get_by_label(&noise);
-    for (key, name) in [(Key::T, "sample rate"), (Key::X, "heat map")] {
+    let alone = [
+        (Key::T, "sample rate"),
+        (Key::X, "heat map"),
+        (Key::C, "cell"),
+    ];
+    for (key, name) in alone {
         window.press(key);
         assert!(window.session().message().contains(name));
     }
     assert!(!window.session().shows_rate() && window.session().heat().kind.is_none());
+    assert!(!window.session().cell_mode());
     window.session().apply(Command::EndComparison);
     window.press(Key::T);
     assert!(window.session().shows_rate());

@@ -1,7 +1,8 @@
 //! Every key of the assignment's table, and the others.
 
-use super::common::Window;
+use super::common::{Window, session};
 use egui::{Key, Modifiers};
+use egui_kittest::kittest::Queryable;
 use kit::film::Cell;
 use pathtracer::DirectSampling;
 use pathtracer::args::SamplerName;
@@ -239,6 +240,22 @@ fn n_and_b_walk_through_tests_and_rays() {
     );
     window.press(Key::Q);
     assert!(window.session().inspector.inspected().is_none());
+}
+
+/// However wide the window is, no column of the sheet is cut.
+#[test]
+fn the_sheet_fits_the_window() {
+    for width in [700.0, 1280.0, 1400.0, 1920.0] {
+        let mut window = Window::with(session("", ""), [width, 800.0]);
+        window.press(Key::Questionmark);
+        let bindings = viewer::keys::bindings();
+        for binding in bindings.iter().filter(|binding| !binding.label.is_empty()) {
+            for label in window.harness.query_all_by_label(binding.help) {
+                let right = label.rect().right();
+                assert!(right < width - 16.0, "{width}: {} to {right}", binding.help);
+            }
+        }
+    }
 }
 
 #[test]

@@ -143,6 +143,13 @@ fn cases_of_every_part_are_shown_in_3d_and_as_pictures() {
         ("part3.task2", "", "Light", false),
         ("part3.task3", "", "Light", false),
         ("part4.task2", "", "Light", false),
+        ("part1.task1", "", "Pixel", false),
+        ("part3.task1", "", "Scatter", false),
+        ("part4.task1", "mirror", "Scatter", false),
+        ("part4.task3", "", "Plot", false),
+        ("part5.task1", "", "Plot", false),
+        ("part5.task1", "batches", "Pixel", false),
+        ("part5.task2", "", "Plot", false),
     ] {
         let name = match name {
             "" => judge::cases::of(task, 0)[0].name,
@@ -155,6 +162,9 @@ fn cases_of_every_part_are_shown_in_3d_and_as_pictures() {
             Some(CaseView::Tree(case)) => ("Tree", !case.wrong.is_empty()),
             Some(CaseView::Visits(case)) => ("Visits", case.parting.is_some()),
             Some(CaseView::Light(case)) => ("Light", case.points.is_empty()),
+            Some(CaseView::Pixel(case)) => ("Pixel", case.inside() != case.samples.len()),
+            Some(CaseView::Scatter(case)) => ("Scatter", case.yours.is_none()),
+            Some(CaseView::Plot(case)) => ("Plot", case.levels.is_empty()),
             None => ("nothing", true),
         };
         assert_eq!(wrong, (kind, false), "{task} {name}");

@@ -21,7 +21,8 @@ pub struct Place {
     pub key: String,
     /// Its title.
     pub title: String,
-    /// The file to open: the first with a hole of the task, else the one with its first function.
+    /// The file to open: the first with an open function of the task, else the one with its first
+    /// function.
     pub file: Option<String>,
     /// The functions of the task that still have a hole, or that still are the slow start which
     /// the course provides.
@@ -69,22 +70,25 @@ pub fn read(root: &Path, stage: &str) -> Result<Vec<SourceFile>, GraderError> {
 
 /// The place of `task`, whose stage has these files.
 pub fn place(task: &Task, files: &[SourceFile]) -> Place {
-    let hole = files.iter().find(|file| has_hole(&file.text, &task.key));
-    let first = task.holes.first();
-    let defining =
-        first.and_then(|name| files.iter().find(|file| defines_function(&file.text, name)));
-    let is_open = |name: &&String| {
-        let bodies = files.iter().filter_map(|file| body(&file.text, name));
-        bodies
-            .into_iter()
-            .any(|body| has_hole(body, &task.key) || has_todo(body))
+    let is_open_in = |name: &str, file: &SourceFile| {
+        body(&file.text, name).is_some_and(|body| has_hole(body, &task.key) || has_todo(body))
     };
+    let is_open = |name: &&String| files.iter().any(|file| is_open_in(name, file));
+    let has_open = |file: &&SourceFile| task.holes.iter().any(|name| is_open_in(name, file));
+    // A file may have a gap of the task that is not graded, too.
+    let has_first = |file: &&SourceFile| {
+        let mut first = task.holes.first().into_iter();
+        first.any(|name| defines_function(&file.text, name))
+    };
+    let file = files.iter().find(has_open);
     Place {
         key: task.key.clone(),
         title: task.title.clone(),
-        file: hole.or(defining).map(|file| file.path.clone()),
+        file: file
+            .or_else(|| files.iter().find(has_first))
+            .map(|file| file.path.clone()),
         open: task.holes.iter().filter(is_open).cloned().collect(),
-        has_hole: hole.is_some(),
+        has_hole: files.iter().any(|file| has_hole(&file.text, &task.key)),
     }
 }
 
@@ -191,6 +195,20 @@ mod tests {
             place.file.as_deref(),
             Some("stages/intersect/src/triangle.rs")
         );
+    }
+
+    #[test]
+    fn a_gap_that_is_not_graded_is_not_where_a_task_goes_on() {
+        let extra = SourceFile {
+            path: "stages/intersect/src/curve.rs".into(),
+            text: "pub fn curve() {\n    kit::hole!(\"part1.task3\")\n}\n".into(),
+        };
+        let place = place(&task(), &[extra, file("pub fn test_triangle() {}\n")]);
+        assert_eq!(
+            place.file.as_deref(),
+            Some("stages/intersect/src/triangle.rs")
+        );
+        assert!(place.has_hole && place.open.is_empty());
     }
 
     #[test]

@@ -9,7 +9,7 @@ use super::links::book_command;
 use super::message;
 use super::table::{number, summary};
 use super::terminal::{GREEN, Page, style_of};
-use super::wrap::{columns, one_line, wrap_to};
+use super::wrap::{columns, one_line, shorten_numbers, wrap_to};
 use super::{Report, Reveal, TaskReport};
 use crate::course::given;
 use crate::course::sources::Place;
@@ -336,6 +336,9 @@ fn success(report: &Report, context: &Context, page: Page) -> Vec<Block> {
     blocks
 }
 
+/// Digits of a question that is there to think about. `--extra` shows all.
+const DIGITS: usize = 4;
+
 /// The simplest call that extra credit asks for and the code gets wrong, or the worst if none is
 /// simple: what there is to think about after the last core point.
 fn invitation(report: &Report, page: Page) -> Option<Block> {
@@ -361,7 +364,7 @@ fn worst_of_extra(task: &TaskResult) -> Option<(&String, String, String)> {
         let (found, question) = message::parts(&worst.message);
         let question = question.unwrap_or_else(|| checked(&case.about));
         let found = message::with_telling_digits(found);
-        Some((&case.name, question.to_owned(), found))
+        Some((&case.name, shorten_numbers(question, DIGITS), found))
     })
 }
 

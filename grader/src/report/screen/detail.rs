@@ -22,6 +22,8 @@ use judge::tally::{Finding, Worst};
 /// The most lines of each kind of text.
 const NAMES: usize = 2;
 const SENTENCES: usize = 3;
+/// Two mistakes, and how many wrong values each explains.
+const MISTAKE: usize = 5;
 const MESSAGE: usize = 9;
 const RESULT: usize = 4;
 
@@ -273,7 +275,7 @@ fn explanation(out: &mut Lines, report: &TaskReport, reveal: Reveal) {
     match &report.diagnosis {
         Some(found) if reveal.hint >= HintLevel::Mistake => {
             let label = found.certainty.label();
-            out.add(0, SENTENCES, &format!("  {label}: {}.", found.says));
+            out.add(0, MISTAKE, &format!("  {label}: {}.", found.says));
             if reveal.hint >= HintLevel::Remedy {
                 out.add(1, SENTENCES, &format!("  Hint: {}", found.hint));
                 read_more(out, &report.result.key, Section::Mistakes);

@@ -8,7 +8,7 @@ pub(super) fn input(probes: &[LambertProbe], call: usize) -> Option<String> {
     let [wo, wi] = [probe.wo, probe.wi].map(direction);
     let reflectance = point(probe.reflectance);
     Some(format!(
-        "reflectance = {reflectance}, wo = {wo}, wi = {wi}, u = {:?}",
+        "reflectance = {reflectance}, wo = {wo}; `lambert_sample` gets u = {:?}, the others wi = {wi}",
         probe.u
     ))
 }

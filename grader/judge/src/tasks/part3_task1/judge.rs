@@ -180,7 +180,8 @@ fn one(tally: &mut Tally, call: usize, probe: &LambertProbe, answer: &LambertAns
     if named.is_some() {
         tally.judge_class(Aspect::SampleRecord, call, named, 1.0, || {
             format!(
-                "your result: pdf = {pdf:?}; expected: {right:?}. {}",
+                "your result: pdf = {pdf:?} for wi = {}; expected: {right:?}. {}",
+                show(drawn_wi),
                 sample_input()
             )
         });

@@ -58,7 +58,9 @@ pub(super) fn material(material: &Material) -> String {
                 [1.0, 1.0, 1.0] => String::new(),
                 _ => format!("{} ", point(reflectance)),
             };
-            format!("f = {share}(1/4 + wi.x/10 + wo.y wi.y/20)")
+            format!(
+                "f = {share}(1/4 + wi.x/10 + wo.y wi.y/20) in the frame of n, 0 through the surface"
+            )
         }
         Material::Emission(radiance) | Material::PartOfLamp(radiance) => {
             format!("a lamp of {}", point(radiance))
@@ -82,7 +84,10 @@ mod tests {
         assert!((f - written).abs() < 1e-15, "{f} {written}");
         assert_eq!(MEAN_F, 1.0 / 4.0);
         let white = material(&Material::Diffuse([1.0; 3]));
-        assert_eq!(white, "f = (1/4 + wi.x/10 + wo.y wi.y/20)");
+        assert_eq!(
+            white,
+            "f = (1/4 + wi.x/10 + wo.y wi.y/20) in the frame of n, 0 through the surface"
+        );
     }
 
     #[test]

@@ -6,7 +6,7 @@ use crate::grade::{self, GradeRequest};
 use crate::report::message;
 use crate::report::table::status_text;
 use crate::report::terminal::Page;
-use crate::report::wrap::{columns, numbers_to_fit, wrap};
+use crate::report::wrap::{columns, numbers_to_fit, shorten_numbers, wrap, wrap_to};
 use crate::score::{CaseResult, Status};
 use crate::workers::printed;
 use crate::workers::worker_set::WorkerSet;
@@ -28,6 +28,9 @@ const LISTED: usize = 20;
 
 /// The most numbers of calls in a line.
 const NUMBERS: usize = 8;
+
+/// Digits of the numbers in a line that does not fit with all of them.
+const DIGITS: usize = 4;
 
 /// Runs the case `name` of the task in `request` and prints it, or its call number `call`.
 pub(super) fn run(
@@ -148,6 +151,16 @@ pub(super) fn golden(workspace: &Workspace, spec: &Spec, seed: u64) -> Option<Sn
     snapshot::parse(&text).ok()
 }
 
+/// One line whose numbers have as many digits as fit, or two: what is expected comes last, and must
+/// not be cut off.
+fn lines_to_fit(text: &str, width: usize) -> Vec<String> {
+    let line = numbers_to_fit(text, width);
+    match line.ends_with('…') {
+        true => wrap_to(&shorten_numbers(text, DIGITS), 4, width, 2),
+        false => vec![line],
+    }
+}
+
 /// A case that ran.
 struct Case<'a> {
     task: &'a Task,
@@ -184,8 +197,10 @@ impl Case<'_> {
             let (result, question) = message::parts(&first.message);
             let start = format!("  {}: ", first.aspect.label());
             let room = page.width.saturating_sub(columns(&start));
-            let result = numbers_to_fit(message::without_reason(result, room), room);
-            let _ = writeln!(text, "{start}{result}");
+            let result = message::without_reason(result, room);
+            for line in lines_to_fit(&format!("{start}{result}"), page.width) {
+                let _ = writeln!(text, "{line}");
+            }
             let mut of_group = format!("    call {}", numbers(group));
             if let Some(question) = question {
                 let _ = write!(of_group, "; of call {}: {question}", first.call);
@@ -338,6 +353,19 @@ fn row(spec: &Spec, answer: &Answer, call: u32) -> Option<Line> {
 mod tests {
     use super::*;
     use judge::tally::Aspect;
+
+    #[test]
+    fn what_is_expected_is_not_cut_off() {
+        let normal = "(0.12345678, 0.23456789, 0.34567891)";
+        let line = format!("  normal: your result: n = {normal}; expected: n = {normal}");
+        assert_eq!(lines_to_fit(&line, 120), [line.as_str()]);
+        let short = "(0.1235, 0.2346, 0.3457)";
+        let two = [
+            format!("  normal: your result: n = {short};"),
+            format!("    expected: n = {short}"),
+        ];
+        assert_eq!(lines_to_fit(&line, 58), two);
+    }
 
     #[test]
     fn calls_that_are_wrong_in_the_same_way_are_listed_together() {

@@ -169,6 +169,8 @@ fn one(tally: &mut Tally, call: usize, probe: &LambertProbe, answer: &LambertAns
         ("pdf of uniform directions", density(0.5)),
         ("pdf without pi", cosine),
         ("pdf of the sine", density(sine)),
+        ("pdf of both angles", right * sine),
+        ("pdf of an angle", 2.0 * cosine * sine),
         ("pdf of wo", density(wo.z.abs())),
         ("pdf negative", -right),
     ];

@@ -74,7 +74,7 @@ const LONGEST: usize = 300;
 
 /// The text of a file from which a teacher can start: the first call of the simplest question of
 /// the same kind as that of the case `spec`, or of its own; the whole where calls depend on each
-/// other. An error if that has more than [`LONGEST`] lines.
+/// other. An error if that is too long to start from.
 pub fn template(spec: &Spec, tier: Tier) -> Result<String, GraderError> {
     let simplest = spec.simple().into_iter().next();
     let question = simplest.as_ref().unwrap_or(spec);

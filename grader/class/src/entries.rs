@@ -31,7 +31,7 @@ const ENDINGS: [&str; 4] = [".tar.gz", ".tgz", ".tar", ".zip"];
 const PAGE_NAME: usize = 160;
 
 /// Hidden entries that systems and programs make. Any other was handed in, and has a row.
-const MADE_BY_SYSTEMS: [&str; 8] = [
+const SYSTEM_FILES: [&str; 8] = [
     ".DS_Store",
     ".Spotlight-V100",
     ".Trashes",
@@ -42,8 +42,8 @@ const MADE_BY_SYSTEMS: [&str; 8] = [
     ".localized",
 ];
 
-/// The same, with what their names begin with.
-const MADE_BY_SYSTEMS_TOO: [&str; 3] = ["._", ".nfs", ".Trash-"];
+/// What the names of others begin with.
+const SYSTEM_PREFIXES: [&str; 3] = ["._", ".nfs", ".Trash-"];
 
 /// Lists the submissions in `class`, sorted by name, without what systems made. A file that is no
 /// archive is listed, too: somebody handed it in, and reading it says what is wrong.
@@ -108,8 +108,8 @@ fn named(files: Vec<(String, Option<&'static str>)>) -> Vec<Entry> {
 }
 
 fn is_made_by_a_system(name: &str) -> bool {
-    let mut starts = MADE_BY_SYSTEMS_TOO.iter();
-    MADE_BY_SYSTEMS.contains(&name) || starts.any(|start| name.starts_with(start))
+    let mut starts = SYSTEM_PREFIXES.iter();
+    SYSTEM_FILES.contains(&name) || starts.any(|start| name.starts_with(start))
 }
 
 fn stem(file: &str) -> &str {

@@ -1,6 +1,6 @@
 //! Writes all that a class gets to see: `gradebook.csv`, `class.html`, `lecture.html` and the
-//! students' pages. They are a function of the plan and of the units in `OUT`: the same bytes,
-//! whichever machines graded.
+//! students' pages. They are a function of the plan, of the units in `OUT` and of the options: the
+//! same bytes, whichever machines graded.
 
 use crate::collect::{Class, Options};
 use crate::out::{Out, read_regular};

@@ -16,6 +16,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
+use tempfile::TempDir;
 
 /// Longer than any machine needs for these classes.
 const TIMEOUT: Duration = Duration::from_secs(120);
@@ -29,6 +30,15 @@ fn grade(class: &FakeClass, out: &Out, shard: usize, of: usize, behaviour: Behav
         class.command(out, key, behaviour)
     })
     .expect("graded");
+}
+
+/// A class of so many submissions, all graded, and its results; the folder is theirs.
+fn graded(submissions: usize) -> (TempDir, FakeClass, Out) {
+    let folder = tempfile::tempdir().expect("a folder");
+    let class = FakeClass::new(folder.path(), submissions);
+    let out = class.out("out");
+    grade(&class, &out, 0, 1, Behaviour::Fine);
+    (folder, class, out)
 }
 
 /// The table or page `path` of a folder of results.
@@ -161,10 +171,7 @@ fn names_and_texts_are_shown_and_not_obeyed() {
 /// no mark in a file for a course system.
 #[test]
 fn what_could_not_be_read_is_a_question_and_no_zero() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let class = FakeClass::new(folder.path(), 3);
-    let out = class.out("out");
-    grade(&class, &out, 0, 1, Behaviour::Fine);
+    let (_folder, class, out) = graded(3);
     let roster = Roster {
         students: vec![Student {
             id: "zz".into(),
@@ -218,10 +225,7 @@ fn what_could_not_be_read_is_a_question_and_no_zero() {
 /// Course systems name files by numbers; the teacher's pages name students. The keys of marks stay.
 #[test]
 fn with_a_roster_pages_say_whose_a_submission_is() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let class = FakeClass::new(folder.path(), 3);
-    let out = class.out("out");
-    grade(&class, &out, 0, 1, Behaviour::Fine);
+    let (folder, _class, out) = graded(3);
     let roster = folder.path().join("roster.csv");
     let students = "name,login\n\"Lovelace, <i>Ada</i>\",student00\nBo,student01\n";
     std::fs::write(&roster, students).expect("a file");
@@ -274,10 +278,7 @@ fn the_exit_code_tells_a_question_from_a_failure() {
 /// A result that a crash of the machine has cut is one row without a score, and graded again.
 #[test]
 fn a_cut_result_stops_no_table() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let class = FakeClass::new(folder.path(), 4);
-    let out = class.out("out");
-    grade(&class, &out, 0, 1, Behaviour::Fine);
+    let (_folder, class, out) = graded(4);
     let whole = class.tables(&out);
     let path = out.unit(class.plan.submissions[1].key().expect("it has a unit"));
     let unit = std::fs::read(&path).expect("a unit");
@@ -297,10 +298,7 @@ fn a_cut_result_stops_no_table() {
 /// again.
 #[test]
 fn a_changed_result_gives_no_points_that_do_not_exist() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let class = FakeClass::new(folder.path(), 4);
-    let out = class.out("out");
-    grade(&class, &out, 0, 1, Behaviour::Fine);
+    let (_folder, class, out) = graded(4);
     let whole = class.tables(&out);
     let key = class.plan.submissions[1].key().expect("it has a unit");
     for claimed in [1e6, -1e308, 1.0000001] {
@@ -325,10 +323,7 @@ fn a_changed_result_gives_no_points_that_do_not_exist() {
 #[cfg(unix)]
 #[test]
 fn a_pipe_in_the_place_of_a_result_is_not_waited_for() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let class = FakeClass::new(folder.path(), 4);
-    let out = class.out("out");
-    grade(&class, &out, 0, 1, Behaviour::Fine);
+    let (_folder, class, out) = graded(4);
     let whole = class.tables(&out);
     let keys = [1, 2].map(|i| class.plan.submissions[i].key().expect("it has a unit"));
     for path in [out.unit(keys[0]), out.unit(keys[1]), out.failure(keys[1])] {
@@ -378,10 +373,7 @@ fn the_seed_is_for_the_instructor_alone() {
 /// student.
 #[test]
 fn what_to_look_at_is_for_the_instructor_alone() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let class = FakeClass::new(folder.path(), 4);
-    let out = class.out("out");
-    grade(&class, &out, 0, 1, Behaviour::Fine);
+    let (_folder, class, out) = graded(4);
     for key in class.plan.units().into_keys() {
         let mut unit = stored(&out, key);
         unit["report"]["to_check"] = json!(["a table of answers"]);
@@ -396,10 +388,7 @@ fn what_to_look_at_is_for_the_instructor_alone() {
 /// Other points are other tables, and nothing is graded.
 #[test]
 fn a_change_of_points_grades_nothing() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let mut class = FakeClass::new(folder.path(), 8);
-    let out = class.out("out");
-    grade(&class, &out, 0, 1, Behaviour::Fine);
+    let (_folder, mut class, out) = graded(8);
     let old = class.plan.clone();
     class.plan.tasks[0].cases[0].points = 30.0;
     assert_eq!(
@@ -453,10 +442,7 @@ fn files_of_a_class_have_the_usual_permissions() {
 
 #[test]
 fn a_stage_that_was_refused_is_not_said_to_be_broken() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let class = FakeClass::new(folder.path(), 3);
-    let out = class.out("out");
-    grade(&class, &out, 0, 1, Behaviour::Fine);
+    let (_folder, class, out) = graded(3);
     let key = class.plan.submissions[0].key().expect("it has a unit");
     let mut unit = stored(&out, key);
     unit["outcome"] = "does_not_compile".into();

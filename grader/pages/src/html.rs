@@ -29,9 +29,15 @@ pub fn base64(bytes: &[u8]) -> String {
     STANDARD.encode(bytes)
 }
 
+/// A data URI for the `src` of an `<img>`: the bytes of a picture file of the given subtype, such as
+/// `png` or `svg+xml`.
+pub fn image_uri(subtype: &str, bytes: &[u8]) -> String {
+    format!("data:image/{subtype};base64,{}", base64(bytes))
+}
+
 /// Encodes the picture as a PNG in a data URI, for the `src` of an `<img>`.
 pub fn png_data_uri(picture: &Image) -> String {
-    format!("data:image/png;base64,{}", base64(&png::encode(picture)))
+    image_uri("png", &png::encode(picture))
 }
 
 /// Compresses `bytes` (zlib, RFC 1950) and encodes the result in base64. A script reads it with

@@ -2,8 +2,8 @@
 //!
 //! [`Sketch::of`] makes it of the call: `geometry` for rays at shapes, `samples` for pixels and
 //! cameras, `directions` for light and scattering, `spans` for trees. Then [`Sketch::text`] and
-//! [`Sketch::svg`] draw the same strokes; [`Sketch::drawing`] is a file. `plot` is the sheet of characters, which `explain` draws
-//! on, too.
+//! [`Sketch::svg`] draw the same strokes; [`Sketch::drawing`] is a file. `plot` is the sheet of
+//! characters, which `explain` draws on, too.
 
 mod directions;
 mod geometry;

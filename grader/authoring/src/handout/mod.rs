@@ -195,8 +195,8 @@ impl Handout {
         self.removed.iter().any(|removed| removed.key == key)
     }
 
-    /// Adds a file of the workspace without the solutions to remove. All of it may be the solution of
-    /// the task `solution_of`.
+    /// Adds a file of the workspace without the solutions to remove. All of it may be the solution
+    /// of the task `solution_of`.
     fn add(
         &mut self,
         selection: &FileSelection,

@@ -5,8 +5,7 @@ use super::mistakes::{self, IdeaMistakes, Mistake, TaskMistakes};
 use super::page as whole_page;
 use super::submissions::link;
 use crate::collect::{Class, Drawing, Simplest};
-use base64::Engine;
-use base64::engine::general_purpose::STANDARD;
+use ::pages::html::image_uri;
 use grader::course::chapter;
 use maud::{Markup, html};
 
@@ -143,10 +142,10 @@ pub(super) fn simplest(call: &Simplest) -> Markup {
 
 /// A drawing. As an image it can run no script and load nothing, whatever is in it.
 fn drawn(drawing: &Drawing) -> Markup {
-    let data = STANDARD.encode(drawing.svg.raw());
+    let data = image_uri("svg+xml", drawing.svg.raw().as_bytes());
     html! {
         figure.drawing {
-            img src=(format!("data:image/svg+xml;base64,{data}")) alt=(drawing.caption.line());
+            img src=(data) alt=(drawing.caption.line());
             figcaption { (drawing.caption.line()) }
         }
     }

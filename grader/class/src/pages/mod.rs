@@ -13,8 +13,7 @@ mod submissions;
 
 pub use missing::lecture;
 
-use base64::Engine;
-use base64::engine::general_purpose::STANDARD;
+use ::pages::html::base64;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use sha2::{Digest, Sha256};
 use submission::Untrusted;
@@ -25,7 +24,7 @@ const STYLE: &str = include_str!("style.css");
 pub(crate) fn page(title: &str, body: &Markup, script: Option<&str>) -> String {
     // Only this script is run: nothing that a student wrote can be one.
     let allowed = script.map_or_else(String::new, |script| {
-        let hash = STANDARD.encode(Sha256::digest(script));
+        let hash = base64(&Sha256::digest(script));
         format!("; script-src 'sha256-{hash}'")
     });
     let policy = format!("default-src 'none'; style-src 'unsafe-inline'; img-src data:{allowed}");

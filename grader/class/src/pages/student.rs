@@ -3,8 +3,7 @@
 use super::{list, missing, page as whole_page};
 use crate::collect::{Case, Details, Row, Status, StudentReport, Task, points};
 use crate::plan::Plan;
-use base64::Engine;
-use base64::engine::general_purpose::STANDARD;
+use ::pages::html::image_uri;
 use grader::report::HintLevel;
 use judge::Tier;
 use maud::{Markup, html};
@@ -144,10 +143,9 @@ fn task_section(
 
 /// The picture of a task: expected, the student's, and where they differ.
 fn picture_of(task: &Task, sheet: &[u8]) -> Markup {
-    let data = format!("data:image/png;base64,{}", STANDARD.encode(sheet));
     html! {
         div.thirds.soft { span { "expected" } span { "yours" } span { "where they differ" } }
-        img.sheet src=(data) alt=(format!("The picture of {}: expected, yours, and where they differ", task.key));
+        img.sheet src=(image_uri("png", sheet)) alt=(format!("The picture of {}: expected, yours, and where they differ", task.key));
     }
 }
 

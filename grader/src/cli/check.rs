@@ -109,10 +109,7 @@ fn report(
     request: &CheckRequest,
 ) -> Result<bool, GraderError> {
     let known = next_task::known(workspace, course)?;
-    let mut files: BTreeMap<&str, Vec<SourceFile>> = BTreeMap::new();
-    for stage in course.stages() {
-        files.insert(stage, sources::read(workspace.root(), stage)?);
-    }
+    let files = sources::read_all(workspace.root(), course)?;
     let given = given_code(workspace)?;
     let specs = cases::all(0);
     let code = |task: &Task| {
@@ -160,7 +157,7 @@ struct Editor<'a> {
 impl Desk for Editor<'_> {
     fn grade(&self, tasks: &[&Task], done: &mut Done<'_>) -> Result<(), GraderError> {
         let workspace = self.workspace;
-        let fingerprints = results::fingerprints(workspace, tasks)?;
+        let fingerprints = results::fingerprints(workspace, self.course)?;
         let mut whole = Vec::new();
         one_by_one::in_place(workspace, self.course, tasks, |task, graded| {
             let files = &self.files[task.stage.as_str()];

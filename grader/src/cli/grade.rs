@@ -236,7 +236,7 @@ fn next_open_task(
     }
 }
 
-/// Writes `report.json`, the results of its tasks, whose stages had these fingerprints, and the
+/// Writes `report.json`, the results of its tasks, whose code had these fingerprints, and the
 /// tests of their worst answers.
 pub(super) fn store(
     workspace: &Workspace,
@@ -270,8 +270,7 @@ impl GradedRun {
         quiet: bool,
     ) -> Result<GradedRun, GraderError> {
         let course = Course::read(workspace)?;
-        let tasks = course.select(&request.what)?;
-        let fingerprints = results::fingerprints(workspace, &tasks)?;
+        let fingerprints = results::fingerprints(workspace, &course)?;
         let mut graded = grade::in_place(workspace, request, times, quiet)?;
         store(workspace, &mut graded.report, &fingerprints)?;
         Ok(GradedRun {

@@ -53,7 +53,8 @@ pub(super) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     let colours =
         terminal::colours(|name| std::env::var(name).ok()).filter(|_| stdout().is_terminal());
     outln!(
-        "{} mistakes. Left is the right picture, right that of the mistake; also in {}.",
+        "{} mistakes. Left is the right picture, right that of the mistake; also in {}. An empty line skips one, \
+         `q` ends.",
         exercises.len(),
         workspace.relative(&file).display()
     );

@@ -49,7 +49,7 @@ pub(super) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     let nothing = || no_answer(key, "the standard input is no terminal and is empty");
     let mut input = AnswerInput::of_stdin().ok_or_else(nothing)?;
     outln!(
-        "{key}, {}: what do you expect? An empty line skips a question. Nothing here gives points.",
+        "{key}, {}: what do you expect? An empty line skips a question, `q` ends. Nothing here gives points.",
         task.title
     );
     let answers = Session {

@@ -1,7 +1,8 @@
 //! The source files of a stage: which functions of a task are still holes, and which file to open.
 
-use crate::course::Task;
+use crate::course::{Course, Task};
 use base::GraderError;
+use std::collections::BTreeMap;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::{Path, PathBuf};
 
@@ -66,6 +67,17 @@ pub fn read(root: &Path, stage: &str) -> Result<Vec<SourceFile>, GraderError> {
         })
     };
     paths(root, stage)?.into_iter().map(read).collect()
+}
+
+/// Reads the Rust files of all stages of `course` in the workspace `root`.
+pub fn read_all<'a>(
+    root: &Path,
+    course: &'a Course,
+) -> Result<BTreeMap<&'a str, Vec<SourceFile>>, GraderError> {
+    let stages = course.stages().into_iter();
+    stages
+        .map(|stage| Ok((stage, read(root, stage)?)))
+        .collect()
 }
 
 /// The place of `task`, whose stage has these files.

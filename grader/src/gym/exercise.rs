@@ -147,6 +147,7 @@ fn calls(
             let instead = match aspect {
                 Aspect::HitOrMiss if answer.starts_with("miss") => "a hit".into(),
                 Aspect::HitOrMiss => "a miss".into(),
+                other if other.is_plural() => format!("other {}", other.label()),
                 other => format!("another {}", other.label()),
             };
             let (input, answer) = (short(&input), short(&answer));

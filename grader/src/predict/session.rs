@@ -12,6 +12,9 @@ use std::io::BufRead;
 /// The letters before choices.
 const LETTERS: [char; 6] = ['a', 'b', 'c', 'd', 'e', 'f'];
 
+/// The line that ends the questions.
+pub const QUIT: &str = "q";
+
 /// Where answers come from and where the text goes.
 pub struct Session<'a> {
     /// A line for each answer.
@@ -26,7 +29,8 @@ pub struct Session<'a> {
 
 impl Session<'_> {
     /// Asks all questions. A line that is neither a choice nor a number is asked for again; an
-    /// empty line skips the question. At the end of the input, the answers so far are returned.
+    /// empty line skips the question. At the end of the input or after [`QUIT`], the answers so far
+    /// are returned.
     pub fn run(
         &mut self,
         questions: &[Question],
@@ -55,7 +59,7 @@ impl Session<'_> {
         Ok(answers)
     }
 
-    /// Asks one question; `None` if the input has ended.
+    /// Asks one question; `None` if the input has ended, also by [`QUIT`].
     pub fn choice(
         &mut self,
         number: usize,
@@ -77,7 +81,7 @@ impl Session<'_> {
         self.ask(&prompt, asked.name, |typed| judge_number(asked, typed))
     }
 
-    /// Asks until `judge` accepts a line as an answer; `None` if the input has ended.
+    /// Asks until `judge` accepts a line as an answer; `None` if the input has ended, also by [`QUIT`].
     fn ask(
         &mut self,
         prompt: &str,
@@ -95,14 +99,14 @@ impl Session<'_> {
                     }));
                 }
                 Err(expected) => self.say(&format!(
-                    "   expected {expected}, or an empty line to skip; found `{typed}`"
+                    "   expected {expected}, an empty line to skip, or `{QUIT}` to end; found `{typed}`"
                 )),
             }
         }
         Ok(None)
     }
 
-    /// The next line of the input; `None` at its end.
+    /// The next line of the input; `None` at its end or for [`QUIT`].
     fn line(&mut self, prompt: &str) -> Result<Option<String>, GraderError> {
         let failed =
             |e: std::io::Error| GraderError::new(format!("cannot read the standard input: {e}"));
@@ -116,7 +120,7 @@ impl Session<'_> {
         if self.echoes {
             (self.print)(&format!("{typed}\n"));
         }
-        Ok(Some(typed))
+        Ok((typed != QUIT).then_some(typed))
     }
 
     /// Prints a paragraph.
@@ -246,6 +250,12 @@ mod tests {
         );
         assert!(text.contains("Skipped."), "{text}");
         assert_eq!((answers.len(), answers[0].typed.as_str()), (1, ""));
+    }
+
+    #[test]
+    fn the_letter_q_ends_the_questions() {
+        let (text, answers) = run(&format!("q\n{}\n", letter(0)), None);
+        assert!(answers.is_empty() && !text.contains("expected"), "{text}");
     }
 
     #[test]

@@ -1,10 +1,9 @@
 //! The next open task: what bare `grader` grades, and what a report of full marks ends with.
 
-use crate::course::sources::{self, Place, SourceFile};
+use crate::course::sources::{self, Place};
 use crate::course::{Course, Task};
-use crate::progress::results::{Results, TaskScore};
+use crate::progress::results::{self, Results, TaskScore};
 use base::{GraderError, Workspace};
-use std::collections::BTreeMap;
 
 /// What is known of a task without building anything.
 #[derive(Clone, Debug, PartialEq)]
@@ -13,7 +12,8 @@ pub struct Known {
     pub place: Place,
     /// Its last result, if it was graded.
     pub last: Option<TaskScore>,
-    /// Whether a file of its stage changed since then.
+    /// Whether a file of its stage changed since then, or of a stage with which its cases trace
+    /// whole scenes.
     pub changed: bool,
 }
 
@@ -26,7 +26,7 @@ impl Known {
     /// Whether the last result has every core point and its code is still the same.
     ///
     /// A task is [open](open()) unless this is known: if a function of it is still a hole, if it
-    /// was never graded, if it lost points, or if a file of its stage changed since.
+    /// was never graded, if it lost points, or if code changed since that its answers depend on.
     pub fn is_complete(&self) -> bool {
         let full = self.last.as_ref().is_some_and(TaskScore::is_complete);
         full && !self.changed
@@ -37,19 +37,15 @@ impl Known {
 /// results, and builds nothing.
 pub fn known(workspace: &Workspace, course: &Course) -> Result<Vec<Known>, GraderError> {
     let results = Results::read(workspace);
-    let mut stages: BTreeMap<&str, Vec<SourceFile>> = BTreeMap::new();
-    for stage in course.stages() {
-        stages.insert(stage, sources::read(workspace.root(), stage)?);
-    }
+    let stages = sources::read_all(workspace.root(), course)?;
+    let code = results::of_files(course, &stages);
     let known = course.tasks().map(|task| {
-        let files = &stages[task.stage.as_str()];
         let last = results.of(&task.key).cloned();
-        let fingerprint = sources::fingerprint(files);
         Known {
-            place: sources::place(task, files),
+            place: sources::place(task, &stages[task.stage.as_str()]),
             changed: last
                 .as_ref()
-                .is_some_and(|last| last.sources != fingerprint),
+                .is_some_and(|last| last.is_of_other_code(&code[&task.key])),
             last,
         }
     });

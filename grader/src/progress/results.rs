@@ -1,8 +1,9 @@
 //! The last result of every task, in `target/first-light/results.json`: a run of one task does not
 //! erase what is known of the others.
 
-use crate::course::Task;
-use crate::course::sources;
+use crate::build::INTERSECTION_STAGES;
+use crate::course::Course;
+use crate::course::sources::{self, SourceFile};
 use crate::report::table::status_text;
 use crate::report::{Report, TaskReport};
 use crate::score::Status;
@@ -32,6 +33,9 @@ pub struct TaskScore {
     pub status: String,
     /// The [fingerprint](sources::fingerprint) of the stage that was graded.
     pub sources: String,
+    /// The fingerprints of the stages with which cases of it trace whole scenes, if any do.
+    #[serde(default)]
+    pub scenes: Option<String>,
 }
 
 #[cfg(test)]
@@ -46,6 +50,7 @@ impl TaskScore {
             attempted: true,
             status: String::new(),
             sources: String::new(),
+            scenes: None,
         }
     }
 }
@@ -55,21 +60,46 @@ impl TaskScore {
     pub fn is_complete(&self) -> bool {
         self.score >= self.max_score
     }
+
+    /// Whether the result is that of other code than `code`.
+    pub fn is_of_other_code(&self, code: &TaskCode) -> bool {
+        let scenes = self.scenes.as_ref();
+        self.sources != code.stage || scenes.is_some_and(|scenes| *scenes != code.with_scenes)
+    }
 }
 
-/// The fingerprint of each stage of some tasks.
-pub type Fingerprints = BTreeMap<String, String>;
+/// The fingerprints of the code that the answers of a task depend on.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct TaskCode {
+    /// Of its stage.
+    stage: String,
+    /// Of its stage and those that find the hits in whole scenes.
+    with_scenes: String,
+}
 
-/// Computes the fingerprints of the stages of `tasks`. Call it before these are built.
-pub fn fingerprints(workspace: &Workspace, tasks: &[&Task]) -> Result<Fingerprints, GraderError> {
-    let stages = crate::course::stages_of(tasks.iter().copied());
-    stages
-        .into_iter()
-        .map(|stage| {
-            let files = sources::read(workspace.root(), stage)?;
-            Ok((stage.to_owned(), sources::fingerprint(&files)))
-        })
-        .collect()
+/// The fingerprints of the code of each task.
+pub type Fingerprints = BTreeMap<String, TaskCode>;
+
+/// Computes the fingerprints of all tasks of `course`. Call it before their stages are built.
+pub fn fingerprints(workspace: &Workspace, course: &Course) -> Result<Fingerprints, GraderError> {
+    let stages = sources::read_all(workspace.root(), course)?;
+    Ok(of_files(course, &stages))
+}
+
+/// The fingerprints of all tasks of `course`, whose stages have the files `stages`.
+pub fn of_files(course: &Course, stages: &BTreeMap<&str, Vec<SourceFile>>) -> Fingerprints {
+    let tasks = course.tasks().map(|task| {
+        let of_scenes = stages
+            .iter()
+            .filter(|(stage, _)| task.stage == **stage || INTERSECTION_STAGES.contains(stage));
+        let of_scenes = of_scenes.map(|(_, files)| sources::fingerprint(files));
+        let code = TaskCode {
+            stage: sources::fingerprint(&stages[task.stage.as_str()]),
+            with_scenes: of_scenes.collect::<Vec<String>>().join(" "),
+        };
+        (task.key.clone(), code)
+    });
+    tasks.collect()
 }
 
 impl Results {
@@ -80,9 +110,11 @@ impl Results {
         serde_json::from_str(&text).unwrap_or_default()
     }
 
-    /// Replaces the results of the tasks of `report`, whose stages had these fingerprints.
+    /// Replaces the results of the tasks of `report`, whose code had these fingerprints.
     pub fn merge(&mut self, report: &Report, fingerprints: &Fingerprints) {
         let scores = report.tasks.iter().map(|TaskReport { result, .. }| {
+            let code = fingerprints.get(&result.key);
+            let traces_scenes = result.cases.iter().any(|case| case.with_neighbours);
             let score = TaskScore {
                 score: result.score,
                 max_score: result.max_score,
@@ -90,7 +122,10 @@ impl Results {
                 robust_max_score: result.robust_max_score,
                 attempted: result.status != Status::NotAttempted,
                 status: status_text(&result.status),
-                sources: fingerprints.get(&result.stage).cloned().unwrap_or_default(),
+                sources: code.map(|code| code.stage.clone()).unwrap_or_default(),
+                scenes: code
+                    .filter(|_| traces_scenes)
+                    .map(|code| code.with_scenes.clone()),
             };
             (result.key.clone(), score)
         });
@@ -113,4 +148,36 @@ impl Results {
 
 fn path(workspace: &Workspace) -> PathBuf {
     workspace.outputs().join("results.json")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::course::of_this_checkout;
+
+    #[test]
+    fn a_box_test_changes_the_code_of_the_scenes_that_are_traced_with_it() {
+        let (workspace, course) = of_this_checkout();
+        let mut stages = sources::read_all(workspace.root(), &course).expect("they are there");
+        let of_handed_in = |task: &str, code: &Fingerprints, traces_scenes: bool| TaskScore {
+            sources: code[task].stage.clone(),
+            scenes: traces_scenes.then(|| code[task].with_scenes.clone()),
+            ..TaskScore::of(1.0, 1.0)
+        };
+        let before = of_files(&course, &stages);
+        let [scenes, alone] =
+            [true, false].map(|traces| of_handed_in("part2.task3", &before, traces));
+        let bbox = stages.get_mut("bbox").expect("a stage");
+        bbox[0].text.push('\n');
+        let code = of_files(&course, &stages);
+        assert!(scenes.is_of_other_code(&code["part2.task3"]));
+        assert!(!alone.is_of_other_code(&code["part2.task3"]));
+        assert!(!scenes.is_of_other_code(&before["part2.task3"]));
+        let light = stages.get_mut("direct").expect("a stage");
+        light[0].text.push('\n');
+        assert_eq!(
+            of_files(&course, &stages)["part2.task3"],
+            code["part2.task3"]
+        );
+    }
 }

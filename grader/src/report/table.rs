@@ -218,7 +218,7 @@ fn details(text: &mut String, report: &TaskReport, Reveal { hint, extra }: Revea
     if let Some(call) = simplest.filter(|_| hint >= HintLevel::Findings) {
         let _ = writeln!(
             text,
-            "  Simplest: {}\n    {}",
+            "  Simplest such call: {}\n    {}",
             message::input(call),
             message::found(call)
         );

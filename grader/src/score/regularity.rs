@@ -135,14 +135,14 @@ fn fields(cases: &[&CaseResult], all: &[CaseResult]) -> Option<String> {
         return None;
     }
     let wrong = wrong_by_aspect(cases.iter().copied());
-    let labels = |is_wrong: bool| -> Vec<&str> {
-        let some = wrong.iter().filter(|(_, wrong)| (**wrong > 0) == is_wrong);
-        some.map(|(aspect, _)| aspect.label()).collect()
-    };
-    let (wrong, right) = (labels(true), labels(false));
+    let (wrong, right): (Vec<_>, Vec<_>) = wrong.into_iter().partition(|(_, wrong)| *wrong > 0);
     let tells = !wrong.is_empty() && wrong.len() <= right.len();
-    let verb = if wrong.len() == 1 { "is" } else { "are" };
-    tells.then(|| format!("{} {verb} wrong{OTHERS_RIGHT}", wrong.join(", ")))
+    let verb = match wrong.as_slice() {
+        [(aspect, _)] if !aspect.is_plural() => "is",
+        _ => "are",
+    };
+    let labels: Vec<&str> = wrong.iter().map(|(aspect, _)| aspect.label()).collect();
+    tells.then(|| format!("{} {verb} wrong{OTHERS_RIGHT}", labels.join(", ")))
 }
 
 /// The function whose answers alone are wrong, in tasks of several, or the path through it
@@ -391,6 +391,21 @@ mod tests {
                 "wrong only where the ray starts inside the sphere",
             ]
         );
+    }
+
+    #[test]
+    fn one_field_whose_name_is_a_plural_has_the_verb_of_a_plural() {
+        let mut tally = Tally::default();
+        for (aspect, class) in [
+            (Aspect::Bounds, Some(Class::Wrong)),
+            (Aspect::LeafSize, None),
+        ] {
+            tally.judge_class(aspect, 0, class, 1.0, String::new);
+        }
+        let case = CaseResult::failed("boxes", tally.into_findings());
+        let says = fields(&[&case], std::slice::from_ref(&case));
+        let expected = "bounding boxes are wrong, all other fields are right";
+        assert_eq!(says.as_deref(), Some(expected));
     }
 
     #[test]

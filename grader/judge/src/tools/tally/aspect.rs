@@ -133,6 +133,20 @@ impl Aspect {
         matches!(self, Aspect::Mean | Aspect::Spread)
     }
 
+    /// Whether the [label](Aspect::label) is a plural.
+    pub fn is_plural(self) -> bool {
+        matches!(
+            self,
+            Aspect::Placement
+                | Aspect::Range
+                | Aspect::Barycentrics
+                | Aspect::Bounds
+                | Aspect::Savings
+                | Aspect::SampleRecord
+                | Aspect::Questions
+        )
+    }
+
     /// The name of the aspect in reports.
     pub fn label(self) -> &'static str {
         match self {

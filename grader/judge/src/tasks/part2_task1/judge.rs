@@ -9,6 +9,7 @@ use crate::tools::plural;
 use crate::tools::recorded::TreeWork;
 use crate::tools::tally::{Aspect, Class, Tally};
 use kit::{Aabb, Vec3};
+use std::ops::Range;
 use wire::answer::BuildAnswer;
 use wire::work::{Node, NodeKind, Tree, Xyz};
 
@@ -59,7 +60,7 @@ pub(crate) fn build(
     };
     tally.judge(Aspect::Structure, 0, true, 0.0, String::new);
     let tight = tight_boxes(tree, &walk, bounds);
-    judge_bounds(tally, tree, &tight);
+    judge_bounds(tally, tree, &tight, bounds);
     leaves::judge(tally, tree, bounds, max_leaf_size);
     if let Some(recorded) = recorded {
         judge_work(tally, tree, &walk, &tight, recorded);
@@ -90,18 +91,21 @@ pub(super) fn aabb(&[min, max]: &[Xyz; 2]) -> Aabb {
     }
 }
 
-fn judge_bounds(tally: &mut Tally, tree: &Tree, tight: &[Aabb]) {
+fn judge_bounds(tally: &mut Tally, tree: &Tree, tight: &[Aabb], bounds: &[[Xyz; 2]]) {
     for (at, (node, tight)) in tree.nodes.iter().zip(tight).enumerate() {
         let given = aabb(&node.bounds);
         let right = given.contains(tight);
         let missing = (given.min - tight.min)
             .max(tight.max - given.max)
             .max_element();
-        let class = (!right).then_some(Class::Named(match node.kind {
-            _ if at == 0 => "root",
-            NodeKind::Interior { .. } => "inner node",
-            NodeKind::Leaf { .. } => "leaf",
-        }));
+        let class = (!right).then(|| match node.kind {
+            _ if at == 0 => Class::Named("root"),
+            NodeKind::Interior { .. } => Class::Named("inner node"),
+            NodeKind::Leaf { first, count } => {
+                let held = first as usize..first as usize + count as usize;
+                class_of_leaf_box(&given, held, &tree.order, bounds)
+            }
+        });
         tally.judge_class(Aspect::Bounds, 0, class, missing, || {
             format!(
                 "node {at}: your result: the box {}; expected: a box that contains the primitives below it, {}",
@@ -113,6 +117,29 @@ fn judge_bounds(tally: &mut Tally, tree: &Tree, tight: &[Aabb]) {
     if tree.nodes.is_empty() {
         tally.judge(Aspect::Bounds, 0, true, 0.0, String::new);
     }
+}
+
+/// The class of the box `given` of a leaf that holds `held`, places of `order`, if it is too small:
+/// of which primitives it is the box, so that the class does not depend on how the tree was split.
+fn class_of_leaf_box(
+    given: &Aabb,
+    held: Range<usize>,
+    order: &[u32],
+    bounds: &[[Xyz; 2]],
+) -> Class {
+    let is_box_of =
+        |primitive: Option<&u32>| primitive.is_some_and(|&id| *given == aabb(&bounds[id as usize]));
+    let primitives = &order[held.clone()];
+    let by_place = bounds[held].iter().map(aabb).filter(|b| !b.is_empty());
+    Class::Named(if *given == by_place.fold(Aabb::EMPTY, Aabb::union) {
+        "leaf by place"
+    } else if is_box_of(primitives.first()) {
+        "leaf of its first primitive"
+    } else if is_box_of(primitives.last()) {
+        "leaf of its last primitive"
+    } else {
+        "leaf"
+    })
 }
 
 fn show(b: &Aabb) -> String {
@@ -307,6 +334,19 @@ mod tests {
         let mut tree = right();
         tree.nodes[1] = leaf(0, 2, f64::NAN, 3.0);
         assert!(failed(tree).contains(&Aspect::Bounds));
+    }
+
+    #[test]
+    fn the_class_of_a_small_box_of_a_leaf_is_what_it_holds() {
+        let order = [2, 0, 3, 1];
+        let class = |min_x: f64, max_x: f64| {
+            let given = aabb(&leaf(0, 2, min_x, max_x).bounds);
+            class_of_leaf_box(&given, 0..2, &order, &ROW)
+        };
+        assert_eq!(class(4.0, 5.0), Class::Named("leaf of its first primitive"));
+        assert_eq!(class(0.0, 1.0), Class::Named("leaf of its last primitive"));
+        assert_eq!(class(0.0, 3.0), Class::Named("leaf by place"));
+        assert_eq!(class(0.5, 4.5), Class::Named("leaf"));
     }
 
     #[test]

@@ -157,6 +157,32 @@ fn a_whole_copy_is_found_even_if_it_is_one_passage() {
     assert!(share(&pairs(&students)[0]) > 0.9);
 }
 
+/// A passage that a group of friends has is what the teacher asks about; one of a book is not.
+#[test]
+fn passages_of_a_few_are_open() {
+    let of_group = |i| {
+        [300, 100 + i, 400, 200 + i, 500, 600 + i]
+            .map(|seed| own_code(seed, 9))
+            .concat()
+    };
+    let students = class(&|i| match i {
+        4 | 9 | 12 => of_group(i) + SHARED,
+        13.. => SHARED.to_string(),
+        _ => String::new(),
+    });
+    let pairs = pairs(&students);
+    assert_eq!(pairs.len(), 3);
+    let of_few = pairs.iter().flat_map(|pair| &pair.stages[0].passages);
+    let of_few = of_few.filter(|passage| passage.others == 1).count();
+    let page = page::page(&Contents {
+        pairs,
+        ..Contents::default()
+    });
+    assert!(of_few > 0 && page.contains("7 others have it"), "{page}");
+    let open = page.matches("<details class=\"card\" open>").count();
+    assert_eq!(open, of_few, "{page}");
+}
+
 #[test]
 fn what_many_have_is_told_once_and_accuses_no_pair() {
     let students = class(&|i| {

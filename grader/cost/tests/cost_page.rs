@@ -233,7 +233,7 @@ fn report(rows: Vec<KernelRow>, bias: Option<f64>) -> CostReport {
 }
 
 fn html(report: &CostReport) -> String {
-    page(report).expect("a page")
+    page(report).expect("a page").replace('\u{a0}', " ")
 }
 
 /// Returns the SVG elements of a page.

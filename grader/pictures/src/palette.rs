@@ -1,7 +1,10 @@
-//! The colours of differences: those that Okabe and Ito chose so that everybody can distinguish
+//! The colours of pages, and those of differences: those that Okabe and Ito chose so that everybody can distinguish
 //! them ("Color Universal Design", 2008).
 
 use crate::image::Rgb;
+
+/// The colours of pages and drawings, as variables that their style sheets use.
+pub const OF_PAGES: &str = include_str!("palette.css");
 
 /// Vermilion.
 pub const VERMILION: Rgb = [213, 94, 0];

@@ -1,6 +1,7 @@
 //! A self-contained HTML page of figures.
 
 use crate::style::COLOR_RULES;
+use pages::PALETTE;
 use pages::html::escape;
 use std::fmt::Write;
 
@@ -32,7 +33,7 @@ impl Document {
              <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
              <meta name=\"color-scheme\" content=\"light dark\">\n\
              <meta name=\"generator\" content=\"First Light {}\">\n<title>{title}</title>\n\
-             <style>\n{STYLE}{COLOR_RULES}{}</style>\n</head>\n<body>\n<h1>{title}</h1>\n<p class=\"machine\">{}</p>\n",
+             <style>\n{PALETTE}{STYLE}{COLOR_RULES}{}</style>\n</head>\n<body>\n<h1>{title}</h1>\n<p class=\"machine\">{}</p>\n",
             base::VERSION,
             self.style,
             escape(&self.about)

@@ -26,14 +26,14 @@ impl Figure {
     pub fn html(&self) -> String {
         let mut html = format!(
             "<h3>{}</h3>\n<figure>\n<div class=\"wide\" tabindex=\"0\">{}</div>\n<figcaption>{}</figcaption>\n</figure>\n",
-            escape(&capital(&self.finding)),
+            prose(&capital(&self.finding)),
             self.drawing,
-            escape(&self.caption)
+            prose(&self.caption)
         );
         let _ = write!(
             html,
             "<details><summary>Numbers</summary>\n<p>{}</p>\n<div class=\"wide\" tabindex=\"0\"><table>\n<thead><tr>",
-            escape(self.notes.trim_end())
+            prose(self.notes.trim_end())
         );
         for head in &self.head {
             let _ = write!(html, "<th scope=\"col\">{}</th>", escape(head));
@@ -51,6 +51,11 @@ impl Figure {
         }
         html + "</tbody></table></div></details>\n"
     }
+}
+
+/// Formats plain text as HTML. No line breaks between a number and its percent sign.
+pub fn prose(text: &str) -> String {
+    escape(text).replace(" %", "\u{a0}%")
 }
 
 /// The heads of a table.

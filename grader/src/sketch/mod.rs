@@ -3,7 +3,7 @@
 //! [`Sketch::of`] makes it of the call: `geometry` for rays at shapes, `samples` for pixels and
 //! cameras, `directions` for light and scattering, `spans` for trees. Then [`Sketch::text`] and
 //! [`Sketch::svg`] draw the same strokes; [`Sketch::drawing`] is a file. `plot` is the sheet of
-//! characters, which `explain` draws on, too.
+//! characters, which `explain` draws on, too; `words` places words on an SVG.
 
 mod directions;
 mod geometry;
@@ -14,6 +14,7 @@ mod spans;
 mod svg;
 mod text;
 mod view;
+mod words;
 
 pub use model::Sketch;
 pub use svg::Drawing;

@@ -1,6 +1,8 @@
 //! A drawing as SVG.
 
 use super::model::{Ink, Layout, Sketch, Stroke, TAxis};
+use super::words::{Anchor, Words, above_row, around, short};
+use pictures::palette::OF_PAGES;
 use serde::Serialize;
 use std::fmt::Write;
 
@@ -58,23 +60,31 @@ impl Sketch {
             "<svg class=\"ray sketch\" viewBox=\"0 0 {width:.0} {height:.0}\" role=\"img\" aria-label=\"{}\">",
             self.caption
         );
+        let mut words = Words::new([2.0, 2.0, width - 2.0, shapes - 4.0]);
         for stroke in &self.strokes {
             match stroke {
                 Stroke::Line(ink, ends) => line(&mut svg, class(*ink), ends.map(place)),
                 Stroke::Arrow(ink, ends) => arrow(&mut svg, class(*ink), ends.map(place)),
-                Stroke::Mark(ink, at) => mark(&mut svg, *ink, place(*at), self.layout),
-                Stroke::Word(at, word) => {
-                    let [x, y] = place(*at);
-                    text(&mut svg, [x + 8.0, y - 6.0], "start", word);
+                Stroke::Mark(ink, at) => {
+                    mark(&mut svg, *ink, place(*at), self.layout);
+                    words.avoid(place(*at), 7.0);
                 }
-                Stroke::WordBefore(at, word) => {
-                    let [x, y] = place(*at);
-                    text(&mut svg, [x - 8.0, y - 6.0], "end", word);
-                }
-                Stroke::Name(at, word) => {
-                    let [x, y] = place(*at);
-                    text(&mut svg, [x, y - 7.0], "middle", word.trim());
-                }
+                Stroke::Word(..) | Stroke::WordBefore(..) | Stroke::Name(..) => {}
+            }
+        }
+        for stroke in &self.strokes {
+            let (at, word, anchor) = match stroke {
+                Stroke::Word(at, word) => (*at, word, Anchor::Start),
+                Stroke::WordBefore(at, word) => (*at, word, Anchor::End),
+                Stroke::Name(at, word) => (*at, word, Anchor::Middle),
+                _ => continue,
+            };
+            let places = match self.layout {
+                Layout::Shape => around(place(at), anchor),
+                Layout::Rows => above_row(place(at)),
+            };
+            if let Some((at, anchor)) = words.place(word.trim(), &places) {
+                text(&mut svg, at, anchor, word.trim());
             }
         }
         if let Some(axis) = &self.axis {
@@ -116,7 +126,7 @@ impl Sketch {
         let signs = self.signs().map(|(_, meaning)| meaning);
         let signs = signs.collect::<Vec<_>>().join(" · ");
         Drawing {
-            svg: format!("{start}><style>{STYLE}</style>{rest}"),
+            svg: format!("{start}><style>{OF_PAGES}{STYLE}</style>{rest}"),
             caption: match signs.is_empty() {
                 true => self.caption.clone(),
                 false => format!("{}. {signs}", self.caption),
@@ -184,7 +194,12 @@ fn mark(svg: &mut String, ink: Ink, at: [f64; 2], layout: Layout) {
     }
 }
 
-fn text(svg: &mut String, [x, y]: [f64; 2], anchor: &str, word: &str) {
+fn text(svg: &mut String, [x, y]: [f64; 2], anchor: Anchor, word: &str) {
+    let anchor = match anchor {
+        Anchor::Start => "start",
+        Anchor::Middle => "middle",
+        Anchor::End => "end",
+    };
     let _ = write!(
         svg,
         "<text x=\"{x:.1}\" y=\"{y:.1}\" text-anchor=\"{anchor}\">{word}</text>"
@@ -195,7 +210,7 @@ impl TAxis {
     fn draw(&self, svg: &mut String, [left, right]: [f64; 2], y: f64) {
         let [low, high] = self.extent();
         let place = |t: f64| left + (t.clamp(low, high) - low) / (high - low) * (right - left);
-        text(svg, [left - 12.0, y + 4.0], "end", "t");
+        text(svg, [left - 12.0, y + 4.0], Anchor::End, "t");
         arrow(svg, "outside", [[left, y], [right, y]]);
         let range = self.range.map(place);
         line(svg, "inside", [[range[0], y], [range[1], y]]);
@@ -203,18 +218,29 @@ impl TAxis {
             let x = place(end);
             line(svg, "inside", [[x, y - 6.0], [x, y + 6.0]]);
         }
-        for t in &self.expected {
-            mark(svg, Ink::Expected, [place(*t), y], Layout::Shape);
+        for (ink, whose, hits) in [
+            (Ink::Expected, "expected", &self.expected),
+            (Ink::Yours, "yours", &self.yours),
+        ] {
+            for t in hits {
+                let _ = write!(svg, "<g><title>{whose}: t = {t}</title>");
+                mark(svg, ink, [place(*t), y], Layout::Shape);
+                svg.push_str("</g>");
+            }
         }
-        for t in &self.yours {
-            mark(svg, Ink::Yours, [place(*t), y], Layout::Shape);
-        }
-        let mut free_from = f64::NEG_INFINITY;
-        for value in self.values() {
-            let x = place(value);
-            if x > free_from {
-                text(svg, [x, y + 22.0], "middle", &format!("{value}"));
-                free_from = x + 34.0;
+        // Hits first, so that a value without room is an end of the range or the origin.
+        let mut words = Words::new([2.0, y + 8.0, right + left - 2.0, y + AXIS - 6.0]);
+        let hits = self.expected.iter().chain(&self.yours).copied();
+        let values = hits.chain(self.range).chain([0.0]);
+        let mut written = Vec::new();
+        for value in values.filter(|value| value.is_finite()) {
+            let number = short(value);
+            let rows = [22.0, 39.0].map(|below| ([place(value), y + below], Anchor::Middle));
+            if !written.contains(&number)
+                && let Some((at, anchor)) = words.place(&number, &rows)
+            {
+                text(svg, at, anchor, &number);
+                written.push(number);
             }
         }
     }

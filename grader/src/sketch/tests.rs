@@ -1,4 +1,7 @@
+use super::model::{Layout, Stroke};
+use super::words::Anchor;
 use super::*;
+use judge::Tier;
 use judge::expected::HitOrMiss;
 use judge::shown::{ShownBounce, ShownPixel, ShownRay, ShownSpans, Span};
 use kit::{Aabb, Ray, Scene, Sphere, Triangle, Vec3};
@@ -195,4 +198,88 @@ fn directions_are_drawn_from_their_surface() {
         yours: None,
     };
     assert_eq!(Sketch::of(&ShownCall::Bounce(none)), None);
+}
+
+/// The words of an SVG, each with the rectangle that it takes.
+fn placed_words(svg: &str) -> Vec<(&str, [f64; 4])> {
+    let texts = svg.split("<text ").skip(1).map(|text| {
+        let value = |name: &str| {
+            let (_, value) = text
+                .split_once(&format!("{name}=\""))
+                .expect("an attribute");
+            value.split_once('"').expect("its end").0
+        };
+        let number = |name: &str| value(name).parse::<f64>().expect("a number");
+        let (_, word) = text.split_once('>').expect("a word");
+        let word = word.split_once("</text>").expect("its end").0;
+        let anchor = match value("text-anchor") {
+            "start" => Anchor::Start,
+            "middle" => Anchor::Middle,
+            _ => Anchor::End,
+        };
+        (
+            word,
+            words::rect(word, ([number("x"), number("y")], anchor)),
+        )
+    });
+    texts.collect()
+}
+
+/// Answers that are nearly right have their words beside those of the right ones.
+fn nearly_right(call: ShownCall) -> ShownCall {
+    match call {
+        ShownCall::Ray(ray) => ShownCall::Ray(ShownRay {
+            yours: ray
+                .expected
+                .iter()
+                .map(|t| t * (1.0 + 1e-15) + 1e-3)
+                .collect(),
+            normals: ray
+                .expected
+                .first()
+                .map(|_| [Vec3::Z, Vec3::new(0.1, 0.0, 0.995)]),
+            ..ray
+        }),
+        ShownCall::Bounce(bounce) => ShownCall::Bounce(ShownBounce {
+            yours: bounce.expected.map(|[x, y, z]| [x + 0.02, y, z]),
+            ..bounce
+        }),
+        other => other,
+    }
+}
+
+#[test]
+fn no_word_of_a_drawing_covers_another_one_or_is_cut_off() {
+    let mut drawings = 0;
+    for spec in judge::cases::all(0) {
+        let calls = (0..spec.calls().min(4)).filter_map(|i| spec.shown(Tier::Core, i, None));
+        for call in calls.flat_map(|call| [nearly_right(call.clone()), call]) {
+            let Some(sketch) = Sketch::of(&call) else {
+                continue;
+            };
+            drawings += 1;
+            let svg = sketch.svg();
+            let name = format!("{} {}: {svg}", spec.task, spec.name);
+            let placed = placed_words(&svg);
+            for (i, (word, rect)) in placed.iter().enumerate() {
+                let inside = 0.0 < rect[0] && rect[2] < 428.0 && 0.0 < rect[1];
+                assert!(inside, "{word}: {name}");
+                let covered = placed[..i].iter().find(|(_, it)| words::overlap(rect, it));
+                assert_eq!(covered, None, "{word}: {name}");
+                // Of a number: names of primitives are short or have blanks.
+                let counted = word.trim_start_matches(['−', '0', '.']).split('e').next();
+                let digits = counted.map_or(0, |number| number.matches(char::is_numeric).count());
+                assert!(digits <= 6 || word.contains(' '), "{word}: {name}");
+            }
+            if sketch.layout == Layout::Shape {
+                let is_word = |stroke: &&Stroke| {
+                    use Stroke::{Name, Word, WordBefore};
+                    matches!(stroke, Word(..) | WordBefore(..) | Name(..))
+                };
+                let there = sketch.strokes.iter().filter(is_word).count();
+                assert!(placed.len() >= there, "a word is left out: {name}");
+            }
+        }
+    }
+    assert!(drawings > 300, "{drawings}");
 }

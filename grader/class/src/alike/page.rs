@@ -1,7 +1,7 @@
 //! The page of what submissions have in common, with the passages side by side.
 
 use super::common::Common;
-use super::pairs::{COMPARED, EXPECTED, LARGE_SHARE, PASTED, Pair, SHOWN, SharedStage};
+use super::pairs::{COMPARED, EXPECTED, LARGE_SHARE, PASTED, Pair, SHOWN, SharedStage, is_few};
 use crate::pages::{expected_pairs, page as whole_page};
 use maud::{Markup, html};
 use std::collections::BTreeMap;
@@ -124,7 +124,7 @@ fn from_the_grader(pair: &Pair, shown: &mut Shown) -> Markup {
 fn passages(pair: &Pair, stage: &SharedStage, shown: &mut Shown) -> Markup {
     html! {
         @for passage in &stage.passages {
-            details.card open[passage.others == 0] {
+            details.card open[is_few(passage.others + 2)] {
                 summary {
                     (passage.tokens) " tokens, "
                     @if passage.has_same_names { "the same names" } @else { "other names" }
@@ -188,5 +188,5 @@ fn others(others: usize) -> String {
 }
 
 fn percent(share: f64) -> String {
-    format!("{:.0} %", 100.0 * share)
+    format!("{:.0}\u{a0}%", 100.0 * share)
 }

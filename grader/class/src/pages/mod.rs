@@ -13,6 +13,7 @@ mod submissions;
 
 pub use missing::lecture;
 
+use ::pages::PALETTE;
 use ::pages::html::base64;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use sha2::{Digest, Sha256};
@@ -36,7 +37,7 @@ pub(crate) fn page(title: &str, body: &Markup, script: Option<&str>) -> String {
                 meta name="viewport" content="width=device-width, initial-scale=1";
                 meta http-equiv="Content-Security-Policy" content=(policy);
                 title { (title) }
-                style { (PreEscaped(STYLE)) }
+                style { (PreEscaped(PALETTE)) (PreEscaped(STYLE)) }
             }
             body {
                 (body)

@@ -7,6 +7,7 @@ use ::pages::html::image_uri;
 use grader::report::HintLevel;
 use judge::Tier;
 use maud::{Markup, html};
+use pictures::{png, sheet};
 use submission::Untrusted;
 
 /// At most so many characters of what the compiler or the code printed are shown.
@@ -142,10 +143,19 @@ fn task_section(
 }
 
 /// The picture of a task: expected, the student's, and where they differ.
-fn picture_of(task: &Task, sheet: &[u8]) -> Markup {
+fn picture_of(task: &Task, file: &[u8]) -> Markup {
+    let causes = png::decode(file).map_or_else(|_| Vec::new(), |picture| sheet::causes(&picture));
     html! {
         div.thirds.soft { span { "expected" } span { "yours" } span { "where they differ" } }
-        img.sheet src=(image_uri("png", sheet)) alt=(format!("The picture of {}: expected, yours, and where they differ", task.key));
+        img.sheet src=(image_uri("png", file)) alt=(format!("The picture of {}: expected, yours, and where they differ", task.key));
+        @if !causes.is_empty() {
+            ul.legend.soft {
+                @for cause in causes {
+                    @let [r, g, b] = cause.colour();
+                    li { span.chip style=(format!("background:rgb({r},{g},{b})")) {} (cause.label()) }
+                }
+            }
+        }
     }
 }
 

@@ -4,10 +4,10 @@ use super::convergence_caption::{caption, finding};
 use crate::picture::{Curve, CurvePoint, Experiment, Thumbnail};
 use crate::table::factor;
 use base::GraderError;
-use pages::html::{escape, png_data_uri};
+use pages::html::png_data_uri;
 use pictures::Image;
 use plots::canvas::{DrawResult, Label, for_both_widths};
-use plots::figure::{Figure, heads};
+use plots::figure::{Figure, heads, prose};
 use plots::numbers::{figures, percent, tick};
 use plots::plot::{Axis, Plot, legend};
 use plots::style::{self, INK, Marker, SeriesStyle};
@@ -105,7 +105,7 @@ pub(crate) fn figure(experiment: &Experiment) -> Result<Figure, GraderError> {
             &[(corner.0, below), (corner.0 + 26.0, below)],
             1.0,
         )?;
-        canvas.text("slope -1/2", (corner.0 + 32.0, below), Label::left(9.5))
+        canvas.text("slope −1/2", (corner.0 + 32.0, below), Label::left(9.5))
     })?;
     let last = |curve: &Curve| curve.points.last().cloned();
     let rows = experiment.curves.iter().map(|curve| {
@@ -175,7 +175,7 @@ fn thumbnails(experiment: &Experiment) -> String {
         let [w, h] = picture.size;
         let mut pixels = picture.pixels.iter();
         let image = Image::from_fn([w, h], |_, _| pixels.next().copied().unwrap_or_default());
-        let text = escape(text);
+        let text = prose(text);
         format!(
             "<figure><img src=\"{}\" alt=\"{text}\"><figcaption>{text}</figcaption></figure>",
             png_data_uri(&image)

@@ -12,6 +12,7 @@ use super::case::{Case, State};
 use super::{Author, Review};
 use case_text::{count, differs, is_open, is_refuted, is_silent, meaning};
 use judge::plural;
+use pages::PALETTE;
 use pages::html::escape;
 use std::fmt::Write;
 
@@ -153,7 +154,7 @@ fn unchanged(review: &Review) -> String {
 pub(crate) fn whole(own_style: &str, title: &str, header: &str, content: &str) -> String {
     // Inserts our own texts first, because the text of an answer may contain a placeholder.
     TEMPLATE
-        .replace("<!-- style -->", &format!("{STYLE}{own_style}"))
+        .replace("<!-- style -->", &format!("{PALETTE}{STYLE}{own_style}"))
         .replace("<!-- script -->", &SCRIPTS.concat())
         .replace("<!-- version -->", base::VERSION)
         .replace("<!-- title -->", &escape(title))

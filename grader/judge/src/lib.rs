@@ -22,6 +22,7 @@ pub use face::{
 };
 pub use tasks::part2_task1::exact_boxes;
 pub use tasks::part3_task1::diffuse_density;
+pub use tasks::part4_task1::right_reflectance;
 pub use tools::simple::variations;
 pub use tools::truth::{self, expected, scene};
 pub use tools::{Tier, convert, errors, plural, shown, tally};

@@ -157,14 +157,20 @@ pub(super) fn scatter(lines: &Lines<'_>, ui: &Ui, case: &ScatterCase) {
 
 pub(super) fn plot_legend(case: &PlotCase, palette: &Palette) -> Vec<Entry> {
     let (solid, dashed) = (Sample::Line(Pattern::Solid), Sample::Line(Pattern::Dashed));
+    let dots = (Sample::Dot, palette.ray(RayRole::Camera), "your answers");
     match case.dots.is_empty() {
+        _ if !case.right.is_empty() => vec![
+            dots,
+            (dashed, palette.right, "what is right"),
+            (solid, palette.wrong, "your answer to this call"),
+        ],
         true => vec![
             (solid, palette.ray(RayRole::Camera), "the mean so far"),
             (solid, palette.attention, "its standard error"),
             (dashed, palette.right, "the tolerance"),
         ],
         false => vec![
-            (Sample::Dot, palette.ray(RayRole::Camera), "your answers"),
+            dots,
             (dashed, palette.right, "what their mean must be"),
             (solid, palette.wrong, "their mean"),
         ],
@@ -188,6 +194,10 @@ pub(super) fn plot(lines: &Lines<'_>, ui: &Ui, case: &PlotCase) {
     }
     for pair in case.curve.windows(2) {
         lines.line(pair[0], pair[1], Stroke::new(2.0, color), Hidden::Shown);
+    }
+    for pair in case.right.windows(2) {
+        let stroke = Stroke::new(2.0, lines.palette.right);
+        lines.patterned(pair[0], pair[1], stroke, Hidden::Shown, Pattern::Dashed);
     }
     for &dot in case.dots.iter().take(MAX_SAMPLES) {
         lines.disc(dot, 2.0, color);

@@ -77,8 +77,14 @@ impl CaseView {
             (Work::Lambert(work), Some(Answer::Lambert(answers))) => {
                 CaseView::Scatter(ScatterCase::of_diffuse(work, answers, call)?)
             }
-            (Work::Specular(_), Some(answer)) => {
-                CaseView::Scatter(ScatterCase::of_specular(spec, case.tier, answer, call)?)
+            (Work::Specular(calls), Some(answer @ Answer::Specular(answers))) => {
+                match PlotCase::of_fresnel(calls, answers, call) {
+                    Some(plot) => CaseView::Plot(plot),
+                    None => {
+                        let case = ScatterCase::of_specular(spec, case.tier, answer, call)?;
+                        CaseView::Scatter(case)
+                    }
+                }
             }
             (Work::Roulette(work), Some(Answer::Roulette(answers))) => {
                 CaseView::Plot(PlotCase::of_roulette(work, answers, call)?)

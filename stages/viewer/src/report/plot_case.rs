@@ -1,9 +1,12 @@
-//! Numbers of a case as a plot: what roulette does to a path, and how a mean settles that a
-//! stopping rule is asked about.
+//! Numbers of a case as a plot: what roulette does to a path, how a mean settles that a stopping
+//! rule is asked about, and how much glass reflects.
 
+use judge::right_reflectance;
 use kit::{Aabb, Tally, Vec3};
 use wire::adaptive::{StopAnswer, StopCall};
-use wire::global::RouletteWork;
+use wire::global::SpecularAnswer::Share;
+use wire::global::SpecularCall::Fresnel;
+use wire::global::{RouletteWork, SpecularAnswer, SpecularCall};
 use wire::work::Xyz;
 
 /// A plot in the plane z = 0: from (0, 0) to ([`WIDTH`], 1).
@@ -13,6 +16,8 @@ pub struct PlotCase {
     pub axes: [&'static str; 2],
     /// A curve of the stage's numbers, or of those that it was given.
     pub curve: Vec<Vec3>,
+    /// A curve of the right numbers.
+    pub right: Vec<Vec3>,
     /// Vertical bars: the standard errors along the curve.
     pub bars: Vec<[Vec3; 2]>,
     /// What the stage returned, one for each number.
@@ -140,8 +145,8 @@ impl PlotCase {
                 .map(|(n, mean, error)| [at(*n, mean - error), at(*n, mean + error)])
                 .collect(),
             levels: vec![
-                level(tally.mean() + allowed, "mean + tolerance"),
-                level(tally.mean() - allowed, "mean - tolerance"),
+                level(tally.mean() + allowed, "upper end of the tolerance"),
+                level(tally.mean() - allowed, "lower end of the tolerance"),
             ],
             facts: vec![
                 ("samples", total.to_string()),
@@ -152,6 +157,56 @@ impl PlotCase {
                     "your rule",
                     if answer.stop { "stops" } else { "goes on" }.to_owned(),
                 ),
+            ],
+            ..PlotCase::default()
+        })
+    }
+
+    /// The Fresnel reflectances of the case over the cosine, for the ratio of indices of this call;
+    /// `None` for a call of another function.
+    pub fn of_fresnel(
+        calls: &[SpecularCall],
+        answers: &[SpecularAnswer],
+        call: usize,
+    ) -> Option<PlotCase> {
+        let of = |call: usize| match (calls.get(call)?, answers.get(call)?) {
+            (Fresnel { cos_i, eta }, Share(share)) => Some((*cos_i, *eta, *share)),
+            _ => None,
+        };
+        let (cos_i, eta, yours) = of(call)?;
+        let expected = right_reflectance(&calls[call])?;
+        let at = |cos_i: f64, share: f64| Vec3::new(WIDTH * cos_i, share.clamp(0.0, 1.0), 0.0);
+        let mut same_glass: Vec<(f64, f64, f64)> = (0..calls.len())
+            .filter_map(|i| Some((of(i)?, right_reflectance(&calls[i])?)))
+            .filter(|((_, other, _), _)| *other == eta)
+            .map(|((cos_i, _, yours), right)| (cos_i, yours, right))
+            .collect();
+        same_glass.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let level = |share: f64, name: String, is_right| Level {
+            y: share.clamp(0.0, 1.0),
+            name,
+            is_right,
+        };
+        let mut levels = vec![level(expected, format!("right: {expected:.4}"), true)];
+        if yours != expected && yours.is_finite() {
+            levels.push(level(yours, format!("yours: {yours:.4}"), false));
+        }
+        let dots = same_glass
+            .iter()
+            .map(|(cos_i, yours, _)| at(*cos_i, *yours));
+        Some(PlotCase {
+            axes: ["the cosine, 0 grazing to 1 straight", "reflectance, 0 to 1"],
+            right: same_glass
+                .iter()
+                .map(|(x, _, right)| at(*x, *right))
+                .collect(),
+            dots: dots.filter(|p| p.is_finite()).collect(),
+            levels,
+            facts: vec![
+                ("cosine", format!("{cos_i}")),
+                ("eta", format!("{eta:.6}")),
+                ("right", format!("{expected:?}")),
+                ("yours", format!("{yours:?}")),
             ],
             ..PlotCase::default()
         })
@@ -187,6 +242,24 @@ mod tests {
         let first = PlotCase::of_roulette(&work, &answers, 1).expect("a path");
         assert_eq!(first.levels[0].y, first.levels[1].y);
         assert_eq!(PlotCase::of_roulette(&work, &answers, 4), None);
+    }
+
+    #[test]
+    fn reflectances_of_one_glass_are_beside_the_right_ones() {
+        let calls = [(1.0, 1.5), (0.0, 1.5), (1.0, 2.0), (0.5, 1.5)];
+        let calls = calls.map(|(cos_i, eta)| Fresnel { cos_i, eta });
+        let answers = [0.25, 1.0, 0.0, f64::NAN].map(Share);
+        let plot = PlotCase::of_fresnel(&calls, &answers, 0).expect("a call of this function");
+        // From grazing to straight: all of the light, and ((1.5 - 1) / (1.5 + 1))².
+        assert_eq!(plot.right.len(), 3);
+        assert!((plot.right[0].y - 1.0).abs() < 1e-12 && (plot.right[2].y - 0.04).abs() < 1e-12);
+        assert_eq!(plot.dots, [Vec3::Y, Vec3::new(WIDTH, 0.25, 0.0)]);
+        let names: Vec<&str> = plot.levels.iter().map(|it| it.name.as_str()).collect();
+        assert_eq!(names, ["right: 0.0400", "yours: 0.2500"]);
+        let reflect = [SpecularCall::Reflect {
+            wo: [0.0, 0.0, 1.0],
+        }];
+        assert_eq!(PlotCase::of_fresnel(&reflect, &answers[..1], 0), None);
     }
 
     #[test]

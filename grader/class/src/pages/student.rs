@@ -4,10 +4,10 @@ use super::{list, missing, page as whole_page};
 use crate::collect::{Case, Details, Row, Status, StudentReport, Task, points};
 use crate::plan::Plan;
 use ::pages::html::image_uri;
+use ::pages::picture::causes;
 use grader::report::HintLevel;
 use judge::Tier;
 use maud::{Markup, html};
-use pictures::{png, sheet};
 use submission::Untrusted;
 
 /// At most so many characters of what the compiler or the code printed are shown.
@@ -144,7 +144,7 @@ fn task_section(
 
 /// The picture of a task: expected, the student's, and where they differ.
 fn picture_of(task: &Task, file: &[u8]) -> Markup {
-    let causes = png::decode(file).map_or_else(|_| Vec::new(), |picture| sheet::causes(&picture));
+    let causes = causes(file);
     html! {
         div.thirds.soft { span { "expected" } span { "yours" } span { "where they differ" } }
         img.sheet src=(image_uri("png", file)) alt=(format!("The picture of {}: expected, yours, and where they differ", task.key));

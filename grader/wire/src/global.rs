@@ -1,6 +1,6 @@
 //! Questions and answers of Part 4: mirrors, glass and path tracing.
 
-use crate::light::{BsdfSample, Material};
+use crate::light::{BsdfSample, Material, Surroundings};
 use crate::work::{Ray, Xyz};
 use serde::{Deserialize, Serialize};
 
@@ -78,10 +78,30 @@ pub struct ScriptedPath {
     pub max_depth: u32,
     /// The surface that each ray hits, in order; later rays miss.
     pub steps: Vec<Step>,
-    /// The radiance along a ray that misses.
+    /// The radiance along a ray that misses and goes up: its direction's y is above 0.
     pub background: Xyz,
+    /// The radiance along other rays that miss.
+    pub below: Xyz,
     /// Seed of the sampler.
     pub seed: u64,
+}
+
+impl ScriptedPath {
+    /// The radiance along a ray with the world direction `d` that misses.
+    pub fn background_along(&self, d: Xyz) -> Xyz {
+        if d[1] > 0.0 {
+            self.background
+        } else {
+            self.below
+        }
+    }
+
+    /// The background as an environment map; `None` if it is black.
+    pub fn surroundings(&self) -> Option<Surroundings> {
+        let texels = vec![self.background, self.below];
+        let is_black = texels.iter().all(|texel| *texel == [0.0; 3]);
+        (!is_black).then_some(Surroundings { width: 1, texels })
+    }
 }
 
 /// A surface on a path.

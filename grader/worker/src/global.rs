@@ -8,7 +8,6 @@ use kit::{
 };
 use std::cell::{Cell, RefCell};
 use wire::global::{PathAnswer, RouletteWork, ScriptedPath, SpecularAnswer, SpecularCall, Step};
-use wire::light::Surroundings;
 use wire::work::Xyz;
 
 pub(crate) fn specular(calls: &[SpecularCall]) -> Vec<SpecularAnswer> {
@@ -90,9 +89,7 @@ fn lit_scene(path: &ScriptedPath) -> LitScene {
         .iter()
         .map(|step| (vec![facing(step)], light::material(&step.material)))
         .collect();
-    let is_black = path.background == [0.0; 3];
-    let environment =
-        (!is_black).then(|| light::environment(&Surroundings::uniform(path.background)));
+    let environment = path.surroundings().as_ref().map(light::environment);
     LitScene::new(light::scene(&objects), environment)
 }
 

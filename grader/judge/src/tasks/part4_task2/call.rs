@@ -8,13 +8,23 @@ use wire::light::Material;
 pub(super) fn input(paths: &[ScriptedPath], call: usize) -> Option<String> {
     let path = paths.get(call)?;
     let depth = format!("max_depth = {}", path.max_depth);
+    let around = background(path);
     let surfaces = few(path.steps.iter().map(surface), "; ");
     let what = match surfaces {
-        Some(surfaces) if !surfaces.is_empty() => format!("{depth}; hits {surfaces}"),
-        Some(_) => format!("{depth}; hits nothing"),
-        None => depth,
+        Some(surfaces) if !surfaces.is_empty() => format!("{depth}; {around}; hits {surfaces}"),
+        Some(_) => format!("{depth}; {around}; hits nothing"),
+        None => format!("{depth}; {around}"),
     };
     Some(ray_and(&path.ray, &what))
+}
+
+/// What rays see that miss.
+fn background(path: &ScriptedPath) -> String {
+    let [above, below] = [path.background, path.below].map(point);
+    if above == below {
+        return format!("a background of {above}");
+    }
+    format!("a background of {above} above (d.y > 0), {below} below")
 }
 
 /// A surface of a path.

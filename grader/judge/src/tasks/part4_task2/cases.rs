@@ -67,8 +67,12 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         case(
             "sky_in_a_mirror",
             "The background counts where the eye sees it, directly or in a mirror, but not after \
-             a diffuse surface.",
-            every(&["", "M", "G G", "D", "D M", "M D"], &[0, 1, 2, 3, 5]),
+             a diffuse surface. It differs above and below. Pitfall: looking it up \
+             against the direction of the ray.",
+            over_ground(every(
+                &["", "M", "G G", "D", "D M", "M D"],
+                &[0, 1, 2, 3, 5],
+            )),
         )
         .only(&[Radiance, Rays]),
         case(
@@ -145,7 +149,8 @@ fn path(letters: &str, max_depth: u32, rng: &mut ProbeRng) -> ScriptedPath {
             max_t: 100.0,
         },
         max_depth,
-        background: [0.3, 0.6, 1.2],
+        background: SKY,
+        below: SKY,
         seed: 0,
     }
 }
@@ -221,6 +226,17 @@ fn every(kinds: &[&str], depths: &[u32]) -> Vec<ScriptedPath> {
         .flat_map(|pair| [pair; 3])
         .map(|(kind, depth)| path(kind, depth, &mut rng))
         .collect()
+}
+
+/// The background of all paths but those over [`over_ground`].
+const SKY: Xyz = [0.3, 0.6, 1.2];
+
+/// The paths with another background below than above.
+fn over_ground(mut paths: Vec<ScriptedPath>) -> Vec<ScriptedPath> {
+    for path in &mut paths {
+        path.below = [0.4, 0.2, 0.1];
+    }
+    paths
 }
 
 /// The paths with lamps a million times as bright.

@@ -18,6 +18,7 @@ pub(super) fn multiplied(path: &ScriptedPath, mut times: impl FnMut(Xyz) -> Xyz)
     ScriptedPath {
         steps,
         background: times(path.background),
+        below: times(path.below),
         ..path.clone()
     }
 }

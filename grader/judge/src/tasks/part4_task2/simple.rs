@@ -55,6 +55,7 @@ fn path(kind: &str, max_depth: u32, factor: f64) -> ScriptedPath {
             .map(|(i, letter)| step(letter, i, factor))
             .collect(),
         background: [4.0; 3],
+        below: [1.0; 3],
         seed: 0,
     }
 }

@@ -135,7 +135,7 @@ impl Walk {
             let seen = if i < self.surfaces {
                 self.sent(path, &path.steps[i], *d, eye_sees)
             } else if i == path.steps.len() && self.leaves && eye_sees {
-                path.background.into()
+                path.background_along((*d).into()).into()
             } else {
                 Vec3::ZERO
             };

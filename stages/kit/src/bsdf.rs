@@ -7,6 +7,17 @@
 use crate::{Material, Spectrum, Vec2, Vec3};
 
 /// A sampled direction of incoming light.
+///
+/// ```
+/// use kit::{BsdfSample, Spectrum, Vec3};
+/// let mirror = BsdfSample {
+///     wi: Vec3::new(0.6, 0.0, 0.8),
+///     f: Spectrum::grey(0.9 / 0.8),
+///     pdf: 1.0,
+///     delta: true,
+/// };
+/// assert!((mirror.weight() - Spectrum::grey(0.9)).max_channel().abs() < 1e-15);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BsdfSample {
     /// Direction towards the incoming light: unit, in local space.

@@ -26,6 +26,17 @@ pub struct LightSample {
 }
 
 /// A source of light.
+///
+/// ```
+/// use kit::{Emitter, Spectrum, Vec2, Vec3};
+/// let lamp = Emitter::Point {
+///     position: 2.0 * Vec3::Y,
+///     intensity: Spectrum::grey(8.0),
+/// };
+/// let sample = lamp.sample(Vec3::ZERO, Vec2::splat(0.5)).expect("it lights every point");
+/// assert_eq!((sample.wi, sample.distance, sample.pdf), (Vec3::Y, 2.0, 1.0));
+/// assert_eq!(sample.radiance, Spectrum::grey(2.0)); // 8 / 2²
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub enum Emitter {
     /// A point light that is the same in all directions. Irradiance falls with the squared

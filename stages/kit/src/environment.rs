@@ -12,6 +12,15 @@ use std::sync::Arc;
 /// `(x, y, z) = (-sin θ sin φ, cos θ, sin θ cos φ)`. So the centre of the image shows -z, where a
 /// camera looks by default, and +x is to the right of it. Texels are not interpolated: each has
 /// constant radiance, so that the samples follow the radiance exactly.
+///
+/// ```
+/// use kit::{Environment, Spectrum, Vec3};
+/// let [sky, ground] = [Spectrum::grey(2.0), Spectrum::grey(0.5)];
+/// let map = Environment::new(1, 2, vec![sky, ground])?;
+/// assert_eq!(map.radiance(Vec3::new(0.6, 0.8, 0.0)), sky);
+/// assert_eq!(map.radiance(-Vec3::Y), ground);
+/// # Ok::<(), kit::environment::EnvironmentError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Environment {
     map: Arc<Map>,

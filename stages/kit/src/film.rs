@@ -21,6 +21,13 @@ pub struct PixelEstimate {
 }
 
 /// A rectangle of pixels, `x0 <= x < x1` and `y0 <= y < y1`.
+///
+/// ```
+/// use kit::FilmSize;
+/// let film = FilmSize { w: 3, h: 2 }.whole();
+/// assert_eq!(film.area(), 6);
+/// assert_eq!(film.pixels().last(), Some((2, 1)));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Cell {
     /// First column.

@@ -18,6 +18,14 @@ use crate::{Emitter, Environment, Hit, Light, Material, PrimId, Scene, Spectrum,
 ///   is used, with its radiance.
 /// - Any other area light becomes two triangles, appended to the scene's triangles as a new object.
 ///   So it is visible and casts a shadow; its back is black.
+///
+/// ```
+/// use kit::{Environment, LitScene, Scene, Spectrum, Vec3};
+/// let sky = Environment::uniform(Spectrum::grey(0.5));
+/// let lit = LitScene::new(Scene::default(), Some(sky));
+/// assert!(lit.has_background());
+/// assert_eq!(lit.background(Vec3::X), Spectrum::grey(0.5));
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct LitScene {
     /// The geometry, including the area lights.

@@ -3,6 +3,13 @@
 use crate::Spectrum;
 
 /// How a surface scatters or emits light.
+///
+/// ```
+/// use kit::{Material, Spectrum};
+/// let lamp = Material::Emission { radiance: Spectrum::grey(5.0) };
+/// assert_eq!(lamp.emission(), Spectrum::grey(5.0));
+/// assert!(!lamp.lets_light_through());
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Material {
     /// Diffuse (Lambertian): the same radiance in every direction.

@@ -3,6 +3,18 @@
 use crate::{Frame, Hit, LightSample, Material, PrimId, Primitive, Ray, Spectrum, Vec3};
 
 /// The surface at a hit, with the data that shading needs. In world space unless stated otherwise.
+///
+/// ```
+/// use kit::{Hit, Material, PrimId, Primitive, Spectrum, Sphere, Surface, Vec2, Vec3};
+/// let sphere = Sphere { center: Vec3::ZERO, radius: 1.0 };
+/// let top = Vec3::Y;
+/// let hit = Hit { t: 1.0, p: top, n: top, ng: top, uv: Vec2::ZERO, prim: PrimId(0) };
+/// let lamp = Material::Emission { radiance: Spectrum::WHITE };
+/// let surface = Surface::new(&hit, Primitive::Sphere(&sphere), &lamp);
+/// assert_eq!(surface.emitted(Vec3::Y), Spectrum::WHITE);
+/// assert!(surface.emitted(-Vec3::Y).is_black());
+/// assert!(surface.leave(Vec3::Y).o.y > 1.0);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Surface<'a> {
     /// The hit point.

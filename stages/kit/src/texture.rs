@@ -58,6 +58,16 @@ impl Texture {
 }
 
 /// The textures of a scene's materials. Empty for most scenes.
+///
+/// ```
+/// use kit::texture::TextureMap;
+/// let mut map = TextureMap::default();
+/// map.add_material(Some("wood.png".into()));
+/// map.add_material(None);
+/// map.add_material(Some("wood.png".into()));
+/// assert_eq!(map.files, ["wood.png"]);
+/// assert_eq!([0, 1, 2].map(|material| map.of_material(material)), [Some(0), None, Some(0)]);
+/// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct TextureMap {
     /// The image files as named in the scene file: relative to its folder, or absolute.

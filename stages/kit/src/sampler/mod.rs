@@ -28,6 +28,15 @@ pub enum Pattern {
 }
 
 /// Parameters of the samplers of an image.
+///
+/// ```
+/// use kit::sampler::{PixelSampler, Sampling};
+/// let mut whole = PixelSampler::new(0, 0, Sampling::from(7));
+/// let later = Sampling { first_sample: 1, ..Sampling::from(7) };
+/// let mut rest = PixelSampler::new(0, 0, later);
+/// whole.get_sample();
+/// assert_eq!(whole.get_sample(), rest.get_sample());
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Sampling {
     /// How the samples of a pixel are distributed.

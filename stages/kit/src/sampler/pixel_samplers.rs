@@ -5,6 +5,13 @@ use crate::sobol;
 
 /// Several samplers with the same pattern, stored field by field. Their methods are loops over
 /// arrays, which a compiler turns into SIMD instructions.
+///
+/// ```
+/// use kit::sampler::{PixelSampler, PixelSamplers};
+/// let [mut left, right] = [0, 1].map(|x| PixelSampler::new(x, 0, 7));
+/// let mut both = PixelSamplers::of(&[left.clone(), right]);
+/// assert_eq!(both.next_1d()[0], left.next_1d());
+/// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct PixelSamplers<const N: usize> {
     pattern: Pattern,

@@ -131,7 +131,15 @@ const MAY_DEPEND_ON: &[(&str, &[&str])] = &[
     ),
     (
         "class",
-        &["base", "formats", "grader", "judge", "pages", "submission"],
+        &[
+            "base",
+            "formats",
+            "grader",
+            "judge",
+            "pages",
+            "pictures",
+            "submission",
+        ],
     ),
     (
         "cost",

@@ -109,7 +109,7 @@ impl Cause {
             Cause::Same => [128, 128, 128],
             Cause::FalseHit => palette::VERMILION,
             Cause::FalseMiss => palette::SKY_BLUE,
-            Cause::Primitive => palette::GREEN,
+            Cause::Primitive => palette::BLUE,
             Cause::T => palette::YELLOW,
             Cause::Normal => palette::PURPLE,
             Cause::Value => palette::ORANGE,

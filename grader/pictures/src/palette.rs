@@ -10,6 +10,8 @@ pub const OF_PAGES: &str = include_str!("palette.css");
 pub const VERMILION: Rgb = [213, 94, 0];
 /// Sky blue.
 pub const SKY_BLUE: Rgb = [86, 180, 233];
+/// Blue.
+pub const BLUE: Rgb = [0, 114, 178];
 /// Bluish green.
 pub const GREEN: Rgb = [0, 158, 115];
 /// Yellow.

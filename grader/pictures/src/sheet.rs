@@ -1,11 +1,10 @@
 //! One picture of three: the golden, yours, and their difference.
 
 use crate::Image;
-use crate::cause::Cause;
 use crate::image::Rgb;
 
 /// Pixels between two pictures and around them.
-const GAP: u32 = 8;
+pub const GAP: u32 = 8;
 
 /// The colour of the gaps.
 const PAPER: Rgb = [40, 42, 48];
@@ -24,32 +23,9 @@ pub fn beside(pictures: &[&Image]) -> Image {
     sheet
 }
 
-/// The causes whose colours are in the last of three pictures, that of the differences, in the order
-/// of the legend.
-pub fn causes(sheet: &Image) -> Vec<Cause> {
-    let [w, h] = sheet.size();
-    let last = 2 * w / 3;
-    let is_there = |cause: &Cause| {
-        let mut pixels = (0..h).flat_map(|y| (last..w).map(move |x| (x, y)));
-        pixels.any(|(x, y)| sheet.get(x, y) == cause.colour())
-    };
-    let all = Cause::DIFFERENCES.into_iter();
-    all.filter(is_there).collect()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn the_legend_is_of_the_colours_of_the_last_picture() {
-        let [t, value] =
-            [Cause::T, Cause::Value].map(|cause| Image::filled([9, 3], cause.colour()));
-        let mut difference = t.clone();
-        difference.paste(&Image::filled([1, 1], Cause::FalseHit.colour()), 8, 2);
-        let sheet = beside(&[&value, &value, &difference]);
-        assert_eq!(causes(&sheet), [Cause::FalseHit, Cause::T]);
-    }
 
     #[test]
     fn pictures_are_beside_each_other_with_gaps() {

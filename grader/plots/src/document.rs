@@ -25,7 +25,7 @@ pub struct Document {
 }
 
 impl Document {
-    /// Formats the page. It has a list of the sections, and their titles, if there are several.
+    /// Formats the page. It has a list of the sections if there are several.
     pub fn html(&self) -> String {
         let title = escape(&self.title);
         let mut html = format!(
@@ -38,8 +38,7 @@ impl Document {
             self.style,
             escape(&self.about)
         );
-        let has_titles = self.sections.len() > 1;
-        if has_titles {
+        if self.sections.len() > 1 {
             html.push_str("<nav>");
             for (i, (title, _)) in self.sections.iter().enumerate() {
                 let _ = write!(html, "<a href=\"#s{i}\">{}</a>", escape(title));
@@ -47,9 +46,7 @@ impl Document {
             html.push_str("</nav>\n");
         }
         for (i, (title, content)) in self.sections.iter().enumerate() {
-            if has_titles {
-                let _ = writeln!(html, "<h2 id=\"s{i}\">{}</h2>", escape(title));
-            }
+            let _ = writeln!(html, "<h2 id=\"s{i}\">{}</h2>", escape(title));
             html.push_str(content);
         }
         let _ = write!(html, "<script>\n{SCRIPT}</script>\n</body>\n</html>\n");

@@ -39,6 +39,3 @@ impl Sketch {
         sketch.is_finite().then_some(sketch)
     }
 }
-
-#[cfg(test)]
-mod tests;

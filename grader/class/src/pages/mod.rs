@@ -6,6 +6,7 @@
 pub mod class;
 mod distribution;
 mod ideas;
+mod legend;
 mod missing;
 mod mistakes;
 pub mod student;

@@ -1,10 +1,10 @@
 //! The page of one student.
 
+use super::legend::marks;
 use super::{list, missing, page as whole_page};
 use crate::collect::{Case, Details, Row, Status, StudentReport, Task, points};
 use crate::plan::Plan;
 use ::pages::html::image_uri;
-use ::pages::picture::causes;
 use grader::report::HintLevel;
 use judge::Tier;
 use maud::{Markup, html};
@@ -144,15 +144,15 @@ fn task_section(
 
 /// The picture of a task: expected, the student's, and where they differ.
 fn picture_of(task: &Task, file: &[u8]) -> Markup {
-    let causes = causes(file);
+    let marks = marks(&task.key, file);
     html! {
         div.thirds.soft { span { "expected" } span { "yours" } span { "where they differ" } }
         img.sheet src=(image_uri("png", file)) alt=(format!("The picture of {}: expected, yours, and where they differ", task.key));
-        @if !causes.is_empty() {
+        @if !marks.is_empty() {
             ul.legend.soft {
-                @for cause in causes {
-                    @let [r, g, b] = cause.colour();
-                    li { span.chip style=(format!("background:rgb({r},{g},{b})")) {} (cause.label()) }
+                @for mark in marks {
+                    @let [r, g, b] = mark.colour();
+                    li { span.chip style=(format!("background:rgb({r},{g},{b})")) {} (mark.label()) }
                 }
             }
         }

@@ -79,8 +79,11 @@ pub enum Layout {
 pub fn shown(text: &str, layout: Layout) -> String {
     let mut shown = String::with_capacity(text.len());
     let mut rest = text.chars().peekable();
+    let mut marks = 0;
     while let Some(c) = rest.next() {
+        marks = if is_stacked(c) { marks + 1 } else { 0 };
         match (c, layout) {
+            (c, _) if marks > MOST_MARKS => shown.extend(c.escape_unicode()),
             ('\n', Layout::Line) => shown.push_str("\\n"),
             ('\t', Layout::Line) => shown.push_str("\\t"),
             ('\n' | '\t', Layout::Lines) => shown.push(c),
@@ -91,6 +94,20 @@ pub fn shown(text: &str, layout: Layout) -> String {
         }
     }
     shown
+}
+
+/// The most marks on one letter that are shown as marks. Vietnamese and the phonetic alphabet need up
+/// to three.
+const MOST_MARKS: usize = 4;
+
+/// Whether a character is drawn above or below the letter before it. Many of them on one letter reach
+/// over the lines around it.
+fn is_stacked(c: char) -> bool {
+    matches!(c,
+        '\u{300}'..='\u{36f}' | '\u{483}'..='\u{489}' | '\u{591}'..='\u{5bd}' | '\u{610}'..='\u{61a}'
+        | '\u{64b}'..='\u{65f}' | '\u{6d6}'..='\u{6ed}' | '\u{e31}'..='\u{e3a}'
+        | '\u{e47}'..='\u{e4e}' | '\u{1ab0}'..='\u{1aff}' | '\u{1dc0}'..='\u{1dff}'
+        | '\u{20d0}'..='\u{20ff}' | '\u{fe20}'..='\u{fe2f}')
 }
 
 /// Whether a character does something where it is shown: control characters (ESC, CR and U+009B
@@ -117,6 +134,13 @@ mod tests {
     fn only_what_is_obeyed_is_escaped() {
         let lines = |text: &str| shown(text, Layout::Lines);
         assert_eq!(lines("a\tb é …\n"), "a\tb é …\n");
+        // The tower of marks of a name, which would cover the rows above it.
+        let tower = format!("o{}n", "\u{301}".repeat(6));
+        let cut = format!("o{}\\u{{301}}\\u{{301}}n", "\u{301}".repeat(4));
+        assert_eq!(
+            (lines(&tower), lines("e\u{302}\u{301}")),
+            (cut, "e\u{302}\u{301}".into())
+        );
         assert_eq!(lines("a\r\nb"), "a\nb");
         assert_eq!(lines("\u{1b}[2Jx\r\u{7}"), "\\u{1b}[2Jx\\u{d}\\u{7}");
         assert_eq!(

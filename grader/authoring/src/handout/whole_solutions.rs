@@ -19,6 +19,8 @@ pub(super) fn check(course: &Course, paths: &[PathBuf]) -> Result<(), GraderErro
                 "there is no such task"
             } else if !paths.iter().any(|file| file.starts_with(path)) {
                 "there is no such file"
+            } else if course.is_in_another_list(key, path) {
+                "another task lists it, too, and one of the two would decide"
             } else if stages.iter().any(in_stage) {
                 "students hand in its stage, where solutions stand between markers"
             } else {
@@ -56,5 +58,16 @@ mod tests {
             let error = of(key, path).unwrap_or_default();
             assert!(error.contains(path) && error.contains(problem), "{error}");
         }
+        let lists = [
+            ("part1.task3", "stages/lanes/src"),
+            ("part6.task2", "stages/lanes/src/mis.rs"),
+        ];
+        course.whole_solutions = lists
+            .map(|(key, path)| (key.to_string(), vec![path.into()]))
+            .into();
+        let error = check(&course, &paths)
+            .expect_err("in two lists")
+            .to_string();
+        assert!(error.contains("another task lists it"), "{error}");
     }
 }

@@ -10,6 +10,8 @@
 use super::{Roster, Student};
 use std::collections::BTreeMap;
 use submission::Untrusted;
+use unicode_normalization::UnicodeNormalization;
+use unicode_normalization::char::is_combining_mark;
 
 /// What the name of a submission says about who handed it in.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -26,41 +28,73 @@ struct Clue {
 const MOODLE: &str = "_assignsubmission_";
 
 impl Clue {
+    /// What `entry` says. Nothing, if it can be read in two ways: students choose the names of their
+    /// files, and one may look like what another system writes, with somebody's number.
     fn of(entry: &str) -> Clue {
-        let is_number = |text: &str| !text.is_empty() && text.bytes().all(|c| c.is_ascii_digit());
-        if entry.matches(MOODLE).count() > 1 {
-            // One of them is in a name that the student chose, with somebody's number before it.
-            return Clue::default();
-        }
-        if let Some((who, _)) = entry.split_once(MOODLE)
-            && let Some((name, number)) = who.rsplit_once('_')
-            && is_number(number)
-        {
-            return Clue {
-                number: Some(number.to_string()),
-                name: name.to_string(),
-                is_late: false,
-            };
-        }
-        let parts: Vec<&str> = entry.split('_').collect();
-        let late = usize::from(parts.get(1) == Some(&"LATE"));
-        if let [name, rest @ ..] = parts.as_slice()
-            && let [number, submission, _, ..] = &rest[late.min(rest.len())..]
-            && is_number(number)
-            && is_number(submission)
-        {
-            return Clue {
-                number: Some((*number).to_string()),
-                name: (*name).to_string(),
-                is_late: late == 1,
-            };
-        }
-        Clue {
-            number: None,
-            name: entry.to_string(),
-            is_late: false,
+        match [Clue::of_moodle(entry), Clue::of_canvas(entry)] {
+            [Readings::None, Readings::None] => Clue {
+                name: entry.to_string(),
+                ..Clue::default()
+            },
+            [Readings::One(clue), Readings::None] | [Readings::None, Readings::One(clue)] => clue,
+            _ => Clue::default(),
         }
     }
+
+    fn of_moodle(entry: &str) -> Readings {
+        let Some((who, _)) = entry.split_once(MOODLE) else {
+            return Readings::None;
+        };
+        match who.rsplit_once('_') {
+            Some((name, number)) if is_number(number) => match entry.matches(MOODLE).count() {
+                1 => Readings::One(Clue {
+                    number: Some(number.to_string()),
+                    name: name.to_string(),
+                    is_late: false,
+                }),
+                _ => Readings::Several,
+            },
+            _ if entry.matches(MOODLE).count() > 1 => Readings::Several,
+            _ => Readings::None,
+        }
+    }
+
+    fn of_canvas(entry: &str) -> Readings {
+        let parts: Vec<&str> = entry.split('_').collect();
+        let late = usize::from(parts.get(1) == Some(&"LATE"));
+        let [name, rest @ ..] = parts.as_slice() else {
+            return Readings::None;
+        };
+        match &rest[late.min(rest.len())..] {
+            // The name may end in a number, or the name of the file begin with one.
+            [number, submission, third, ..]
+                if [number, submission, third]
+                    .iter()
+                    .all(|part| is_number(part)) =>
+            {
+                Readings::Several
+            }
+            [number, submission, _, ..] if is_number(number) && is_number(submission) => {
+                Readings::One(Clue {
+                    number: Some((*number).to_string()),
+                    name: (*name).to_string(),
+                    is_late: late == 1,
+                })
+            }
+            _ => Readings::None,
+        }
+    }
+}
+
+/// In how many ways a name can be what one system writes.
+enum Readings {
+    None,
+    One(Clue),
+    Several,
+}
+
+fn is_number(text: &str) -> bool {
+    !text.is_empty() && text.bytes().all(|c| c.is_ascii_digit())
 }
 
 /// Why nobody gets the score of a submission.
@@ -118,13 +152,23 @@ impl Join {
         join
     }
 
-    /// The students' names, by those of their submissions, `entries`.
+    /// The students' names, by those of their submissions, `entries`. Namesakes have the name of
+    /// their submission after their own.
     pub fn owners(&self, roster: &Roster, entries: &[&str]) -> BTreeMap<String, Untrusted> {
+        let has_namesake = |name: &str| {
+            let same = |student: &&Student| plain(student.name.raw()) == plain(name);
+            roster.students.iter().filter(same).count() > 1
+        };
         let students = roster.students.iter().zip(&self.submissions);
         students
             .filter(|(student, _)| !student.name.is_empty())
             .filter_map(|(student, entry)| {
-                Some((entries[(*entry)?].to_string(), student.name.clone()))
+                let entry = entries[(*entry)?];
+                let name = match has_namesake(student.name.raw()) {
+                    true => format!("{} ({entry})", student.name.raw()).into(),
+                    false => student.name.clone(),
+                };
+                Some((entry.to_string(), name))
             })
             .collect()
     }
@@ -160,25 +204,22 @@ fn fitting(roster: &Roster, clue: &Clue) -> Vec<usize> {
         false => identifiers(student).iter().any(|id| is(id)),
     };
     let by_name = |student: &Student| orders(student.name.raw()).iter().any(|name| is(name));
-    let known = those(&|student| by_identifier(student) || by_name(student));
-    if !known.is_empty() {
-        return known;
-    }
-    // GitHub Classroom: the assignment, a hyphen, the login.
+    // GitHub Classroom: the assignment, a hyphen, the login. It counts beside a login that looks
+    // like all of that, which another student may have chosen.
     let name = clue.name.to_lowercase();
-    those(&|student| {
+    let by_suffix = |student: &Student| {
         let login = student.login.raw().to_lowercase();
-        !login.is_empty()
-            && name
-                .strip_suffix(&login)
-                .is_some_and(|start| start.ends_with('-'))
-    })
+        let start = name.strip_suffix(&login).filter(|_| !login.is_empty());
+        start.is_some_and(|start| start.ends_with('-'))
+    };
+    those(&|student| by_identifier(student) || by_name(student) || !has_exact && by_suffix(student))
 }
 
-/// A name without spaces, marks and capital letters, as Canvas writes it.
+/// A name without spaces, signs and capital letters, as Canvas writes it. A letter with a mark is
+/// one character, however it was written: macOS writes names of files as letters and marks.
 fn plain(text: &str) -> String {
-    text.chars()
-        .filter(|c| c.is_alphanumeric())
+    text.nfc()
+        .filter(|c| c.is_alphanumeric() || is_combining_mark(*c))
         .flat_map(char::to_lowercase)
         .collect()
 }
@@ -282,6 +323,12 @@ mod tests {
                 "Alan Turing_777_assignsubmission_file_x_98765_assignsubmission_file_",
                 Problem::Nobody,
             ),
+            ("ada_111_4567002_98765_assignsubmission_", Problem::Nobody),
+            (
+                "turingalan_LATE_777_4567003_777_assignsubmission_",
+                Problem::Nobody,
+            ),
+            ("x_777_98765_4567004_stages", Problem::Nobody),
             ("___", Problem::Nobody),
             ("A_DA", Problem::Several(vec![0, 4])),
         ] {
@@ -291,10 +338,39 @@ mod tests {
                 "{entry}"
             );
         }
+        roster.students[4].login = "part1alanturing".into();
+        roster.students[2].login = "alan-turing".into();
+        let join = Join::of(&roster, &["part1-alan-turing"]);
+        assert_eq!(join.problems, [(0, Problem::Several(vec![2, 4]))]);
+        roster.students[4].login = "a.da".into();
         // Renamed to the identifier as the roster has it, it is one student's.
         for (entry, student) in [("ada", 0), ("a.da", 4)] {
             let join = Join::of(&roster, &[entry]);
             assert_eq!(join.submissions[student], Some(0), "{entry}");
         }
+    }
+
+    #[test]
+    fn letters_and_marks_are_the_letters_that_they_make() {
+        let mut roster = roster();
+        roster.students[0].name = "Müller, Zoë".into();
+        roster.students[1].name = "Muller, Zoe".into();
+        for (entry, student) in [
+            ("Zoe\u{308} Mu\u{308}ller", 0),
+            ("Zoë Müller", 0),
+            ("Zoe Muller", 1),
+        ] {
+            let join = Join::of(&roster, &[entry]);
+            assert_eq!(join.submissions[student], Some(0), "{entry}: {join:?}");
+        }
+    }
+
+    #[test]
+    fn namesakes_are_told_apart() {
+        let entries = ["kim1", "kim2", "ada"];
+        let join = Join::of(&roster(), &entries);
+        let owners = join.owners(&roster(), &entries);
+        let names: Vec<&str> = owners.values().map(Untrusted::raw).collect();
+        assert_eq!(names, ["Ada Lovelace", "Kim Lee (kim1)", "Kim Lee (kim2)"]);
     }
 }

@@ -76,8 +76,13 @@ impl Sketch {
         self.strokes.iter().flat_map(Stroke::points)
     }
 
+    /// Whether all points can be drawn: also the size of the drawing has to be finite.
     pub(super) fn is_finite(&self) -> bool {
-        !self.strokes.is_empty() && self.points().flatten().all(f64::is_finite)
+        let [min, max] = self.bounds();
+        let axis = self.axis.as_ref().map_or([0.0; 2], TAxis::extent);
+        let sizes = [max[0] - min[0], max[1] - min[1], axis[1] - axis[0]];
+        let are_points_finite = self.points().flatten().all(f64::is_finite);
+        !self.strokes.is_empty() && are_points_finite && sizes.into_iter().all(f64::is_finite)
     }
 
     /// The smallest and the largest coordinates.
@@ -128,5 +133,27 @@ impl Stroke {
             | Stroke::WordBefore(at, _)
             | Stroke::Name(at, _) => vec![*at],
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Answers may be any number, and the difference of two may be infinite.
+    #[test]
+    fn what_is_too_large_to_be_drawn_is_not_drawn() {
+        let drawn = |length: f64, t: f64| {
+            let line = Stroke::Line(Ink::Shape, [[-length, 0.0], [length, 1.0]]);
+            let mut sketch = Sketch::new(vec![line], "a line", Layout::Shape);
+            sketch.axis = Some(TAxis {
+                range: [0.0, f64::INFINITY],
+                expected: vec![1.0],
+                yours: vec![t, -t],
+            });
+            sketch.is_finite()
+        };
+        assert!(drawn(1.0, 2.0) && drawn(1e300, 1e300));
+        assert!(!drawn(1e308, 2.0) && !drawn(1.0, 1e308) && !drawn(f64::NAN, 1.0));
     }
 }

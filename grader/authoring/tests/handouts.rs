@@ -270,8 +270,8 @@ const BESIDE_SOLUTIONS: [&str; 21] = [
     "stages/simd_paths/src/scene.rs",
 ];
 
-/// A file that is moved out of a folder of `whole_solutions`, or a new one beside it, would be handed
-/// out: who adds one lists it there, or here if it is given.
+/// A file that is moved out of a folder of `whole_solutions`, or a new one beside it, would be
+/// handed out: who adds one lists it there, or here if it is given.
 #[test]
 fn nothing_else_of_crates_with_whole_solutions_is_handed_out() {
     let crates = [

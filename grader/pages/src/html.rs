@@ -29,8 +29,8 @@ pub fn base64(bytes: &[u8]) -> String {
     STANDARD.encode(bytes)
 }
 
-/// A data URI for the `src` of an `<img>`: the bytes of a picture file of the given subtype, such as
-/// `png` or `svg+xml`.
+/// A data URI for the `src` of an `<img>`: the bytes of a picture file of the given subtype, such
+/// as `png` or `svg+xml`.
 pub fn image_uri(subtype: &str, bytes: &[u8]) -> String {
     format!("data:image/{subtype};base64,{}", base64(bytes))
 }

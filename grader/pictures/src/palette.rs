@@ -1,5 +1,5 @@
-//! The colours of pages, and those of differences: those that Okabe and Ito chose so that everybody can distinguish
-//! them ("Color Universal Design", 2008).
+//! The colours of pages, and those of differences: those that Okabe and Ito chose so that everybody
+//! can distinguish them ("Color Universal Design", 2008).
 
 use crate::image::Rgb;
 

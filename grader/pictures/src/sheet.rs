@@ -4,7 +4,7 @@ use crate::Image;
 use crate::image::Rgb;
 
 /// Pixels between two pictures and around them.
-pub const GAP: u32 = 8;
+const GAP: u32 = 8;
 
 /// The colour of the gaps.
 const PAPER: Rgb = [40, 42, 48];
@@ -23,6 +23,18 @@ pub fn beside(pictures: &[&Image]) -> Image {
     sheet
 }
 
+/// The `N` pictures of this `size` that [`beside`] put on a sheet; `None` if its size is another.
+pub fn parts<const N: usize>(sheet: &Image, [w, h]: [u32; 2]) -> Option<[Image; N]> {
+    let count = N as u32;
+    let fits = sheet.size() == [count * (w + GAP) + GAP, h + 2 * GAP];
+    fits.then(|| {
+        std::array::from_fn(|number| {
+            let left = GAP + number as u32 * (w + GAP);
+            Image::from_fn([w, h], |x, y| sheet.get(left + x, GAP + y))
+        })
+    })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -35,5 +47,7 @@ mod tests {
         assert_eq!(sheet.get(GAP, GAP), [10; 3]);
         assert_eq!(sheet.get(GAP + 4, GAP), PAPER);
         assert_eq!(sheet.get(2 * GAP + 4, GAP + 2), [20; 3]);
+        assert_eq!(parts(&sheet, [4, 3]), Some([a, b]));
+        assert_eq!(parts::<3>(&sheet, [4, 3]), None);
     }
 }

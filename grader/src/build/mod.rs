@@ -83,6 +83,11 @@ pub(crate) const SCENES_FEATURE: &str = "meshes";
 /// The stages that this feature links.
 pub(crate) const INTERSECTION_STAGES: [&str; 3] = ["intersect", "bbox", "bvh"];
 
+/// Whether whole scenes that are traced with the stage `own` are traced with `stage`, too.
+pub(crate) fn traces_scenes_with(own: &str, stage: &str) -> bool {
+    stage == own || INTERSECTION_STAGES.contains(&stage)
+}
+
 impl BuildRoot<'_> {
     /// The workspace itself.
     pub fn of(workspace: &Workspace) -> BuildRoot<'_> {

@@ -1,7 +1,7 @@
 //! The command `grader check`: what the compiler and the grader find, for an editor.
 
 use super::grade::{self, hint, hint_argument};
-use crate::build::{self, INTERSECTION_STAGES};
+use crate::build;
 use crate::check::again::{self, Asked, Desk, Done};
 use crate::check::cargo_check::{self, Checked, Reader};
 use crate::check::finding::Finding;
@@ -118,10 +118,10 @@ fn report(
         (is_attempted && checked.crates.contains_key(&task.stage)).then(|| {
             let mut of_task = specs.iter().filter(|spec| spec.task == task.key);
             let whole_scenes = of_task.any(Spec::needs_all_stages);
-            let linked = |stage: &str| {
-                stage == task.stage || whole_scenes && INTERSECTION_STAGES.contains(&stage)
-            };
-            let linked = files.iter().filter(|(stage, _)| linked(stage));
+            let linked = files.iter().filter(|(stage, _)| match whole_scenes {
+                true => build::traces_scenes_with(&task.stage, stage),
+                false => task.stage == **stage,
+            });
             code_hash(given, request.extra, linked.map(|(_, files)| files))
         })
     };
@@ -157,7 +157,7 @@ struct Editor<'a> {
 impl Desk for Editor<'_> {
     fn grade(&self, tasks: &[&Task], done: &mut Done<'_>) -> Result<(), GraderError> {
         let workspace = self.workspace;
-        let fingerprints = results::fingerprints(workspace, self.course)?;
+        let fingerprints = results::of_files(self.course, self.files);
         let mut whole = Vec::new();
         one_by_one::in_place(workspace, self.course, tasks, |task, graded| {
             let files = &self.files[task.stage.as_str()];

@@ -222,17 +222,6 @@ impl Course {
         lists.find_map(|(key, folders)| is_in(folders).then_some(key.as_str()))
     }
 
-    /// Whether another list of `whole_solutions` than that of the task `key` has `path`, a folder
-    /// that it is in, or a file in it.
-    pub fn is_in_another_list(&self, key: &str, path: &Path) -> bool {
-        let others = self
-            .whole_solutions
-            .iter()
-            .filter(|(other, _)| *other != key);
-        let mut listed = others.flat_map(|(_, listed)| listed);
-        listed.any(|other| other.starts_with(path) || path.starts_with(other))
-    }
-
     /// Whether a teacher leaves out the task `key`, or its case `case`.
     pub fn leaves_out(&self, key: &str, case: Option<&str>) -> bool {
         let is_case =

@@ -81,7 +81,8 @@ impl Session<'_> {
         self.ask(&prompt, asked.name, |typed| judge_number(asked, typed))
     }
 
-    /// Asks until `judge` accepts a line as an answer; `None` if the input has ended, also by [`QUIT`].
+    /// Asks until `judge` accepts a line as an answer; `None` if the input has ended, also by
+    /// [`QUIT`].
     fn ask(
         &mut self,
         prompt: &str,

@@ -1,7 +1,7 @@
 //! The last result of every task, in `target/first-light/results.json`: a run of one task does not
 //! erase what is known of the others.
 
-use crate::build::INTERSECTION_STAGES;
+use crate::build::traces_scenes_with;
 use crate::course::Course;
 use crate::course::sources::{self, SourceFile};
 use crate::report::table::status_text;
@@ -88,14 +88,20 @@ pub fn fingerprints(workspace: &Workspace, course: &Course) -> Result<Fingerprin
 
 /// The fingerprints of all tasks of `course`, whose stages have the files `stages`.
 pub fn of_files(course: &Course, stages: &BTreeMap<&str, Vec<SourceFile>>) -> Fingerprints {
+    let stages: BTreeMap<&str, String> = stages
+        .iter()
+        .map(|(stage, files)| (*stage, sources::fingerprint(files)))
+        .collect();
     let tasks = course.tasks().map(|task| {
-        let of_scenes = stages
+        let own = task.stage.as_str();
+        let of_scenes: Vec<&str> = stages
             .iter()
-            .filter(|(stage, _)| task.stage == **stage || INTERSECTION_STAGES.contains(stage));
-        let of_scenes = of_scenes.map(|(_, files)| sources::fingerprint(files));
+            .filter(|(stage, _)| traces_scenes_with(own, stage))
+            .map(|(_, code)| code.as_str())
+            .collect();
         let code = TaskCode {
-            stage: sources::fingerprint(&stages[task.stage.as_str()]),
-            with_scenes: of_scenes.collect::<Vec<String>>().join(" "),
+            stage: stages[own].clone(),
+            with_scenes: of_scenes.join(" "),
         };
         (task.key.clone(), code)
     });

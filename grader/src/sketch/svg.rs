@@ -230,10 +230,8 @@ impl TAxis {
         }
         // Hits first, so that a value without room is an end of the range or the origin.
         let mut words = Words::new([2.0, y + 8.0, right + left - 2.0, y + AXIS - 6.0]);
-        let hits = self.expected.iter().chain(&self.yours).copied();
-        let values = hits.chain(self.range).chain([0.0]);
         let mut written = Vec::new();
-        for value in values.filter(|value| value.is_finite()) {
+        for value in self.marked() {
             let number = short(value);
             let rows = [22.0, 39.0].map(|below| ([place(value), y + below], Anchor::Middle));
             if !written.contains(&number)

@@ -187,11 +187,16 @@ fn head(from: [f64; 2], to: [f64; 2]) -> char {
 }
 
 impl TAxis {
-    /// The finite values of the axis in increasing order, the origin among them.
-    pub(super) fn values(&self) -> Vec<f64> {
+    /// The finite values of the axis: hits, the ends of the range, the origin.
+    pub(super) fn marked(&self) -> impl Iterator<Item = f64> {
         let hits = self.expected.iter().chain(&self.yours).copied();
         let all = hits.chain(self.range).chain([0.0]);
-        let mut values: Vec<f64> = all.filter(|t| t.is_finite()).collect();
+        all.filter(|t| t.is_finite())
+    }
+
+    /// The finite values of the axis in increasing order, the origin among them.
+    fn values(&self) -> Vec<f64> {
+        let mut values: Vec<f64> = self.marked().collect();
         values.sort_by(f64::total_cmp);
         values.dedup();
         values

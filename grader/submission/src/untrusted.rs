@@ -96,12 +96,12 @@ pub fn shown(text: &str, layout: Layout) -> String {
     shown
 }
 
-/// The most marks on one letter that are shown as marks. Vietnamese and the phonetic alphabet need up
-/// to three.
+/// The most marks on one letter that are shown as marks. Vietnamese and the phonetic alphabet need
+/// up to three.
 const MOST_MARKS: usize = 4;
 
-/// Whether a character is drawn above or below the letter before it. Many of them on one letter reach
-/// over the lines around it.
+/// Whether a character is drawn above or below the letter before it. Many of them on one letter
+/// reach over the lines around it.
 fn is_stacked(c: char) -> bool {
     matches!(c,
         '\u{300}'..='\u{36f}' | '\u{483}'..='\u{489}' | '\u{591}'..='\u{5bd}' | '\u{610}'..='\u{61a}'

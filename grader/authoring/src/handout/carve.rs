@@ -14,8 +14,8 @@
 //! task is kept, the solution stays and the markers are removed. So students see no markers in
 //! either case.
 //!
-//! Files outside the stages that students hand in may be a solution from the first line to the
-//! last: `course.toml` lists them, and they have no markers.
+//! A file that students do not hand in may be a solution from its first line to its last. It has no
+//! markers: `whole_solutions` in `course.toml` lists such files.
 
 use base::GraderError;
 use std::collections::BTreeSet;
@@ -144,8 +144,8 @@ impl Carver {
         })
     }
 
-    /// Carves the file `name`, all of whose `text` is the solution of the task `key`. A marker is an
-    /// error: it contradicts the list of such files.
+    /// Carves the file `name`, all of whose `text` is the solution of the task `key`. A marker is
+    /// an error: it contradicts the list of such files.
     pub fn carve_whole(&self, name: &str, key: &str, text: String) -> Result<Carved, GraderError> {
         for (number, line) in (1..).zip(text.lines()) {
             if !matches!(read(line), Ok(Line::Code)) {

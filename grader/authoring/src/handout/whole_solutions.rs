@@ -19,7 +19,7 @@ pub(super) fn check(course: &Course, paths: &[PathBuf]) -> Result<(), GraderErro
                 "there is no such task"
             } else if !paths.iter().any(|file| file.starts_with(path)) {
                 "there is no such file"
-            } else if course.is_in_another_list(key, path) {
+            } else if is_in_another_list(course, key, path) {
                 "another task lists it, too, and one of the two would decide"
             } else if stages.iter().any(in_stage) {
                 "students hand in its stage, where solutions stand between markers"
@@ -33,6 +33,17 @@ pub(super) fn check(course: &Course, paths: &[PathBuf]) -> Result<(), GraderErro
         }
     }
     Ok(())
+}
+
+/// Whether another list than that of the task `key` has `path`, a folder that it is in, or a file in
+/// it.
+fn is_in_another_list(course: &Course, key: &str, path: &Path) -> bool {
+    let lists = course.whole_solutions.iter();
+    let mut others = lists.filter(|(other, _)| *other != key);
+    others.any(|(_, listed)| {
+        let mut listed = listed.iter();
+        listed.any(|other| other.starts_with(path) || path.starts_with(other))
+    })
 }
 
 #[cfg(test)]

@@ -1,8 +1,7 @@
 //! The legend of a task's picture.
 
 use pictures::difference::{Mark, compare};
-use pictures::sheet::GAP;
-use pictures::{Image, png};
+use pictures::{png, sheet};
 use std::collections::BTreeSet;
 
 /// What differs in the picture of `task`, of which the PNG file has the golden, yours and their
@@ -10,13 +9,7 @@ use std::collections::BTreeSet;
 pub(super) fn marks(task: &str, file: &[u8]) -> BTreeSet<Mark> {
     let comparison = judge::pictures::of(task).and_then(|picture| {
         let sheet = png::decode(file).ok()?;
-        let [w, h] = picture.size();
-        let part = |number: u32| {
-            let left = GAP + number * (w + GAP);
-            Image::from_fn([w, h], |x, y| sheet.get(left + x, GAP + y))
-        };
-        let fits = sheet.size() == [3 * w + 4 * GAP, h + 2 * GAP];
-        let [golden, yours, difference] = fits.then(|| [0, 1, 2].map(part))?;
+        let [golden, yours, difference] = sheet::parts(&sheet, picture.size())?;
         let comparison = compare(&picture, &golden, &yours);
         // Without a picture of yours, both are black.
         (comparison.difference == difference).then_some(comparison)
@@ -28,6 +21,7 @@ pub(super) fn marks(task: &str, file: &[u8]) -> BTreeSet<Mark> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use pictures::Image;
     use pictures::sheet::beside;
 
     #[test]

@@ -28,8 +28,8 @@ struct Clue {
 const MOODLE: &str = "_assignsubmission_";
 
 impl Clue {
-    /// What `entry` says. Nothing, if it can be read in two ways: students choose the names of their
-    /// files, and one may look like what another system writes, with somebody's number.
+    /// What `entry` says. Nothing, if it can be read in two ways: students choose the names of
+    /// their files, and one may look like what another system writes, with somebody's number.
     fn of(entry: &str) -> Clue {
         match [Clue::of_moodle(entry), Clue::of_canvas(entry)] {
             [Readings::None, Readings::None] => Clue {
@@ -42,46 +42,37 @@ impl Clue {
     }
 
     fn of_moodle(entry: &str) -> Readings {
-        let Some((who, _)) = entry.split_once(MOODLE) else {
-            return Readings::None;
-        };
-        match who.rsplit_once('_') {
-            Some((name, number)) if is_number(number) => match entry.matches(MOODLE).count() {
-                1 => Readings::One(Clue {
-                    number: Some(number.to_string()),
-                    name: name.to_string(),
-                    is_late: false,
-                }),
-                _ => Readings::Several,
-            },
-            _ if entry.matches(MOODLE).count() > 1 => Readings::Several,
-            _ => Readings::None,
+        let clue = entry
+            .split_once(MOODLE)
+            .and_then(|(who, _)| who.rsplit_once('_'))
+            .filter(|(_, number)| is_number(number));
+        match (entry.matches(MOODLE).count(), clue) {
+            (1, Some((name, number))) => Readings::One(Clue {
+                number: Some(number.to_string()),
+                name: name.to_string(),
+                is_late: false,
+            }),
+            (0 | 1, _) => Readings::None,
+            _ => Readings::Several,
         }
     }
 
     fn of_canvas(entry: &str) -> Readings {
-        let parts: Vec<&str> = entry.split('_').collect();
-        let late = usize::from(parts.get(1) == Some(&"LATE"));
-        let [name, rest @ ..] = parts.as_slice() else {
-            return Readings::None;
-        };
-        match &rest[late.min(rest.len())..] {
+        let mut parts: Vec<&str> = entry.split('_').collect();
+        let name = parts.remove(0);
+        let is_late = parts.first() == Some(&"LATE");
+        let numbers_and_file = &parts[usize::from(is_late)..];
+        let numbers = numbers_and_file.iter().take_while(|part| is_number(part));
+        match numbers.count() {
+            // The last part is the name of the file.
+            2 if numbers_and_file.len() > 2 => Readings::One(Clue {
+                number: Some(numbers_and_file[0].to_string()),
+                name: name.to_string(),
+                is_late,
+            }),
+            0..=2 => Readings::None,
             // The name may end in a number, or the name of the file begin with one.
-            [number, submission, third, ..]
-                if [number, submission, third]
-                    .iter()
-                    .all(|part| is_number(part)) =>
-            {
-                Readings::Several
-            }
-            [number, submission, _, ..] if is_number(number) && is_number(submission) => {
-                Readings::One(Clue {
-                    number: Some((*number).to_string()),
-                    name: (*name).to_string(),
-                    is_late: late == 1,
-                })
-            }
-            _ => Readings::None,
+            _ => Readings::Several,
         }
     }
 }
@@ -155,18 +146,18 @@ impl Join {
     /// The students' names, by those of their submissions, `entries`. Namesakes have the name of
     /// their submission after their own.
     pub fn owners(&self, roster: &Roster, entries: &[&str]) -> BTreeMap<String, Untrusted> {
-        let has_namesake = |name: &str| {
-            let same = |student: &&Student| plain(student.name.raw()) == plain(name);
-            roster.students.iter().filter(same).count() > 1
-        };
+        let mut namesakes: BTreeMap<String, usize> = BTreeMap::new();
+        for student in &roster.students {
+            *namesakes.entry(plain(student.name.raw())).or_default() += 1;
+        }
         let students = roster.students.iter().zip(&self.submissions);
         students
             .filter(|(student, _)| !student.name.is_empty())
             .filter_map(|(student, entry)| {
                 let entry = entries[(*entry)?];
-                let name = match has_namesake(student.name.raw()) {
-                    true => format!("{} ({entry})", student.name.raw()).into(),
-                    false => student.name.clone(),
+                let name = match namesakes[&plain(student.name.raw())] {
+                    1 => student.name.clone(),
+                    _ => format!("{} ({entry})", student.name.raw()).into(),
                 };
                 Some((entry.to_string(), name))
             })

@@ -201,11 +201,8 @@ fn simplest(out: &mut Lines, task: &TaskResult, call: &SimplestCall) {
     if let Some(finding) = findings.find(|finding| Some(finding.aspect) == call.aspect) {
         wrong_calls(out, &call.case, finding);
     }
-    out.add(
-        0,
-        RESULT,
-        &format!("  Simplest such call: {}", message::input(call)),
-    );
+    let input = message::input(call);
+    out.add(0, RESULT, &format!("  Simplest such call: {input}"));
     out.add(0, RESULT, &format!("    {}", message::found(call)));
     if let Some(only) = &call.only {
         out.add(1, NAMES, &format!("    ({only})"));

@@ -9,13 +9,12 @@ pub(super) fn input(paths: &[ScriptedPath], call: usize) -> Option<String> {
     let path = paths.get(call)?;
     let depth = format!("max_depth = {}", path.max_depth);
     let around = background(path);
-    let surfaces = few(path.steps.iter().map(surface), "; ");
-    let what = match surfaces {
-        Some(surfaces) if !surfaces.is_empty() => format!("{depth}; {around}; hits {surfaces}"),
-        Some(_) => format!("{depth}; {around}; hits nothing"),
-        None => format!("{depth}; {around}"),
+    let hits = match few(path.steps.iter().map(surface), "; ") {
+        Some(surfaces) if !surfaces.is_empty() => format!("; hits {surfaces}"),
+        Some(_) => "; hits nothing".into(),
+        None => String::new(),
     };
-    Some(ray_and(&path.ray, &what))
+    Some(ray_and(&path.ray, &format!("{depth}; {around}{hits}")))
 }
 
 /// What rays see that miss.

@@ -5,10 +5,11 @@
 //! signature is compared with all of them.
 
 pub(crate) mod fresh_cases;
+mod several;
 pub mod simplest;
 
 use crate::score::{CaseResult, Status};
-use crate::signature::{Agreement, Alone, Signature, stored};
+use crate::signature::{Agreement, Signature, stored};
 use base::{GraderError, Workspace, write_whole};
 use judge::tally::Aspect;
 use serde::Serialize;
@@ -101,28 +102,6 @@ const EXTRA_CREDIT: &str = "this is extra credit, which correct textbook code lo
 
 /// From this likeness on, the report says that the answers look like those of the mistake.
 const LIKELY: f64 = 0.7;
-
-/// Two mistakes together must explain this share of the wrong values.
-const TOGETHER: f64 = 0.8;
-
-/// Of the wrong values that the first of two mistakes leaves, the second must explain this share.
-const OF_THE_REST: f64 = 0.8;
-
-/// Two mistakes together may leave at most this fraction of what the likeliest single mistake
-/// leaves unexplained.
-const LEFT: f64 = 0.5;
-
-/// A mistake is one of two only if the student also gets wrong this share of what it alone gets
-/// wrong.
-const MADE: f64 = 0.75;
-
-/// Only mistakes are combined to pairs of which at least this fraction of the wrong answers are
-/// also the student's.
-const CANDIDATE: f64 = 0.2;
-
-/// At most this many mistakes are combined to pairs, those that explain the most: every pair takes
-/// a millisecond.
-const MOST_CANDIDATES: usize = 32;
 
 /// The known mistakes of a task; none if nothing is stored for it.
 pub fn known(workspace: &Workspace, task: &str) -> Result<Vec<Known>, GraderError> {
@@ -224,12 +203,15 @@ pub fn diagnose(known: &[Known], student: &Signature) -> Option<Diagnosis> {
     let likeness = likeliest.agreement.likeness();
     if likeness < SURE
         && student.has_core_faults()
-        && let Some(pair) = two_at_once(&ranked, student, likeness)
+        && let Some(pair) = several::two_at_once(&ranked, student, likeness)
     {
         return Some(pair);
     }
     let best = match likeness < LIKELY {
-        true => alone_of_its_kind(&ranked, student)?,
+        true => match alone_of_its_kind(&ranked, student) {
+            Some(alone) => alone,
+            None => return several::one_of_several(&ranked, student),
+        },
         false => likeliest,
     };
     let Named {
@@ -403,91 +385,6 @@ fn guesses<'a>(best: &Ranked, twins: impl Iterator<Item = &'a Ranked<'a>>) -> Op
         }
     }
     (guesses <= MOST_GUESSES).then_some(named)
-}
-
-/// Two mistakes that together explain what neither explains alone: one leaves a rest that the other
-/// explains.
-fn two_at_once(ranked: &[Ranked], student: &Signature, alone: f64) -> Option<Diagnosis> {
-    let is_candidate = |one: &&Ranked| {
-        let shares = one.agreement.equal as f64 >= CANDIDATE * one.agreement.second as f64;
-        one.known.mistakes.len() == 1 && one.agreement.equal > 0 && shares
-    };
-    let mut candidates: Vec<Ranked> = ranked.iter().filter(is_candidate).copied().collect();
-    candidates.sort_by_key(|one| std::cmp::Reverse(one.agreement.equal));
-    candidates.truncate(MOST_CANDIDATES);
-    let pairs = candidates.iter().enumerate().flat_map(|(i, first)| {
-        // The one that explains more comes first.
-        let others = candidates[i + 1..].iter();
-        others.map(move |second| (first, second))
-    });
-    let wrong = student.wrong();
-    let (first, second, together) = pairs
-        .filter(|(first, second)| !is_same(first, second) || is_in_two_functions(first, second))
-        .map(|(first, second)| {
-            let [one, other] = [first, second].map(|one| &one.known.signature);
-            (first, second, student.agreement_with_both(one, other))
-        })
-        .filter(|(first, _, together)| {
-            let is_made = |alone: &Alone| {
-                alone.shown >= FEWEST_CALLS && alone.shown as f64 >= MADE * alone.of as f64
-            };
-            let rest = wrong - first.agreement.equal;
-            let of_rest = together.equal - first.agreement.equal;
-            together.alone.iter().all(is_made) && of_rest as f64 >= OF_THE_REST * rest as f64
-        })
-        .max_by(|a, b| {
-            let likeness = a.2.likeness().total_cmp(&b.2.likeness());
-            // One mistake, made twice, needs fewer assumptions than two.
-            likeness.then(is_same(a.0, a.1).cmp(&is_same(b.0, b.1)))
-        })?;
-    let likeness = together.likeness();
-    let explains = likeness >= TOGETHER && 1.0 - likeness <= LEFT * (1.0 - alone);
-    if !explains || likeness <= alone {
-        return None;
-    }
-    let by_first = first.agreement.equal;
-    let by_second = together.equal - by_first;
-    let second_explains = match together.equal == wrong {
-        true => format!("the other {by_second}"),
-        false => format!("{by_second} more"),
-    };
-    let is_one_mistake = is_same(first, second);
-    let [mut first, second] = [with_twins(ranked, first)?, with_twins(ranked, second)?];
-    let (preface, description) = match is_one_mistake {
-        true => ("", format!("{}, in two functions", first.says)),
-        false => (
-            "two mistakes at once: ",
-            format!("{}, and that {}", first.says, second.says),
-        ),
-    };
-    if !is_one_mistake {
-        first.mistakes.extend(second.mistakes);
-        first.others.push_str(&second.others);
-        first.hint = format!("{} {}", first.hint, second.hint);
-    }
-    Some(Diagnosis {
-        mistakes: first.mistakes,
-        says: format!(
-            "{preface}your answers look like those of code that {description}: the first explains {by_first} of {wrong} wrong values, the second {second_explains}{}",
-            first.others,
-        ),
-        description,
-        hint: first.hint,
-        equal: together.equal,
-        of: together.either,
-        certainty: Certainty::of(likeness, student),
-    })
-}
-
-/// Whether two versions make the same mistake.
-fn is_same(first: &Ranked, second: &Ranked) -> bool {
-    first.known.mistakes == second.known.mistakes
-}
-
-/// Whether two versions make their mistakes in different functions.
-fn is_in_two_functions(first: &Ranked, second: &Ranked) -> bool {
-    let [first, second] = [first, second].map(|one| one.known.signature.functions());
-    !first.is_empty() && !second.is_empty() && first.is_disjoint(&second)
 }
 
 #[cfg(test)]
@@ -681,7 +578,12 @@ mod tests {
         assert_eq!(certainty("6*a"), Some(Certainty::Likely));
         assert_eq!(certainty("1*a 5*b"), Some(Certainty::Likely));
         assert_eq!(certainty("6*b"), Some(Certainty::Perhaps));
-        assert_eq!(certainty("400*b"), None);
+        let several = is_named("400*b").expect("500 values agree");
+        assert!(
+            several.says.starts_with("several mistakes"),
+            "{}",
+            several.says
+        );
     }
 
     #[test]

@@ -230,6 +230,9 @@ fn contradict_diagnosis(diagnosis: &Diagnosis, answers: &Signature) -> Option<St
     if says.starts_with("your answers equal") && equal < of {
         return Some("some are not equal".into());
     }
+    if says.starts_with("several mistakes") && *of != answers.wrong() {
+        return Some(format!("{} values are wrong", answers.wrong()));
+    }
     let guesses = 1 + says.matches("another guess").count();
     if guesses > 3 && !says.starts_with("two mistakes") {
         return Some(format!("{guesses} guesses"));

@@ -4,6 +4,33 @@ use super::{Cases, Signature, SignatureKey};
 use std::collections::BTreeSet;
 
 impl Signature {
+    /// How many of the values that `mistake` makes wrong are here wrong in the same way. Left out are
+    /// values that a crash or a wrong hit or miss hides here, and hits and misses themselves: a miss
+    /// is the same whatever causes it.
+    pub fn shows(&self, mistake: &Signature) -> Alone {
+        let [mine, theirs] = match self.core.is_empty() {
+            true => [&self.robust, &mistake.robust],
+            false => [&self.core, &mistake.core],
+        };
+        let mut shows = Alone::default();
+        let is_decision = |key: &SignatureKey| {
+            let place = key.side.place();
+            place.is_some_and(|(aspect, _)| aspect.is_decision())
+        };
+        for (key, codes) in theirs.iter().filter(|(key, _)| !is_decision(key)) {
+            let mine_here = mine.get(key).map_or(&[][..], |codes| &codes.0);
+            let hidden = Hiding::of(mine, key);
+            for (call, code) in codes.0.iter().enumerate() {
+                let here = mine_here.get(call).copied().unwrap_or(0);
+                if *code != 0 && !(here == 0 && hidden.at(call)) {
+                    shows.of += 1;
+                    shows.shown += usize::from(here == *code);
+                }
+            }
+        }
+        shows
+    }
+
     /// How this signature agrees with that of code that makes two mistakes, `first` and `second`.
     /// If both make the same value wrong, it may be wrong in either way. If one of them causes a
     /// crash or a wrong hit or miss, the values that the other makes wrong there need not be wrong.

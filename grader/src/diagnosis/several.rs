@@ -1,0 +1,206 @@
+//! Diagnoses of code that makes several mistakes at once.
+
+use super::{Certainty, Diagnosis, FEWEST_CALLS, Named, Ranked, with_twins};
+use crate::signature::{Alone, Signature};
+
+/// Two mistakes together must explain this share of the wrong values.
+const TOGETHER: f64 = 0.8;
+
+/// Of the wrong values that the first of two mistakes leaves, the second must explain this share.
+const OF_THE_REST: f64 = 0.8;
+
+/// Two mistakes together may leave at most this fraction of what the likeliest single mistake
+/// leaves unexplained.
+const LEFT: f64 = 0.5;
+
+/// A mistake is one of two only if the student also gets wrong this share of what it alone gets
+/// wrong.
+const MADE: f64 = 0.75;
+
+/// Only mistakes are combined to pairs of which at least this fraction of the wrong answers are
+/// also the student's.
+const CANDIDATE: f64 = 0.2;
+
+/// At most this many mistakes are combined to pairs, those that explain the most: every pair takes
+/// a millisecond.
+const MOST_CANDIDATES: usize = 32;
+
+/// One of several mistakes shows in at least so many wrong values, in this share of all that it
+/// makes wrong, and in this share of all that are wrong.
+const FEWEST_OF_SEVERAL: usize = 5;
+const SHOWN_OF_SEVERAL: f64 = 0.9;
+const SHARE_OF_SEVERAL: f64 = 0.3;
+
+/// Two mistakes that together explain what neither explains alone: one leaves a rest that the other
+/// explains.
+pub(super) fn two_at_once(ranked: &[Ranked], student: &Signature, alone: f64) -> Option<Diagnosis> {
+    let is_candidate = |one: &&Ranked| {
+        let shares = one.agreement.equal as f64 >= CANDIDATE * one.agreement.second as f64;
+        one.known.mistakes.len() == 1 && one.agreement.equal > 0 && shares
+    };
+    let mut candidates: Vec<Ranked> = ranked.iter().filter(is_candidate).copied().collect();
+    candidates.sort_by_key(|one| std::cmp::Reverse(one.agreement.equal));
+    candidates.truncate(MOST_CANDIDATES);
+    let pairs = candidates.iter().enumerate().flat_map(|(i, first)| {
+        // The one that explains more comes first.
+        let others = candidates[i + 1..].iter();
+        others.map(move |second| (first, second))
+    });
+    let wrong = student.wrong();
+    let (first, second, together) = pairs
+        .filter(|(first, second)| !is_same(first, second) || is_in_two_functions(first, second))
+        .map(|(first, second)| {
+            let [one, other] = [first, second].map(|one| &one.known.signature);
+            (first, second, student.agreement_with_both(one, other))
+        })
+        .filter(|(first, _, together)| {
+            let is_made = |alone: &Alone| {
+                alone.shown >= FEWEST_CALLS && alone.shown as f64 >= MADE * alone.of as f64
+            };
+            let rest = wrong - first.agreement.equal;
+            let of_rest = together.equal - first.agreement.equal;
+            together.alone.iter().all(is_made) && of_rest as f64 >= OF_THE_REST * rest as f64
+        })
+        .max_by(|a, b| {
+            let likeness = a.2.likeness().total_cmp(&b.2.likeness());
+            // One mistake, made twice, needs fewer assumptions than two.
+            likeness.then(is_same(a.0, a.1).cmp(&is_same(b.0, b.1)))
+        })?;
+    let likeness = together.likeness();
+    let explains = likeness >= TOGETHER && 1.0 - likeness <= LEFT * (1.0 - alone);
+    if !explains || likeness <= alone {
+        return None;
+    }
+    let by_first = first.agreement.equal;
+    let by_second = together.equal - by_first;
+    let second_explains = match together.equal == wrong {
+        true => format!("the other {by_second}"),
+        false => format!("{by_second} more"),
+    };
+    let is_one_mistake = is_same(first, second);
+    let [mut first, second] = [with_twins(ranked, first)?, with_twins(ranked, second)?];
+    let (preface, description) = match is_one_mistake {
+        true => ("", format!("{}, in two functions", first.says)),
+        false => (
+            "two mistakes at once: ",
+            format!("{}, and that {}", first.says, second.says),
+        ),
+    };
+    if !is_one_mistake {
+        first.mistakes.extend(second.mistakes);
+        first.others.push_str(&second.others);
+        first.hint = format!("{} {}", first.hint, second.hint);
+    }
+    Some(Diagnosis {
+        mistakes: first.mistakes,
+        says: format!(
+            "{preface}your answers look like those of code that {description}: the first explains {by_first} of {wrong} wrong values, the second {second_explains}{}",
+            first.others,
+        ),
+        description,
+        hint: first.hint,
+        equal: together.equal,
+        of: together.either,
+        certainty: Certainty::of(likeness, student),
+    })
+}
+
+/// One of several mistakes: the wrong values of code that makes it are also the student's, and wrong
+/// in the same way, but the student has others, for which no name is known.
+pub(super) fn one_of_several(ranked: &[Ranked], student: &Signature) -> Option<Diagnosis> {
+    if !student.has_core_faults() {
+        return None;
+    }
+    let wrong = student.wrong();
+    let shown = |one: &Ranked| student.shows(&one.known.signature);
+    let is_one = |one: &&Ranked| {
+        let Alone { of, shown } = shown(one);
+        one.known.mistakes.len() == 1
+            && shown >= FEWEST_OF_SEVERAL
+            && shown as f64 >= SHOWN_OF_SEVERAL * of as f64
+            && shown as f64 >= SHARE_OF_SEVERAL * wrong as f64
+    };
+    let best = ranked
+        .iter()
+        .filter(is_one)
+        .max_by_key(|one| (shown(one).shown, std::cmp::Reverse(shown(one).of)))?;
+    let Named {
+        mistakes,
+        says,
+        others,
+        hint,
+    } = with_twins(ranked, best)?;
+    let equal = shown(best).shown;
+    Some(Diagnosis {
+        mistakes,
+        says: format!(
+            "several mistakes at once: {equal} of {wrong} wrong values equal those of code that {says}{others}; the cause of the other {} has no name",
+            wrong - equal
+        ),
+        description: says,
+        hint,
+        equal,
+        of: wrong,
+        certainty: Certainty::Perhaps,
+    })
+}
+
+/// Whether two versions make the same mistake.
+fn is_same(first: &Ranked, second: &Ranked) -> bool {
+    first.known.mistakes == second.known.mistakes
+}
+
+/// Whether two versions make their mistakes in different functions.
+fn is_in_two_functions(first: &Ranked, second: &Ranked) -> bool {
+    let [first, second] = [first, second].map(|one| one.known.signature.functions());
+    !first.is_empty() && !second.is_empty() && first.is_disjoint(&second)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::diagnosis::{Diagnosis, Known, diagnose};
+    use crate::signature::tests::signature;
+
+    /// What is said of a student's wrong values where one mistake is known.
+    fn diagnosis(mistake: &[(&str, &str)], student: &[(&str, &str)]) -> Option<Diagnosis> {
+        let known = Known {
+            mistakes: vec!["this".into()],
+            descriptions: vec!["does this".into()],
+            hints: vec!["Not this.".into()],
+            signature: signature(mistake),
+            is_symptom: false,
+        };
+        diagnose(&[known], &signature(student))
+    }
+
+    #[test]
+    fn a_mistake_is_one_of_several_if_all_that_it_makes_wrong_is_wrong_in_the_same_way() {
+        let [pdf, f] = ["case pdf", "case bsdf"];
+        let known = [(pdf, "10*a")];
+        let one = diagnosis(&known, &[(pdf, "10*a"), (f, "20*b")]).expect("it is one of several");
+        assert_eq!(
+            one.says,
+            "several mistakes at once: 10 of 30 wrong values equal those of code that does this; \
+             the cause of the other 20 has no name"
+        );
+        assert!(!one.is_likely());
+        let others = [
+            [(pdf, "8*a 2*c"), (f, "20*b")],
+            [(pdf, "10*a"), (f, "30*b")],
+        ];
+        assert_eq!(
+            others.map(|student| diagnosis(&known, &student)),
+            [None, None]
+        );
+        assert_eq!(
+            diagnosis(&[(pdf, "4*a")], &[(pdf, "4*a"), (f, "9*b")]),
+            None
+        );
+    }
+
+    #[test]
+    fn a_miss_is_no_evidence_of_one_of_several_mistakes() {
+        let miss = ("case decision", "10*a");
+        assert_eq!(diagnosis(&[miss], &[miss, ("case t", "10 20*b")]), None);
+    }
+}

@@ -33,7 +33,8 @@ impl Signature {
 
     /// How this signature agrees with that of code that makes two mistakes, `first` and `second`.
     /// If both make the same value wrong, it may be wrong in either way. If one of them causes a
-    /// crash or a wrong hit or miss, the values that the other makes wrong there need not be wrong.
+    /// crash or a wrong hit or miss, other values need not be wrong there: a false hit changes the
+    /// ray, but not if the other mistake is that hits change no ray.
     pub fn agreement_with_both(&self, first: &Signature, second: &Signature) -> Together {
         let mut together = Together::default();
         let of_tier = [self, first, second].map(|signature| match self.core.is_empty() {
@@ -46,15 +47,14 @@ impl Signature {
                 let codes = cases.get(key);
                 codes.map_or(&[][..], |codes| &codes.0)
             });
-            let hidden_by = [of_tier[2], of_tier[1]].map(|cases| Hiding::of(cases, key));
+            let hiding = [of_tier[1], of_tier[2]].map(|cases| Hiding::of(cases, key));
+            let is_hidden = |call| hiding.iter().any(|hiding| hiding.at(call));
             for call in 0..student.len().max(one.len()).max(other.len()) {
                 let at = |codes: &[u16]| codes.get(call).copied().unwrap_or(0);
                 let expected = [at(one), at(other)];
                 let actual = at(student);
                 for i in [0, 1] {
-                    if expected[i] != 0
-                        && expected[1 - i] == 0
-                        && !(actual == 0 && hidden_by[i].at(call))
+                    if expected[i] != 0 && expected[1 - i] == 0 && !(actual == 0 && is_hidden(call))
                     {
                         together.alone[i].of += 1;
                         together.alone[i].shown += usize::from(actual == expected[i]);
@@ -64,8 +64,7 @@ impl Signature {
                 together.equal += usize::from(actual != 0 && explained);
                 together.either += usize::from(match (actual, expected) {
                     (0, [0, 0]) => false,
-                    (0, [_, 0]) => !hidden_by[0].at(call),
-                    (0, [0, _]) => !hidden_by[1].at(call),
+                    (0, [_, 0] | [0, _]) => !is_hidden(call),
                     // If the two make the value wrong in different ways, together they may make it
                     // wrong in a third way: such a value is not counted.
                     (_, [a, b]) => actual == 0 || explained || a == b || a == 0 || b == 0,
@@ -147,6 +146,17 @@ mod tests {
         let not_made = of("1 2*a 1*b").agreement_with_both(&first, &second);
         assert_eq!(not_made.alone[1], alone(0, 2));
         assert!(not_made.likeness() < 1.0);
+    }
+
+    #[test]
+    fn a_false_hit_need_not_change_the_ray_if_hits_change_no_ray() {
+        let false_hit = ("case decision", "4 2*e");
+        let ray_after = |codes| ("case ray_after", codes);
+        let unchanged = signature(&[ray_after("4*a")]);
+        let outside = signature(&[false_hit, ray_after("4 2*b")]);
+        let both = signature(&[false_hit, ray_after("4*a")]);
+        let together = both.agreement_with_both(&unchanged, &outside);
+        assert_eq!((together.equal, together.either), (6, 6));
     }
 
     #[test]

@@ -34,8 +34,11 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         pixel(
             "samples_and_mean",
             "A stopping rule that always returns false: all -s samples are taken, each with one \
-             call of camera_ray and trace_ray, and averaged over their number.",
-            (0..6).map(|i| of(i, 9 + 7 * i, 4, never())).collect(),
+             call of camera_ray and trace_ray, and averaged over their number, black ones, too.",
+            (0..6)
+                .map(|i| of(i, 9 + 7 * i, 4, never()))
+                .chain((6..9).map(|i| with_black(of(i, 9 + 7 * i, 4, never()))))
+                .collect(),
         )
         .only(&[Calls, Radiance]),
         pixel(
@@ -71,13 +74,11 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         .only(&[Calls, Radiance]),
         pixel(
             "luminance",
-            "The stopping rule gets luminances, in which green has the largest weight, and the \
-             tolerance unchanged.",
+            "The stopping rule gets luminances, in which green has the largest weight, those of black \
+             samples, too, and the tolerance unchanged.",
             (0..6)
-                .map(|i| AdaptivePixel {
-                    stream: colours("luminance", i),
-                    ..of(i, 24, 8, never())
-                })
+                .map(in_colours)
+                .chain((6..9).map(|i| with_black(in_colours(i))))
                 .collect(),
         )
         .only(&[Questions]),
@@ -178,6 +179,24 @@ fn of(i: u32, ns_aa: u32, batch: u32, rule: StopRule) -> AdaptivePixel {
         seed: 0,
         stream: colours("stream", i),
         rule,
+    }
+}
+
+/// A pixel whose rule never stops.
+fn in_colours(i: u32) -> AdaptivePixel {
+    AdaptivePixel {
+        stream: colours("luminance", i),
+        ..of(i, 24, 8, never())
+    }
+}
+
+/// The pixel with every third sample black.
+fn with_black(pixel: AdaptivePixel) -> AdaptivePixel {
+    let each = pixel.stream.iter().zip(1..);
+    let stream = each.map(|(colour, i)| if i % 3 == 0 { [0.0; 3] } else { *colour });
+    AdaptivePixel {
+        stream: stream.collect(),
+        ..pixel
     }
 }
 

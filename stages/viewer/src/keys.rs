@@ -494,10 +494,14 @@ fn arrows() -> impl Iterator<Item = Binding> {
         })
 }
 
-/// Other keys that mean the same as a key of the list.
+/// The key of the list that a pressed key stands for. With Shift the window gets some keys by the
+/// sign that they write.
 pub fn canonical(key: Key) -> Key {
     match key {
         Key::Plus => Key::Equals,
+        Key::Exclamationmark => Key::Num1,
+        Key::OpenCurlyBracket => Key::OpenBracket,
+        Key::CloseCurlyBracket => Key::CloseBracket,
         other => other,
     }
 }

@@ -15,10 +15,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ViewStyle {
     /// The colours of the materials, lit from the camera.
-    Materials {
-        /// Whether the edges of triangles are drawn.
-        edges: bool,
-    },
+    Materials,
     /// The primitives below a node of the tree: one colour for each child.
     Node(u32),
 }
@@ -32,6 +29,8 @@ pub struct ViewRequest {
     pub size: (u32, u32),
     /// The look of surfaces.
     pub style: ViewStyle,
+    /// Whether the edges of triangles are drawn.
+    pub edges: bool,
     /// The plane that cuts it open.
     pub cut: Option<Cut>,
 }
@@ -164,7 +163,7 @@ pub const RIGHT_COLOR: Spectrum = Spectrum::new(0.8, 0.8, 1.0);
 impl<'a> Surfaces<'a> {
     fn new(data: &'a SceneData, request: &ViewRequest, size: (u32, u32)) -> Surfaces<'a> {
         let node = match request.style {
-            ViewStyle::Materials { .. } => None,
+            ViewStyle::Materials => None,
             ViewStyle::Node(node) => data.bvh().map(|tree| {
                 let mut color_of = vec![LEFT_COLOR; data.scene().len()];
                 for prim in tree_walk::right_primitives(tree, node) {
@@ -180,10 +179,7 @@ impl<'a> Surfaces<'a> {
             data,
             camera: request.camera,
             node,
-            edges: match request.style {
-                ViewStyle::Materials { edges } => edges,
-                ViewStyle::Node(_) => true,
-            },
+            edges: request.edges,
             cut: request.cut,
             projection: Projection::new(&request.camera),
             size: Vec2::new(f64::from(size.0), f64::from(size.1)),

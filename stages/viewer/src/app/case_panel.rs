@@ -12,7 +12,7 @@ use crate::digits;
 use crate::orbit::Orbit;
 use crate::report::{CasePart, CaseView, OpenCase};
 use crate::session::Session;
-use egui::{Align2, Color32, FontId, PointerButton, Rect, Response, Sense, Ui};
+use egui::{Align2, Color32, FontId, PointerButton, Rect, Response, Role, Sense, Ui, WidgetInfo};
 use kit::{FilmSize, Scene, Vec2};
 use scenes::placement::{for_film, frame};
 
@@ -48,6 +48,7 @@ impl CasePanel {
         let (above, rect) = rect.split_top_bottom_at_y(rect.top() + TABS);
         tabs(ui, above, opened, part, commands);
         let response = ui.interact(rect, ui.scope_id().with("case"), Sense::click_and_drag());
+        response.widget_info(|| WidgetInfo::labeled(Role::Image, true, "case of the report"));
         match part {
             CasePart::View => view(ui, rect, &response, opened),
             _ => self.pictures(ui, rect, &response, opened, part),
@@ -145,16 +146,26 @@ fn view(ui: &mut Ui, rect: Rect, response: &Response, opened: &mut OpenCase) {
         let font = FontId::proportional(14.0);
         let galley = painter.layout(text, font, color, rect.width() - 20.0);
         let area = Align2::LEFT_BOTTOM.anchor_size(at, galley.size());
-        let shade = colors::backdrop(ui).gamma_multiply(0.85);
-        painter.rect_filled(area.expand(4.0), 3.0, shade);
+        shade(ui, &painter, area.expand(4.0));
         painter.galley(area.min, galley, color);
     }
 }
 
+/// Makes what is drawn so far dim, so that text over it has contrast.
+fn shade(ui: &Ui, painter: &egui::Painter, area: Rect) {
+    painter.rect_filled(area, 3.0, colors::backdrop(ui).gamma_multiply(0.85));
+}
+
 fn legend(ui: &Ui, painter: &egui::Painter, rect: Rect, view: &CaseView) {
+    let text_color = ui.visuals().text_color();
     let lines = case_lines::legend(view, colors::palette(ui));
     for (i, (sample, color, text)) in lines.into_iter().enumerate() {
         let at = rect.min + egui::vec2(22.0, 18.0 + 18.0 * i as f32);
+        let font = FontId::proportional(13.0);
+        let galley = painter.layout_no_wrap(text.to_owned(), font, text_color);
+        let name = Align2::LEFT_CENTER.anchor_size(at + egui::vec2(20.0, 0.0), galley.size());
+        let sign = Rect::from_center_size(at, egui::vec2(26.0, 18.0));
+        shade(ui, painter, sign.union(name).expand2(egui::vec2(4.0, 0.0)));
         match sample {
             Sample::Dot => {
                 painter.circle_filled(at, 4.0, color);
@@ -165,10 +176,7 @@ fn legend(ui: &Ui, painter: &egui::Painter, rect: Rect, view: &CaseView) {
                 lines::sample(painter, at, egui::Stroke::new(2.5, color), pattern);
             }
         }
-        let at = at + egui::vec2(20.0, 0.0);
-        let font = FontId::proportional(13.0);
-        let color = ui.visuals().text_color();
-        painter.text(at, Align2::LEFT_CENTER, text, font, color);
+        painter.galley(name.min, galley, text_color);
     }
 }
 

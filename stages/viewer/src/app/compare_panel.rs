@@ -79,8 +79,8 @@ fn choose(ui: &mut Ui, session: &mut Session) {
     };
     egui::Grid::new("pair").num_columns(2).show(ui, |ui| {
         let wide = ui.available_width() - 40.0;
-        ui.label(RichText::new("A").strong());
-        ComboBox::from_id_salt("first")
+        let label = ui.label(RichText::new("A").strong()).id;
+        let first = ComboBox::from_id_salt("first")
             .width(wide)
             .truncate()
             .selected_text(name(comparison.first))
@@ -92,9 +92,10 @@ fn choose(ui: &mut Ui, session: &mut Session) {
                     ui.selectable_value(&mut comparison.first, Some(i), name(Some(i)));
                 }
             });
+        first.response.labelled_by(label);
         ui.end_row();
-        ui.label(RichText::new("B").strong());
-        ComboBox::from_id_salt("second")
+        let label = ui.label(RichText::new("B").strong()).id;
+        let second = ComboBox::from_id_salt("second")
             .width(wide)
             .truncate()
             .selected_text(name(Some(comparison.second)))
@@ -103,6 +104,7 @@ fn choose(ui: &mut Ui, session: &mut Session) {
                     ui.selectable_value(&mut comparison.second, i, name(Some(i)));
                 }
             });
+        second.response.labelled_by(label);
         ui.end_row();
     });
 }

@@ -1,7 +1,7 @@
 //! The line between the picture and the 3D view, which the mouse drags.
 
 use super::colors;
-use egui::{CursorIcon, Rect, Sense, Ui, Vec2};
+use egui::{CursorIcon, Rect, Role, Sense, Ui, Vec2, WidgetInfo};
 
 /// The width of the line, in points.
 const WIDTH: f32 = 6.0;
@@ -37,6 +37,7 @@ impl Divider {
             false => line = line.translate(Vec2::new(0.0, at - line.center().y)),
         }
         let response = ui.interact(line, ui.scope_id().with("divider"), Sense::drag());
+        response.widget_info(|| WidgetInfo::labeled(Role::Splitter, true, "divider"));
         let (delta, icon) = match is_wide {
             true => (
                 response.drag_delta().x / rect.width(),

@@ -9,7 +9,8 @@ use crate::command::Command;
 use crate::luminance;
 use crate::session::Session;
 use egui::{
-    Align2, Color32, FontId, Pos2, Rect, Response, Sense, Stroke, TextureHandle, TextureOptions, Ui,
+    Align2, Color32, FontId, Pos2, Rect, Response, Role, Sense, Stroke, TextureHandle,
+    TextureOptions, Ui, WidgetInfo,
 };
 use kit::film::Cell;
 use kit::{Film, FilmSize, Spectrum};
@@ -52,6 +53,7 @@ impl PicturePanel {
         place.set_clip_rect(rect.intersect(ui.clip_rect()));
         let ui = &mut place;
         let response = ui.interact(rect, ui.scope_id().with("picture"), Sense::click_and_drag());
+        response.widget_info(|| WidgetInfo::labeled(Role::Image, true, "picture"));
         if self.compare(ui, rect, &response, session) {
             return self.zoom_button(ui, rect);
         }

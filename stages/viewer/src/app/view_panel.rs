@@ -6,8 +6,8 @@ use crate::project::Projection;
 use crate::session::{Mode, Session};
 use crate::topology::Element;
 use egui::{
-    Align2, Color32, ColorImage, FontId, PointerButton, Pos2, Rect, RichText, ScrollArea, Sense,
-    TextureHandle, TextureOptions, Ui,
+    Align2, Color32, ColorImage, FontId, PointerButton, Pos2, Rect, RichText, Role, ScrollArea,
+    Sense, TextureHandle, TextureOptions, Ui, WidgetInfo,
 };
 use kit::Vec2;
 
@@ -55,6 +55,7 @@ impl ViewPanel {
 
     fn mouse(&mut self, ui: &mut Ui, rect: Rect, session: &mut Session) {
         let response = ui.interact(rect, ui.scope_id().with("view"), Sense::click_and_drag());
+        response.widget_info(|| WidgetInfo::labeled(Role::Image, true, "view of the scene"));
         let film = |at: Pos2| {
             Vec2::new(
                 f64::from((at.x - rect.left()) / rect.width()),

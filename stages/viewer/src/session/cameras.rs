@@ -45,8 +45,9 @@ impl Session {
                 Mode::Bvh if self.scene.as_ref()?.bvh().is_some() => {
                     ViewStyle::Node(self.walk.node())
                 }
-                _ => ViewStyle::Materials { edges: self.edges },
+                _ => ViewStyle::Materials,
             },
+            edges: self.edges,
             cut: self.cut,
         })
     }

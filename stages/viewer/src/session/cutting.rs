@@ -18,8 +18,11 @@ impl Session {
     /// Cuts across the next axis, or no longer.
     pub(super) fn next_cut(&mut self) {
         let next = self.cut.map_or(0, |cut| cut.axis + 1);
-        let (Some(scene), Some(orbit)) = (&self.scene, self.view_orbit()) else {
+        let Some(scene) = &self.scene else {
             return self.say("There is no scene to cut: open one first");
+        };
+        let Some(orbit) = self.view_orbit() else {
+            return self.say("A picture is not cut: click a pixel to see the scene beside it");
         };
         let camera = orbit.camera().pos;
         let is_axis = next < Cut::AXES.len();

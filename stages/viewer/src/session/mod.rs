@@ -218,7 +218,13 @@ impl Session {
     /// Executes a command. What it cannot do is said in [`Session::message`].
     pub fn apply(&mut self, command: Command) {
         match command {
-            Command::Mode(mode) => self.mode = mode,
+            Command::Mode(mode) => {
+                // What was said of another mode is not true here: "Selected vertex 7".
+                if self.mode != mode {
+                    self.say("");
+                }
+                self.mode = mode;
+            }
             Command::Render => self.start_render(),
             Command::Orbit(by) => self.with_camera(|orbit| {
                 orbit.rotate(

@@ -22,6 +22,23 @@ fn number_keys_select_vertices_edges_and_faces() {
     window.press(Key::Num3);
     assert_eq!(window.session().selection(), Some(Element::Face(0)));
     assert!(window.session().message().starts_with("Selected face 0"));
+    window.press(Key::V);
+    assert_eq!(window.session().message(), "", "nothing is selected here");
+}
+
+/// On many keyboards Shift and 1 write "!", which is the key that the window gets then.
+#[test]
+fn keys_that_arrive_as_the_sign_they_write_with_shift_work() {
+    let mut window = Window::open("-r 40 30 -s 4", "cornell_whale.dae");
+    window.press(Key::Num1);
+    window.press(Key::Num1);
+    window.press_with(Modifiers::SHIFT, Key::Exclamationmark);
+    assert_eq!(window.session().selection(), Some(Element::Vertex(0)));
+    let samples = |window: &mut Window| window.session().settings().map(|of| of.samples);
+    window.press_with(Modifiers::SHIFT, Key::CloseCurlyBracket);
+    assert_eq!(samples(&mut window), Some(8));
+    window.press_with(Modifiers::SHIFT, Key::OpenCurlyBracket);
+    assert_eq!(samples(&mut window), Some(4));
 }
 
 #[test]

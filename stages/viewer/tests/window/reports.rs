@@ -105,7 +105,7 @@ fn failing_cases_open_with_their_ray_and_both_answers() {
 }
 
 /// A case that failed at its first call, as the report would have it.
-fn failed(task: &str, name: &str) -> FailedCase {
+pub(crate) fn failed(task: &str, name: &str) -> FailedCase {
     let spec = judge::cases::of(task, 0)
         .into_iter()
         .find(|spec| spec.name == name)
@@ -270,6 +270,11 @@ fn a_case_is_drawn_and_saved_as_a_test() {
 
 /// A window with the first case of a report, about which `content` is known.
 fn window_with(case: FailedCase, content: CaseContent) -> Window {
+    sized_window_with([1000.0, 700.0], case, content)
+}
+
+/// The same in a window of another size.
+pub(crate) fn sized_window_with(size: [f32; 2], case: FailedCase, content: CaseContent) -> Window {
     let case = std::sync::Arc::new(case);
     let path = PathBuf::from("report.json");
     let opened = OpenCase::with_content(0, &case, &path, content);
@@ -279,7 +284,7 @@ fn window_with(case: FailedCase, content: CaseContent) -> Window {
         cases: vec![case],
         opened: Some(opened),
     });
-    let mut window = Window::with(session, [1000.0, 700.0]);
+    let mut window = Window::with(session, size);
     window.press(Key::Y);
     window.harness.remove_cursor();
     window.session().say("");

@@ -185,32 +185,46 @@ fn pinching_moves_the_camera_and_scrolling_sideways_orbits() {
     assert!((distance(turned) - distance(pinched)).abs() < 1e-9);
 }
 
-/// What a screen reader reads: every control that can be focused has a name.
+/// The controls that a screen reader stops at, each of which must have a name.
+fn named_controls(window: &mut Window, shown: &str) -> usize {
+    window.settle();
+    let mut controls = 0;
+    for node in window.harness.root().children_recursive() {
+        let node = node.accesskit_node();
+        // A text that can be selected is its own name.
+        let is_control = node.role() != egui::Role::Label;
+        if !is_control || !node.data().supports_action(egui::accesskit::Action::Focus) {
+            continue;
+        }
+        controls += 1;
+        let name = node.label().unwrap_or_default();
+        let (role, place) = (node.role(), node.bounding_box());
+        assert!(!name.is_empty(), "{role:?} at {place:?}, {shown}");
+    }
+    controls
+}
+
+/// What a screen reader reads: everything that can be focused has a name.
 #[test]
 fn every_control_has_a_name() {
     let mut window = Window::open("-r 32 24 -s 1 -m 1", "cornell_spheres.dae");
-    for key in [Key::E, Key::V, Key::R] {
-        window.press(key);
-        let mut controls = 0;
-        for node in window.harness.root().children_recursive() {
-            let node = node.accesskit_node();
-            use egui::accesskit::Role;
-            let is_control = matches!(
-                node.role(),
-                Role::Button | Role::CheckBox | Role::ComboBox | Role::SpinButton | Role::Link
-            );
-            if is_control {
-                controls += 1;
-                let name = node.label().unwrap_or_default();
-                assert!(
-                    !name.is_empty(),
-                    "{:?} without a name in {key:?}",
-                    node.role()
-                );
-            }
+    for (keys, shown, least) in [
+        (&[Key::E, Key::Num1, Key::Num5][..], "a cut", 20),
+        (&[Key::V], "a tree", 20),
+        (&[Key::A, Key::R], "a picture", 25),
+        (&[Key::G, Key::N], "a replay", 40),
+        (&[Key::Q, Key::K], "a comparison", 25),
+        (&[Key::Questionmark], "the keys", 0),
+    ] {
+        for key in keys {
+            window.press(*key);
         }
-        assert!(controls > 10, "{controls} in {key:?}");
+        let controls = named_controls(&mut window, shown);
+        assert!(controls >= least, "{controls} in {shown}");
     }
+    window.press(Key::Escape);
+    window.press_with(Modifiers::CTRL, Key::O);
+    assert!(named_controls(&mut window, "a path") >= 3);
 }
 
 #[test]

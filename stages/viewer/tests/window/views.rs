@@ -53,6 +53,26 @@ fn five_cuts_the_scene_open_and_shift_shows_the_other_side() {
     window.press(Key::Num5);
     assert_eq!(window.session().cut(), None);
     assert!(hits(&mut window) == whole);
+    // A picture alone is not cut, and the scene is there.
+    window.press(Key::R);
+    window.press(Key::Num5);
+    assert_eq!(window.session().cut(), None);
+    let message = window.session().message();
+    assert!(message.contains("picture is not cut"), "{message}");
+}
+
+#[test]
+fn w_hides_the_edges_of_triangles_in_both_views() {
+    let mut window = window("-r 32 24", "cornell_spheres.dae");
+    for mode in [Key::E, Key::V] {
+        window.press(mode);
+        let with = picture(&mut window);
+        window.press(Key::W);
+        let without = picture(&mut window);
+        assert!(differing(&with, &without) > 100, "{mode:?}");
+        window.press(Key::W);
+        assert_eq!(differing(&picture(&mut window), &with), 0, "{mode:?}");
+    }
 }
 
 #[test]

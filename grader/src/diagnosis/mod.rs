@@ -201,7 +201,7 @@ pub fn diagnose(known: &[Known], student: &Signature) -> Option<Diagnosis> {
     ranked.sort_by(Ranked::compare);
     let likeliest = *ranked.first()?;
     let likeness = likeliest.agreement.likeness();
-    if likeness < SURE
+    if likeness < 1.0
         && student.has_core_faults()
         && let Some(pair) = several::two_at_once(&ranked, student, likeness)
     {

@@ -1,6 +1,6 @@
 //! Diagnoses of code that makes several mistakes at once.
 
-use super::{Certainty, Diagnosis, FEWEST_CALLS, Named, Ranked, with_twins};
+use super::{Certainty, Diagnosis, FEWEST_CALLS, Named, Ranked, SURE, with_twins};
 use crate::signature::{Alone, Signature};
 
 /// Two mistakes together must explain this share of the wrong values.
@@ -47,7 +47,12 @@ pub(super) fn two_at_once(ranked: &[Ranked], student: &Signature, alone: f64) ->
         others.map(move |second| (first, second))
     });
     let wrong = student.wrong();
+    // Where one mistake explains nearly all, another formula explains the rest as well as another
+    // mistake does, unless that mistake and the other leave nothing.
+    let is_nearly_all = alone >= SURE;
+    let has_likeliest = |pair: [&Ranked; 2]| pair.iter().any(|one| is_same(one, &ranked[0]));
     let (first, second, together) = pairs
+        .filter(|(first, second)| !is_nearly_all || has_likeliest([first, second]))
         .filter(|(first, second)| !is_same(first, second) || is_in_two_functions(first, second))
         .map(|(first, second)| {
             let [one, other] = [first, second].map(|one| &one.known.signature);
@@ -68,7 +73,8 @@ pub(super) fn two_at_once(ranked: &[Ranked], student: &Signature, alone: f64) ->
         })?;
     let likeness = together.likeness();
     let explains = likeness >= TOGETHER && 1.0 - likeness <= LEFT * (1.0 - alone);
-    if !explains || likeness <= alone {
+    let is_whole = together.alone.iter().all(|alone| alone.shown == alone.of) && likeness >= 1.0;
+    if !explains || likeness <= alone || (is_nearly_all && !is_whole) {
         return None;
     }
     let by_first = first.agreement.equal;
@@ -196,6 +202,28 @@ mod tests {
             diagnosis(&[(pdf, "4*a")], &[(pdf, "4*a"), (f, "9*b")]),
             None
         );
+    }
+
+    #[test]
+    fn where_one_mistake_explains_nearly_all_a_second_explains_the_whole_rest() {
+        let known = |name: &str, side: &str, codes: &str| Known {
+            mistakes: vec![name.into()],
+            descriptions: vec![format!("does {name}")],
+            hints: vec![format!("Not {name}.")],
+            signature: signature(&[(side, codes)]),
+            is_symptom: false,
+        };
+        let all = [
+            known("this", "case t", "97*a"),
+            known("that", "case normal", "3*b"),
+        ];
+        let named = |rest| {
+            let student = signature(&[("case t", "97*a"), ("case normal", rest)]);
+            diagnose(&all, &student).expect("it is known").mistakes
+        };
+        assert_eq!(named("3*b"), ["this", "that"]);
+        assert_eq!(named("3*c"), ["this"]);
+        assert_eq!(named("2*b 1*c"), ["this"]);
     }
 
     #[test]

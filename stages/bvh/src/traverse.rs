@@ -13,9 +13,9 @@ use kit::{Bvh, Hit, Ray, World};
 /// Chapter: stages/book/src/part2/task3.md
 ///
 /// Tests a node's box with `world` before it visits the node. If both children are hit, visits the
-/// nearer one first, so that the farther one is often out of range afterwards. On a hit sets
-/// `ray.max_t` to its `t`; a miss changes nothing. Both ends of the ray's range count. Of several
-/// hits with equal `t` returns the one with the lowest id.
+/// nearer one first, so that the farther one is often out of range afterwards; the left one first
+/// is accepted, too. On a hit sets `ray.max_t` to its `t`; a miss changes nothing. Both ends of the
+/// ray's range count. Of several hits with equal `t` returns the one with the lowest id.
 ///
 /// See it: `cargo grader picture part2.task3`.
 pub fn intersect_bvh<W: World>(bvh: &Bvh, ray: &mut Ray, world: &mut W) -> Option<Hit> {

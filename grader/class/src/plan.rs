@@ -1,5 +1,5 @@
-//! What a class needs: the file `OUT/class.json`. It lists the submissions with the units that
-//! give their scores. All machines that work on a class compute the same plan.
+//! The plan of a class, the file `OUT/class.json`: the submissions, each with the unit that gives
+//! its score. All machines that work on a class compute the same plan.
 
 use crate::course_hash::{self, CourseHash};
 use crate::entries;
@@ -19,14 +19,14 @@ use submission::Untrusted;
 /// The version of the files in `OUT`.
 const VERSION: u32 = 2;
 
-/// What is graded, and how. All of it is part of the key of each unit.
+/// What is graded, and how. All of it but `revision` is part of the key of each unit.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Settings {
     /// `all`, a part or a task.
     pub what: String,
     /// The seed of the cases' random inputs.
     pub seed: u64,
-    /// The limits on compiling and running, as far as they can be chosen.
+    /// The limits on compiling and running, those that can be chosen.
     pub limits: String,
     /// The commit that counts, if submissions are git clones.
     pub revision: Option<Revision>,
@@ -45,17 +45,17 @@ pub struct PlannedCase {
     pub points: f64,
 }
 
-/// A task of the class, as the tables need it.
+/// What the tables of a class need of a task.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct PlannedTask {
     /// Its key, such as `part1.task3`.
     pub key: String,
     /// Its title.
     pub title: String,
-    /// The crate below `stages/` with its functions.
+    /// The crate below `stages/` that has the task's functions.
     pub stage: String,
-    /// Its cases. Points are computed from them when tables are made: a change of points runs no
-    /// submission again.
+    /// Its cases. Points are computed from these when tables are made, so no submission runs again
+    /// because points have changed.
     pub cases: Vec<PlannedCase>,
 }
 
@@ -76,7 +76,7 @@ impl PlannedTask {
         }
     }
 
-    /// Points possible.
+    /// The most points of this tier.
     pub fn max(&self, tier: Tier) -> f64 {
         let cases = self.cases.iter().filter(|case| case.tier == tier);
         cases.fold(0.0, |sum, case| sum + case.points)
@@ -86,7 +86,7 @@ impl PlannedTask {
 /// What the tables of a class need of a teacher's course.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct PlannedTerm {
-    /// Its name and when it is given.
+    /// The name of the course, and when the course is given.
     pub title: String,
     /// When what is graded is due, in seconds since 1970.
     pub due: Option<i64>,
@@ -112,7 +112,7 @@ pub struct Plan {
     version: u32,
     /// What is graded, and how.
     pub settings: Settings,
-    /// The term of the teacher's course, if it is given in one.
+    /// The term in which the teacher's course is given, if there is one.
     #[serde(default)]
     pub term: Option<PlannedTerm>,
     /// The tasks, in the order of the course.
@@ -128,44 +128,44 @@ pub struct Planned {
     pub name: Untrusted,
     /// The name of the folder or archive in the folder of the class.
     pub file: Untrusted,
-    /// Its unit, or why it has none.
+    /// The submission's unit, or why it has none.
     #[serde(flatten)]
     pub state: State,
 }
 
-/// Whether a submission can be read.
+/// Whether a submission can be read, and if not, why not.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum State {
-    /// It can.
+    /// It can be read.
     Unit {
         /// The hash of what was handed in.
         submission: String,
         /// The key of its unit.
         key: String,
-        /// What was unusual about its form, as sentences.
+        /// What was unusual about the submission's form, as sentences.
         notes: Vec<Untrusted>,
-        /// When its commit was made, if it is one of a clone.
+        /// When the commit that counts was made, if the submission was read from a commit.
         #[serde(default)]
         commit: Option<CommitTimes>,
-        /// Whether it is graded as it lies there, because it is no clone, although a commit or a
-        /// time was asked for.
+        /// Whether the files are graded as they lie there, although a commit or a time was asked
+        /// for: the submission is no clone.
         #[serde(default)]
         as_it_lies: bool,
     },
-    /// It is larger than a submission may be: the limit.
+    /// It is larger than a submission may be. The text names the limit.
     TooLarge(Untrusted),
-    /// It cannot be read: the reason.
+    /// It cannot be read. The text says why.
     Unreadable(Untrusted),
-    /// It is no clone, and a commit or a time was asked for: what was found. A person says whether
-    /// it counts.
+    /// It is no clone, and a commit or a time was asked for. The text says what was found; a person
+    /// decides whether the submission counts.
     NoClone(Untrusted),
-    /// It could not be read, because the machine failed: the reason. The next run tries again.
+    /// It was not read because the machine failed. The text says why; the next run tries again.
     NotRead(Untrusted),
 }
 
 impl Planned {
-    /// The key of its unit, if it has one.
+    /// The key of the submission's unit, if it has one.
     pub fn key(&self) -> Option<&str> {
         match &self.state {
             State::Unit { key, .. } => Some(key),
@@ -175,8 +175,8 @@ impl Planned {
 }
 
 impl Plan {
-    /// Reads every submission in the folder `class` and makes a plan. With `with_archives`, what is
-    /// no clone counts as it lies there, even if a commit or a time is asked for.
+    /// Reads every submission in the folder `class` and makes a plan. With `with_archives`, a
+    /// submission that is no clone counts as it lies there, even if a commit or time is asked for.
     pub fn make(
         class: &Path,
         course: &Course,
@@ -252,14 +252,14 @@ impl Plan {
         write_whole(path, self.to_json()?.as_bytes())
     }
 
-    /// Writes the plan if there is none yet. Returns whether it did: of several machines that start
-    /// at once one is first, and the others take its seed.
+    /// Writes the plan if there is none yet. Returns whether it was written: if several machines
+    /// start at once, one writes its plan first, and the others take the seed of that plan.
     pub fn store_first(&self, path: &Path) -> Result<bool, GraderError> {
         use std::io::Write;
         let failed = |e: &std::io::Error| GraderError::file("write", path, without_path(e));
         let folder = path.parent().unwrap_or(Path::new("."));
         let mut file = tempfile::Builder::new();
-        // Temporary files are readable by their owner only, and a second teacher may share the folder.
+        // Else only its owner could read the file, and a second teacher may share the folder.
         #[cfg(unix)]
         file.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
         let mut file = file.tempfile_in(folder).map_err(|e| failed(&e))?;
@@ -291,7 +291,7 @@ impl Plan {
         all
     }
 
-    /// Core and extra points possible.
+    /// The most core points and the most extra points.
     pub fn max_score(&self) -> [f64; 2] {
         [Tier::Core, Tier::Robust].map(|tier| {
             let points = self.tasks.iter().map(|task| task.max(tier));
@@ -299,7 +299,7 @@ impl Plan {
         })
     }
 
-    /// The units of the class: for each key the first submission that it belongs to, sorted by key.
+    /// The units of the class, sorted by key: each key with the first submission that has it.
     pub fn units(&self) -> BTreeMap<&str, &Planned> {
         let mut units = BTreeMap::new();
         for planned in &self.submissions {
@@ -310,8 +310,8 @@ impl Plan {
         units
     }
 
-    /// Why only `to_grade` units are graded of more submissions; `None` if each is graded.
-    /// `is_stored` knows the units that are stored.
+    /// Why only `to_grade` units are graded although there are more submissions; `None` if each is
+    /// graded. `is_stored` says whether the unit with a key is stored.
     pub fn why_fewer(&self, to_grade: usize, is_stored: impl Fn(&str) -> bool) -> Option<String> {
         let units = self.units();
         let with_unit = self
@@ -345,9 +345,9 @@ impl Plan {
         })
     }
 
-    /// This plan with what `wanted` has more, for the same settings. A submission that has a score
-    /// (`is_stored` knows the units that are stored) keeps it, even if other files were handed in
-    /// since; the second value names such submissions. What was only renamed has the new name.
+    /// The plan `wanted`, made with the settings of this plan, but a submission that has a score
+    /// (`is_stored` says whether a unit is stored) keeps it, even if its files changed or are gone.
+    /// The second value names such submissions. One that was only renamed has its new name.
     pub fn extended(&self, wanted: &Plan, is_stored: impl Fn(&str) -> bool) -> (Plan, Vec<String>) {
         let mut kept = Vec::new();
         let old: BTreeMap<&str, &Planned> = self
@@ -405,7 +405,7 @@ impl Plan {
 }
 
 impl Settings {
-    /// The key of the unit of a submission with this hash.
+    /// The key of the unit for a submission whose hash is `submission`.
     pub fn key(&self, submission: &str) -> String {
         let course = course_hash::whole(&self.course);
         hash::of([
@@ -417,7 +417,7 @@ impl Settings {
         ])
     }
 
-    /// How `new` settings differ, as ends of the sentence "OUT was graded with ...".
+    /// How the settings `new` differ from these, as ends of the sentence "OUT was graded with ...".
     pub fn differences(&self, new: &Settings) -> Vec<String> {
         let mut all: Vec<String> = course_hash::differences(&self.course, &new.course)
             .into_iter()

@@ -1,10 +1,10 @@
 //! The traversal of the tree by a tile.
 //!
-//! A triangle that a ray hits for certain, and before all others, is remembered with an interval
-//! that contains its `t`: it is computed in the end, once a ray. Where two intervals overlap, or
-//! where single precision cannot decide, the triangle is computed at once, as the traversal by one
+//! If a ray hits a triangle for certain, and before all others, it remembers the triangle, with an
+//! interval that contains `t`; this hit is computed in the end, one for each ray. If two intervals
+//! overlap, or single precision cannot decide, the hit is computed at once, as the traversal by one
 //! ray does. So the hits are those of the scalar kernel, bit for bit. A triangle that was divided
-//! before the build is in several blocks; a ray that has remembered it ignores the others.
+//! before the build is in several blocks; a ray that remembers it ignores it in the other blocks.
 
 use super::planes::{PlaneBlock, PlaneHits};
 use super::rays::{NONE, TileRays, Together};
@@ -21,17 +21,17 @@ use crate::wide::{Subset, WideBvh};
 use fearless_simd::{Simd, f32x8, f32x16, prelude::*};
 use kit::{PrimId, TriangleHit};
 
-/// With at most this many rays in a block, each is tested against its triangles; with more, each
-/// triangle is tested against them.
+/// If at most this many rays enter the box of a block, each ray is tested against all triangles of
+/// the block at once; if more do, each triangle is tested against many rays at once.
 const FEW_RAYS: u32 = 14;
 
-/// A child that is still to be visited: at least the depth at which its box begins, the child, and
-/// where its box is.
+/// A child that is still to be visited: `near`, which is at most the depth at which its box begins,
+/// the child itself, and where its box is stored.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Entry {
     near: f32,
     child: Child,
-    /// The node and the lane of its box: `8·node + lane`, or [`NONE`] for a root.
+    /// The node and the lane of the box: `8·node + lane`, or [`NONE`] for a root.
     place: u32,
 }
 
@@ -76,7 +76,7 @@ pub(crate) fn trace<S: Simd>(
     }
 }
 
-/// Starts to load the exact vertices of a triangle, which its hit is computed from in the end.
+/// Starts to load the exact vertices of a triangle: in the end its hit is computed from them.
 #[inline(always)]
 fn prefetch_vertices(tree: &WideBvh, index: usize, lane: usize) {
     let vertices = &raw const tree.exact_blocks[index][lane];
@@ -89,13 +89,13 @@ struct TileTraversal<'a, 'e, S: Simd> {
     rays: &'a RayTile<'a>,
     columns: &'a mut TileRays,
     together: Together,
-    /// At least the depth of every point of a ray in its range.
+    /// No point of a ray in the ray's range is deeper than this.
     end: f32,
     exact: &'a mut ExactTest<'e>,
 }
 
 impl<S: Simd> TileTraversal<'_, '_, S> {
-    /// Visits the nodes and blocks, nearer ones first.
+    /// Visits nodes and blocks, nearer ones first.
     #[inline(always)]
     fn visit(&mut self, subset: Subset, stack: &mut Vec<Entry>, counts: &mut TestCounts) {
         let tree = self.tree;
@@ -182,7 +182,7 @@ impl<S: Simd> TileTraversal<'_, '_, S> {
         }
     }
 
-    /// Tests each ray against eight triangles. Returns whether a range became shorter.
+    /// Tests each ray against the block's triangles. Returns whether a range may be shorter.
     #[inline(always)]
     fn test_ray_by_ray(
         &mut self,
@@ -238,7 +238,7 @@ impl<S: Simd> TileTraversal<'_, '_, S> {
         is_changed
     }
 
-    /// Tests each triangle against sixteen rays at a time. Returns whether a range became shorter.
+    /// Tests each triangle against sixteen rays at once. Returns whether a range may be shorter.
     #[inline(always)]
     fn test_triangle_by_triangle(
         &mut self,
@@ -338,7 +338,7 @@ impl<S: Simd> TileTraversal<'_, '_, S> {
         }
     }
 
-    /// Tests a primitive with the scalar kernel.
+    /// Tests ray number `i` against primitive `id` with the scalar kernel.
     #[inline(never)]
     fn test_scalar(&mut self, i: usize, id: PrimId) {
         let ray = &self.rays.ray(i);
@@ -347,14 +347,14 @@ impl<S: Simd> TileTraversal<'_, '_, S> {
         }
     }
 
-    /// Ends the range of ray number `i` at `t` of the world's ray, if it ends later.
+    /// Ends the range of ray number `i` at `t` of the ray in the world, if the range ends later.
     #[inline(always)]
     fn shorten(&mut self, i: usize, t: f64) {
         let end = &mut self.columns.end[i];
         *end = end.min(at_least(t * self.tree.space.scale));
     }
 
-    /// Computes the hits that are only remembered.
+    /// Computes the hits with the triangles that are still only remembered.
     #[inline(always)]
     fn finish(&mut self) {
         for i in 0..self.rays.len() {

@@ -1,8 +1,8 @@
 //! Reads the files of a commit of a git clone.
 //!
-//! The settings of a clone that somebody else made may start programs. So git never sees them: it
-//! runs in an empty repository of our own that has only the names of the clone's commits and reads
-//! the clone's objects.
+//! The settings of a clone that somebody else made may start programs. So git never sees these
+//! settings: it runs in a repository of our own, which has only copies of the files that name the
+//! clone's commits, and reads the clone's objects.
 
 use super::unpack::Unpacker;
 use crate::reading::Unreadable;
@@ -20,17 +20,17 @@ use std::time::{SystemTime, UNIX_EPOCH};
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Revision {
-    /// This one: a hash, a tag or a branch.
+    /// The commit with this name: a hash, a tag or a branch.
     Commit(String),
-    /// The last one on the current branch that was made before this time, as
-    /// `2026-11-20T23:59:59` with or without a time zone.
+    /// The last commit on the current branch that was made before this time. The time has the form
+    /// `2026-11-20T23:59:59`, with or without a time zone.
     Before(String),
 }
 
 impl Revision {
-    /// Reads the date of `--before`: `2026-11-20`, which means the end of that day, or with a time
-    /// and a time zone, `2026-11-20 18:00` and `2026-11-20T18:00:00Z`. Git itself takes any text
-    /// for a date.
+    /// Reads the date of `--before`: `2026-11-20`, which means the end of that day, or a date with
+    /// a time, with or without a time zone: `2026-11-20 18:00`, `2026-11-20T18:00:00Z`. Git itself
+    /// would take any text for a date.
     pub fn before(text: &str) -> Result<Revision, String> {
         let expected = || {
             format!(
@@ -84,35 +84,35 @@ impl fmt::Display for Revision {
     }
 }
 
-/// The largest file with a list of commits that is copied: `packed-refs`, `shallow`.
+/// The most bytes of `HEAD`, `packed-refs` or `shallow`, if the file is to be copied.
 const MAX_LIST_OF_REFS: u64 = 4 << 20;
 
-/// The largest file with the name of one commit that is copied.
+/// The most bytes of a file that names one commit, if it is to be copied.
 const MAX_REF: u64 = 1 << 10;
 
-/// The most that is copied of a clone's names of commits, all together.
+/// The most bytes that are copied of all files that name a clone's commits.
 const MAX_REFS: u64 = 16 << 20;
 
-/// What a file takes on a disk, however small it is.
+/// The least number of bytes that a file takes on a disk.
 const BLOCK: u64 = 4 << 10;
 
-/// The longest list of files of a commit that is read, in bytes.
+/// The most bytes that are read of what git prints, such as the list of a commit's files.
 const MAX_LIST: u64 = 32 << 20;
 
-/// The most files below `.git/objects`.
+/// The most files and folders below `.git/objects`.
 const MAX_GIT_FILES: usize = 200_000;
 
-/// The most files and folders below `.git/refs`. They are copied, and removed again.
+/// The most files and folders below `.git/refs`: each of these files is copied, and removed again.
 const MAX_REF_FILES: usize = 10_000;
 
-/// When a commit was made, in seconds since 1970, as the student's machine said.
+/// When a commit was made, in seconds since 1970, by the clock of the student's machine.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct CommitTimes {
-    /// When its changes were written.
+    /// When the changes were written.
     pub author: i64,
-    /// When it was committed. `--before` and deadlines go by it.
+    /// When they were committed. `--before` and deadlines go by this time.
     pub committer: i64,
-    /// Why the times cannot be right, if they cannot.
+    /// Why these times cannot be right; `None` if they can.
     pub doubt: Option<String>,
 }
 
@@ -200,8 +200,8 @@ pub(super) fn unpack(
     git.times(commit)
 }
 
-/// The folder with the `objects` of the clone in `folder`: its `.git`, that of its only subfolder
-/// with one, or `folder` itself.
+/// The folder that has the `objects` of the clone in `folder`: `folder/.git`, `folder` itself, or
+/// the `.git` of the only subfolder that has one.
 fn clone_in(folder: &Path) -> Result<PathBuf, Unreadable> {
     // Links are not followed: they may lead to the clone of somebody else.
     let is_git = |path: &Path| {
@@ -243,7 +243,7 @@ struct Git {
 }
 
 impl Git {
-    /// Makes an empty repository with the names of the clone's commits.
+    /// Makes a repository without objects, and copies into it what names the clone's commits.
     fn of(clone: &Path) -> Result<Git, Unreadable> {
         let own = interrupt::temp_folder()?;
         let objects = clone.join("objects");
@@ -342,12 +342,12 @@ impl Git {
             std::thread::spawn(move || stderr.map(child_processes::tail).unwrap_or_default());
         let mut output = Vec::new();
         if let Some(stdout) = child.stdout.take() {
-            // A small clone may name the same folders again and again.
+            // Even a small clone may have a long list: its folders may repeat the same folder.
             let read = stdout.take(MAX_LIST + 1).read_to_end(&mut output);
             read.map_err(|_| stopped())?;
         }
         if output.len() as u64 > MAX_LIST {
-            let _ = child.kill(); // it may have ended
+            let _ = child.kill(); // git may have ended
             let _ = child.wait();
             return Err(Unreadable::TooLarge(format!(
                 "has a list of files of more than {} MB in its history",
@@ -360,7 +360,7 @@ impl Git {
             return Err(stopped());
         }
         if !status.success() {
-            // Tables are the same for every run: the temporary folder has another name in each.
+            // The name of the temporary folder changes with each run, and tables must not.
             let own = self.own.path().display().to_string();
             return Err(Unreadable::Damaged(format!(
                 "is a clone that git cannot read: {}",
@@ -372,7 +372,7 @@ impl Git {
         })
     }
 
-    /// When `commit` was made. Of a shallow clone the parents are not known.
+    /// When `commit` was made. The times of parents that a shallow clone lacks are not known.
     fn times(&self, commit: &str) -> Result<CommitTimes, Unreadable> {
         let unusual = || Unreadable::Damaged("has a commit that git did not write".into());
         let numbers = |line: &str| -> Option<Vec<i64>> {
@@ -403,7 +403,7 @@ impl Git {
         Ok(CommitTimes::new(author, committer, &parents, now))
     }
 
-    /// Writes the contents of `blobs`, each a path and the hash of its contents.
+    /// Writes the files `blobs`, each a path and the hash of the file's contents.
     fn write_blobs(
         &self,
         blobs: &[(PathBuf, String)],
@@ -428,12 +428,12 @@ impl Git {
         });
         drop(stdin);
         drop(stdout);
-        let _ = child.wait(); // what it wrote was checked
+        let _ = child.wait(); // what git wrote was checked
         written
     }
 }
 
-/// Reads an answer of `git cat-file --batch`, `HASH blob SIZE` and the contents, and writes them.
+/// Reads one answer of `git cat-file --batch`, `HASH blob SIZE` and contents; writes the contents.
 fn write_blob(
     stdout: &mut BufReader<ChildStdout>,
     path: &Path,
@@ -452,7 +452,7 @@ fn write_blob(
     };
     unpacker.write(path, stdout.by_ref().take(size))?;
     let mut newline = [0];
-    // Git ends in the middle of a file that is cut.
+    // If the clone's copy of the contents is cut, git ends in the middle of its answer.
     let is_whole = stdout.read_exact(&mut newline).is_ok() && newline == *b"\n";
     is_whole.then_some(()).ok_or_else(|| incomplete(path))
 }
@@ -464,7 +464,7 @@ fn incomplete(path: &Path) -> Unreadable {
     ))
 }
 
-/// Git was ended by a signal: it has limits of time and memory.
+/// The error where a signal ended git, which has limits of time and memory.
 fn stopped() -> Unreadable {
     Unreadable::TooLarge(
         "is a clone that git cannot read within the limits of time and memory: ask for a new clone"

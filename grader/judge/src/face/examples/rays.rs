@@ -1,4 +1,4 @@
-//! Examples of a ray at one shape. The oracle decides whether they are right.
+//! Examples of one ray and one shape. The oracle decides whether an example is right.
 
 use super::by_hand::is_near;
 use kit::{Aabb, Ray, Sphere, Triangle, Vec3};
@@ -6,14 +6,14 @@ use oracle::{Miss, SphereClass, TriangleClass};
 use wire::Work;
 use wire::work::{BoxWork, Probe, SphereWork, TriangleWork};
 
-/// The shape of an example, which decides the task.
+/// The shape of an example. It decides to which task the example belongs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Shape {
-    /// Of `part1.task3`.
+    /// In examples of `part1.task3`.
     Triangle(Triangle),
-    /// Of `part1.task4`.
+    /// In examples of `part1.task4`.
     Sphere(Sphere),
-    /// Of `part2.task2`.
+    /// In examples of `part2.task2`.
     Box(Aabb),
 }
 
@@ -24,11 +24,11 @@ pub enum Expectation {
     Miss,
     /// A hit at this `t`.
     Hit(f64),
-    /// The ray is inside a box between these `t`.
+    /// The ray is inside the box from the first of these `t` to the second.
     Inside([f64; 2]),
 }
 
-/// A ray at a shape, and the result that a student expects.
+/// A ray, a shape, and the result that a student expects of them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RayExample {
     /// The shape.
@@ -39,7 +39,7 @@ pub struct RayExample {
     pub expected: Expectation,
 }
 
-/// The situations of triangles.
+/// The situations that examples with a triangle can touch.
 const OF_TRIANGLES: &[&str] = &[
     "inside, from the front",
     "inside, from the back",
@@ -56,7 +56,7 @@ const OF_TRIANGLES: &[&str] = &[
     LENGTH,
 ];
 
-/// The situations of spheres.
+/// The situations that examples with a sphere can touch.
 const OF_SPHERES: &[&str] = &[
     "both hits ahead: the nearer counts",
     "from inside",
@@ -70,7 +70,7 @@ const OF_SPHERES: &[&str] = &[
     LENGTH,
 ];
 
-/// The situations of boxes.
+/// The situations that examples with a box can touch.
 const OF_BOXES: &[&str] = &[
     "enters and leaves",
     "from inside",
@@ -93,7 +93,7 @@ const AT_END: &str = "the hit is at an end of the range";
 const LENGTH: &str = "d is not of length 1";
 
 impl Shape {
-    /// The key of its task.
+    /// The key of the task that the shape belongs to.
     pub(super) fn task(&self) -> &'static str {
         match self {
             Shape::Triangle(_) => "part1.task3",
@@ -113,7 +113,7 @@ pub(super) fn situations_of(task: &str) -> Option<&'static [&'static str]> {
     }
 }
 
-/// What is wrong with an example: a sentence without its full stop. `None` if it is right.
+/// What is wrong with `example`: a sentence without a full stop. `None` if the example is right.
 pub(super) fn verdict(example: &RayExample) -> Option<String> {
     let RayExample {
         shape,
@@ -197,7 +197,7 @@ fn why_it_misses(why: Miss) -> &'static str {
 }
 
 impl RayExample {
-    /// The situations of its task that it touches.
+    /// The situations of its task that the example touches.
     pub(super) fn situations(&self) -> Vec<&'static str> {
         let mut touched = match &self.shape {
             Shape::Triangle(triangle) => of_triangle(triangle, &self.ray),
@@ -210,7 +210,7 @@ impl RayExample {
         touched
     }
 
-    /// The call of the example as a question to code.
+    /// The call that the example is about, as a question to a student's code.
     pub(super) fn work(&self) -> Work {
         let ray = wire::work::Ray {
             o: self.ray.o.into(),
@@ -239,8 +239,8 @@ impl RayExample {
     }
 }
 
-/// The situation of a ray that would hit at `t`, which is not in its range: the hit is behind the
-/// origin, before `min_t` or beyond `max_t`.
+/// The situation of a ray whose line meets the shape at `t`, out of the ray's range: `t` is behind
+/// the origin, before `min_t` or beyond `max_t`.
 fn out_of_range(t: f64, ray: &Ray) -> &'static str {
     if t < 0.0 {
         BEHIND
@@ -393,7 +393,7 @@ mod tests {
             why.starts_with("it says a hit at t = 1; the ray misses"),
             "{why}"
         );
-        // An interval is no answer of a triangle.
+        // An interval is no result of a triangle test.
         let interval = triangle([1.0, 1.0, -1.0], UP, Expectation::Inside([1.0, 1.0]));
         assert!(verdict(&interval).is_some());
     }
@@ -433,7 +433,7 @@ mod tests {
         for situation in OF_TRIANGLES {
             assert!(all.contains(situation), "no {situation:?} in {all:?}");
         }
-        // One example is about one thing.
+        // This example touches one situation only.
         assert_eq!(plain[2].situations(), ["beyond the edge p0 p1"]);
     }
 

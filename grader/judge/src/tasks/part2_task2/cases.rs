@@ -6,7 +6,7 @@ use kit::{Aabb, PixelSampler, Ray, Vec3};
 use wire::kind;
 use wire::work::{BoxWork, Probe};
 
-/// The cases of `part2.task2`; fresh rays come from `seed`.
+/// The cases of `part2.task2`; the random boxes and rays come from `seed`.
 pub(crate) fn cases(seed: u64) -> Vec<Spec> {
     let mut cases = vec![
         case(
@@ -206,7 +206,7 @@ fn beside_on_one_axis() -> Vec<(Aabb, Ray)> {
     for axis in 0..3 {
         for side in [-1.0, 1.0] {
             for corner in signs() {
-                // Nearly perpendicular to `axis`, and a little outside the slab.
+                // The ray is nearly perpendicular to `axis` and runs a little outside the slab.
                 let mut o = BOX.centroid() + corner * Vec3::splat(6.0);
                 let mut target = BOX.centroid() - corner * Vec3::new(0.2, 0.1, 0.3);
                 let outside = BOX.centroid()[axis] + side * 0.5 * BOX.extent()[axis];
@@ -266,7 +266,7 @@ fn along_axes(through: bool) -> Vec<(Aabb, Ray)> {
             let ray = Ray::new(o, sign * Vec3::AXES[axis]);
             if through {
                 probes.push((BOX, ray));
-                // Parallel to one pair of planes only.
+                // This ray is parallel to one pair of planes only.
                 let tilted = ray.d + 0.05 * Vec3::AXES[(axis + 1) % 3];
                 probes.push((BOX, Ray::new(o, tilted.normalize())));
                 continue;
@@ -283,8 +283,8 @@ fn along_axes(through: bool) -> Vec<(Aabb, Ray)> {
     probes
 }
 
-/// Rays at an angle of 5e-5 to an axis, from far away. They start beside the box and hit it, or
-/// start within its slabs and pass it.
+/// Rays at an angle of 5e-5 to an axis, from far away. Those that start beside one of the
+/// slabs of the other two axes hit the box; those that start within both slabs pass it.
 fn nearly_along_axes() -> Vec<(Aabb, Ray)> {
     const DISTANCE: f64 = 1e5;
     const SLOPE: f64 = 5e-5;
@@ -313,13 +313,13 @@ fn clipped_to(ray: Ray, min_t: f64, max_t: f64) -> (Aabb, Ray) {
     (ROUND, ray)
 }
 
-/// Ranges that begin before the origin, on rays that leave the box behind them and on rays that
-/// start inside.
+/// Ranges with a negative `min_t`: on rays with the box behind their origin, and on rays that start
+/// inside the box.
 fn clipped_behind() -> Vec<(Aabb, Ray)> {
     let mut probes = Vec::new();
     for corner in signs() {
-        // On the first ray the box reaches from t = -8.5 to t = -7.5, on the second one from -0.5
-        // to 0.5.
+        // The ray `behind` is in the box from t = -8.5 to t = -7.5, the ray `inside` from t = -0.5
+        // to t = 0.5.
         let behind = Ray::new(ROUND.centroid() + 8.0 * corner, corner);
         let inside = Ray::new(ROUND.centroid(), corner);
         for (ray, min_t, max_t) in [
@@ -341,7 +341,7 @@ fn clipped() -> Vec<(Aabb, Ray)> {
     for corner in signs() {
         let o = ROUND.centroid() - 8.0 * corner;
         let ray = Ray::new(o, corner);
-        // On this ray the box reaches from t = 7.5 to t = 8.5.
+        // This ray is in the box from t = 7.5 to t = 8.5.
         for (min_t, max_t) in [
             (0.0, 7.0),
             (0.0, 8.0),
@@ -350,16 +350,16 @@ fn clipped() -> Vec<(Aabb, Ray)> {
             (9.0, f64::INFINITY),
             (0.0, 20.0),
             (-20.0, 0.0),
-            // One point in common: at the entry, inside, at the exit.
+            // The range and the box share one t: at the entry, inside, at the exit.
             (0.0, 7.5),
             (8.0, 8.0),
             (8.5, f64::INFINITY),
         ] {
             probes.push(clipped_to(ray, min_t, max_t));
         }
-        // A ray that starts on the face through which it leaves, and one that ends where it starts,
-        // on the face through which it enters: t = 0, which is 0 with every relative widening, is
-        // all that they have in common with the box.
+        // `leaving` starts on the face through which it leaves the box. `entering` starts and ends
+        // on the face through which it enters. Each shares only t = 0 with the box, and widening by
+        // a factor leaves 0 as it is.
         let half = 0.5 * ROUND.extent().min_element();
         let leaving = Ray::new(ROUND.centroid() + half * corner, corner);
         let entering = Ray::new(ROUND.centroid() - half * corner, corner);
@@ -385,7 +385,7 @@ fn scaled_directions() -> Vec<(Aabb, Ray)> {
     .collect()
 }
 
-/// `b` without depth along `axis`, at its lower end.
+/// The lower face of `b` along `axis`, as a box without depth.
 fn flattened(b: Aabb, axis: usize) -> Aabb {
     let mut flat = b;
     flat.max[axis] = flat.min[axis];
@@ -414,7 +414,7 @@ fn flat_crossed() -> Vec<(Aabb, Ray)> {
     probes
 }
 
-/// Rays perpendicular to one axis that pass a face at a millionth of the box's size.
+/// Rays perpendicular to one axis that miss a face of the box by a millionth of the box's size.
 fn near_misses() -> Vec<(Aabb, Ray)> {
     let mut probes = Vec::new();
     for scale in [1e-6, 1.0, 1e6] {
@@ -452,8 +452,8 @@ fn random(seed: u64) -> Vec<(Aabb, Ray)> {
     (0..2000).map(one).collect()
 }
 
-/// Rays along a plane of the box, with origins before, in, behind and beside its face; the zeros of
-/// `d` have both signs.
+/// Rays along the plane of a face, with origins before, on, behind and beside the face; the zeros
+/// of `d` have both signs.
 fn on_faces() -> Vec<(Aabb, Ray)> {
     let mut probes = Vec::new();
     for (axis, sign) in directions() {
@@ -493,8 +493,8 @@ fn flat_in_plane() -> Vec<(Aabb, Ray)> {
     probes
 }
 
-/// Rays aimed at every corner and at the midpoint of every edge: first with integer coordinates,
-/// where nothing rounds, then with random origins.
+/// Rays aimed at every corner and at the midpoint of every edge: first along integer directions,
+/// where nothing rounds, then from random origins.
 fn corners_and_edges(seed: u64) -> Vec<(Aabb, Ray)> {
     let mut sampler = PixelSampler::new(1, 2, seed);
     let mut probes = Vec::new();
@@ -559,7 +559,7 @@ fn empty_boxes() -> Vec<(Aabb, Ray)> {
     let of_boxes = boxes
         .into_iter()
         .flat_map(|b| rays.iter().map(move |ray| (b, *ray)));
-    // Both ends of these ranges lie inside the box.
+    // Both ends of these ranges lie inside the box, but `min_t` is greater than `max_t`.
     let of_ranges = signs().map(|d| Ray {
         min_t: 8.0,
         max_t: 7.9,
@@ -646,7 +646,7 @@ fn denormal() -> Vec<(Aabb, Ray)> {
     probes
 }
 
-/// A box seen by a camera: the nearer the ray enters it, the brighter.
+/// A box seen by a camera: the nearer a ray enters the box, the brighter its pixel.
 fn picture() -> Spec {
     const SIZE: [u32; 2] = [64, 48];
     let eye = Vec3::new(3.1, 4.3, 5.2);

@@ -31,7 +31,7 @@ fn block(x0: f64, x1: f64) -> Cross {
     Cross::new(Vec3::new(x0, -1.0, -1.0), Vec3::new(x1, 1.0, 1.0))
 }
 
-/// The same box, with the plate perpendicular to x at `x`.
+/// The box of [`block`], with its plate perpendicular to the x axis at `x`.
 fn block_with_plate(x0: f64, x1: f64, x: f64) -> Cross {
     block(x0, x1).with_plates(Vec3::new(x, 0.0, 0.0))
 }
@@ -197,11 +197,11 @@ fn clipped() -> Vec<Ray> {
     .collect()
 }
 
-/// Where a flat box stands in the world of rays for any hit.
+/// The x of the flat box in the world of `clipped_rays_any_hit`.
 const WALL: f64 = 12.0;
 
-/// Ranges around a single hit, of the wall or of a plate inside its box, that include both sides of
-/// it, that end with it, and that start with it.
+/// Ranges with a single hit, on the wall or on the plate inside a block: the hit is in the middle
+/// of the range, at its end, or at its start.
 fn up_to_a_hit() -> Vec<Ray> {
     let mut rays = Vec::new();
     for (x, step) in [(-10.0, 1.0), (-10.0, 2.0), (30.0, -1.0), (30.0, -0.5)] {
@@ -244,12 +244,12 @@ fn range_ends() -> Vec<Ray> {
     rays
 }
 
-/// Pairs of primitives 2 ulp apart; the box interval of the nearer one starts 6 ulp behind it.
-/// Units in the last place are those of `t`, or, if the ray starts next to the boxes, of their
-/// coordinates: code that subtracts these rounds as much.
+/// Pairs of primitives 2 ulp (units in the last place) apart; the box interval of the nearer
+/// primitive starts 6 ulp behind it. An ulp is that of `t` or, for rays that start next to the
+/// boxes, of the boxes' coordinates: code that subtracts coordinates rounds as much.
 fn rounded_boxes() -> ScriptedWorld {
     const NEARER: [u32; 2] = [0, 3];
-    /// The distance from which some rays start.
+    /// How far from the boxes the nearest rays start.
     const NEXT_TO_THE_BOXES: f64 = 1.0 / 1024.0 / 1024.0;
     let later = |t: f64, ulps: i32| match t {
         ..=NEXT_TO_THE_BOXES => t + f64::from(ulps) * 4.0 * f64::EPSILON,
@@ -332,8 +332,8 @@ fn random() -> Vec<Spec> {
     ]
 }
 
-/// Boxes with integer coordinates, some flat, in a tree that joins random pairs from the leaves up;
-/// rays along all axes through the centres of cells, where no ray touches a box edge.
+/// Boxes with integer coordinates, some flat, in a tree that joins random pairs from the leaves up.
+/// The rays run along all axes through the centres of unit cells, where no ray touches a box edge.
 fn random_world(boxes: u32, rays: u32) -> (CrossScene, Vec<Ray>) {
     let mut sampler = PixelSampler::new(boxes, rays, 3);
     let mut whole = |n: f64| (n * sampler.next_1d()).floor();
@@ -391,7 +391,7 @@ fn counted() -> Vec<Spec> {
     ]
 }
 
-/// A stack of layers along each axis, and rays through them from both ends.
+/// A stack of layers along each axis, and rays through each stack from both ends.
 fn layers() -> ScriptedWorld {
     const LAYERS: u32 = 256;
     let mut crosses = Vec::new();
@@ -422,7 +422,7 @@ fn layers() -> ScriptedWorld {
     CrossScene::new(crosses, &plan).closest(&rays)
 }
 
-/// Boxes that all extend from end to end along x, with their plates at random positions inside.
+/// Boxes that all contain the stretch from x = 0 to x = 100, with plates at random positions.
 fn overlapping_boxes() -> ScriptedWorld {
     let mut sampler = PixelSampler::new(0, 0, 4);
     let crosses: Vec<Cross> = (0..256)
@@ -462,10 +462,10 @@ fn deep() -> Vec<Spec> {
     ]
 }
 
-/// Four chains, one above the other: at each level, one child is a leaf and the other the rest of
-/// the chain, on the left or on the right, nearer or farther than the leaf. Whichever child a
-/// traversal visits first, in one of the chains all leaves are on its stack before it reaches the
-/// end, and the only hit is in the last one it visits.
+/// Four chains, one above the other. At each level of a chain, one child is a leaf and the other is
+/// the rest of the chain, which is on the left or on the right, nearer or farther than the leaf.
+/// Whichever child a traversal visits first, in one of the chains its stack holds a leaf of each
+/// level when it reaches the two innermost leaves, one of which has the only hit.
 fn chains(levels: u32) -> ScriptedWorld {
     let mut crosses = Vec::new();
     let mut chains = Vec::new();

@@ -7,20 +7,20 @@ use std::collections::BTreeMap;
 use wire::answer::TraverseAnswer;
 use wire::work::{NodeKind, Ray, ScriptedRay, ScriptedWorld, Tree};
 
-/// Savings are judged where a traversal that enters every box that a ray meets makes less than one
-/// in this many of all primitive tests.
+/// Savings are judged if a traversal that enters every box that a ray meets makes fewer than
+/// 1 / `MIN_SAVINGS` of the primitive tests that there are without a tree.
 const MIN_SAVINGS: u64 = 4;
 
-/// A traversal that goes where the boxes lead may make this many times the tests of one that enters
-/// every box that the ray meets, and nothing else.
+/// A traversal may make at most this many times the tests of a traversal that enters exactly the
+/// boxes that the ray meets.
 const SAVINGS_FACTOR: f64 = 3.0;
 
-/// A traversal may test each box of a single ray twice: when it finds it and, in case a hit has
-/// shortened the ray, when it visits it. Over many rays that is seldom.
+/// For a single ray, a traversal may test each box twice: when it finds the box and, because a hit
+/// may have shortened the ray since, when it visits the box. Over many rays both are seldom needed.
 const BOX_FACTOR_OF_ONE_RAY: f64 = 2.0;
 
 /// Judges the results of `intersect_bvh` or `occludes_bvh`; with `counts_work` also the number of
-/// tests. Tests that repeat others are always judged.
+/// tests, else whether the boxes save tests. Tests that repeat others are always judged.
 pub(crate) fn traverse(
     tally: &mut Tally,
     world: &ScriptedWorld,
@@ -44,10 +44,10 @@ pub(crate) fn traverse(
         beside_the_root(tally, world, answers);
     }
     if answers.iter().any(|answer| answer.repeated_prims > 0) {
-        // The number of tests follows from it.
+        // The repeated tests explain the number of tests, which is not judged again.
         repeated(tally, world, answers);
     } else if counts_work && tally.is_right(Aspect::HitOrMiss) {
-        // A traversal that misses hits makes fewer tests.
+        // A traversal that misses hits makes fewer tests, so its number is not judged.
         work(tally, world, answers);
     }
 }
@@ -58,8 +58,8 @@ fn is_leaf(tree: &Tree) -> bool {
     root.is_some_and(|root| matches!(root.kind, NodeKind::Leaf { .. }))
 }
 
-/// Judges that the box of a root that is a leaf is tested before its primitives: a ray beside it
-/// tests none of them.
+/// Judges that the box of a root that is a leaf is tested before its primitives: a ray that misses
+/// this box tests no primitive.
 fn beside_the_root(tally: &mut Tally, world: &ScriptedWorld, answers: &[TraverseAnswer]) {
     tally.expect(Aspect::Work);
     let function = function(world);
@@ -76,9 +76,9 @@ fn beside_the_root(tally: &mut Tally, world: &ScriptedWorld, answers: &[Traverse
     }
 }
 
-/// Judges whether the traversal goes where the boxes lead: it makes no more than a few times the
-/// tests of one that enters every box that the ray meets. In a world where that saves little,
-/// nothing is judged.
+/// Judges whether the boxes save tests: the traversal makes at most [`SAVINGS_FACTOR`] times the
+/// tests of a traversal that enters every box that the ray meets. In a world where even that
+/// traversal saves little, nothing is judged.
 fn savings(tally: &mut Tally, world: &ScriptedWorld, answers: &[TraverseAnswer]) {
     let mut met = Tests::default();
     let mut made = Tests::default();
@@ -109,14 +109,14 @@ fn savings(tally: &mut Tally, world: &ScriptedWorld, answers: &[TraverseAnswer])
     }
 }
 
-/// Judges that no primitive is tested twice with the same ray, for answers some of which do that.
-/// Every tree of the cases holds each primitive once.
+/// Judges that no primitive is tested twice with the same ray; some of `answers` have such tests.
+/// No tree of the cases holds a primitive twice.
 fn repeated(tally: &mut Tally, world: &ScriptedWorld, answers: &[TraverseAnswer]) {
     let function = function(world);
     for (call, (scripted, answer)) in world.rays.iter().zip(answers).enumerate() {
         let (tests, repeated) = (answer.prim_tests, answer.repeated_prims);
         let all = scripted.prims.len() as u32;
-        // Each primitive as often as any other.
+        // All primitives are tested, and the number of tests is a multiple of theirs.
         let is_whole_list = repeated + all == tests && tests.is_multiple_of(all);
         let class = (repeated > 0).then_some(match is_whole_list {
             true => Class::Named("all primitives in each leaf"),
@@ -237,7 +237,7 @@ fn any(tally: &mut Tally, call: usize, scripted: &ScriptedRay, answer: &Traverse
     });
 }
 
-/// A sentence about unexpected tests of the traversal, if it made any.
+/// A sentence about tests of boxes that are no node's bounds, if the traversal made any.
 fn odd_tests(answer: &TraverseAnswer) -> String {
     if answer.unknown_boxes > 0 {
         return format!(
@@ -310,18 +310,18 @@ fn work(tally: &mut Tally, world: &ScriptedWorld, answers: &[TraverseAnswer]) {
 
 /// The totals over all rays along one axis.
 struct AxisTotal {
-    /// The first of these rays.
+    /// The number of the first ray along the axis.
     call: usize,
     rays: usize,
-    /// The tests that were made.
+    /// The tests that the student's traversal made.
     tests: Tests,
     /// The tests of a traversal that always visits the left child first.
     left_first: Tests,
     /// The tests of a traversal that always visits the right child first.
     right_first: Tests,
-    /// Primitive tests that were hits.
+    /// The number of primitive tests that were hits.
     hits: u64,
-    /// Primitives that are hit in the rays' ranges.
+    /// The number of hits in the rays' ranges that there are to find.
     could_hit: u64,
 }
 
@@ -339,8 +339,8 @@ impl AxisTotal {
     }
 
     /// The class of too many tests. A traversal that visits the farther child first, or does not
-    /// stop at a hit, finds nearly all hits; one that does not cull boxes at max_t finds only the
-    /// nearest.
+    /// stop at a hit, finds nearly all hits. A traversal that does not cull boxes at max_t finds
+    /// only the nearest hits.
     fn why(&self, times: f64) -> Class {
         match self.hits as f64 / self.could_hit.max(1) as f64 {
             ALL_HITS_SHARE.. => Class::Named("finds all that is hit"),
@@ -356,7 +356,7 @@ const ALL_HITS_SHARE: f64 = 0.9;
 /// From this share of hits on, the class is "finds much of what is hit".
 const MANY_HITS_SHARE: f64 = 0.25;
 
-/// Calls `of` with a scripted ray and what it meets.
+/// Calls `of` with `scripted`, as a ray that can be traced through the tree of `world`.
 pub(super) fn traced<T>(
     world: &ScriptedWorld,
     scripted: &ScriptedRay,
@@ -388,7 +388,7 @@ mod tests {
         }
     }
 
-    /// The right answers, with `box_tests` and `prim_tests` for each ray.
+    /// The right answers, as closest hits, with `box_tests` and `prim_tests` for each ray.
     fn right(world: &ScriptedWorld, box_tests: u32, prim_tests: u32) -> Vec<TraverseAnswer> {
         let each = world.rays.iter();
         each.map(|scripted| {
@@ -446,7 +446,7 @@ mod tests {
         );
     }
 
-    /// Code that tests everything and returns the first hit.
+    /// As of code that tests everything and returns the hit that it found first, the farthest.
     #[test]
     fn a_right_max_t_beside_a_wrong_t_is_part_of_its_class() {
         let world = script("box_in_box");
@@ -475,7 +475,7 @@ mod tests {
         assert_eq!(failed(&world, &answers, false), [Aspect::RayAfter]);
     }
 
-    /// 256 layers have 511 nodes; half of the rays need to test few of them.
+    /// A stack of 256 layers has 511 nodes; half of the rays need tests of only a few nodes.
     #[test]
     fn testing_every_box_or_none_fails_work() {
         let world = script("nearer_first");
@@ -502,7 +502,7 @@ mod tests {
         }
     }
 
-    /// The trees have about 60 primitives; a ray meets 24 boxes and 5 primitives on average.
+    /// The tree has 60 primitives. On average a ray needs 24 box tests and 5 primitive tests.
     #[test]
     fn testing_everything_saves_nothing() {
         let world = script("random_trees");

@@ -24,13 +24,13 @@ const SUM_BOUND: f64 = 1e-9;
 /// bound of points is 2e-12.
 const ORIGIN_BOUND: f64 = 2e-13;
 
-/// How far a direction may be off.
+/// How far the length of a direction may be from 1, and a direction from that of a delta light.
 pub(super) const DIRECTION_BOUND: f64 = 1e-6;
 
 /// The largest gap between the end of a shadow ray and its light, relative to the distance.
 const LONGEST_GAP: f64 = 1e-6;
 
-/// The aspects of estimates.
+/// The aspects in which an estimate is judged.
 const OF_AN_ESTIMATE: [Aspect; 7] = [
     Aspect::Radiance,
     Aspect::Mean,
@@ -142,8 +142,8 @@ impl Estimate<'_> {
         )
     }
 
-    /// Judges the sum, which consists of `terms`. A wrong sum that equals that of a known mistake
-    /// for the same rays has the mistake's name as its class.
+    /// Judges the sum, which consists of `terms`. If a wrong sum is what one of `mistakes` gives
+    /// for the same rays, the class of the sum is the name of that mistake.
     fn radiance(
         &self,
         tally: &mut Tally,
@@ -192,7 +192,7 @@ impl Estimate<'_> {
         let samples = self.work.samples;
         let (wanted, most) = match self.point.material {
             Material::Mirror(_) | Material::Glass(_) => (0, 0),
-            // It scatters nothing: a ray is of no use, and no contract forbids it.
+            // A lamp scatters nothing: rays from it are of no use, but no contract forbids them.
             Material::Emission(_) | Material::PartOfLamp(_) => (0, samples),
             Material::Diffuse(_) => (samples, samples),
         };
@@ -242,8 +242,8 @@ impl Estimate<'_> {
         self.radiance(tally, sum * share, &terms, &mistakes.sums(share));
     }
 
-    /// Judges an estimate without rays as wrong if at least `wanted` of them are necessary: the sum
-    /// over no rays says nothing about the light.
+    /// Judges an estimate without rays as wrong if rays are necessary, at least `wanted` of them: a
+    /// sum over no rays says nothing about the light. Returns whether it is wrong.
     fn lacks_rays(&self, tally: &mut Tally, wanted: u32) -> bool {
         let lacks = wanted > 0 && self.answer.rays.is_empty();
         if lacks {
@@ -329,8 +329,8 @@ impl Estimate<'_> {
         self.radiance(tally, sum, &terms, &mistakes);
     }
 
-    /// Judges a sum as wrong that is the right one for what the shadow rays returned, because they
-    /// end elsewhere. `recorded` is the first of them, and its light is at the distance `far`.
+    /// Judges a sum as wrong although it is right for what its rays returned: some shadow rays do
+    /// not end at their light. `recorded` is the first of them, `far` the distance of its light.
     fn ends_are_wrong(&self, tally: &mut Tally, recorded: &RecordedRay, far: f64) {
         tally.expect(Aspect::Radiance);
         let class = Some(Class::Named("wrong ends"));
@@ -363,7 +363,7 @@ impl Estimate<'_> {
         lights.chain(around).chain(panels).collect()
     }
 
-    /// The smallest and the largest number of shadow rays that all lights may get.
+    /// The smallest and the largest number of shadow rays that all lights together may get.
     fn right_rays(&self, sources: &[Source]) -> (u32, u32) {
         if let Material::Mirror(_) | Material::Glass(_) = self.point.material {
             return (0, 0);
@@ -393,7 +393,7 @@ impl Estimate<'_> {
             .sum()
     }
 
-    /// The smallest and the largest number of shadow rays that a light may get.
+    /// The smallest and the largest number of shadow rays that one light may get.
     fn rays_to(&self, source: &Source) -> (u32, u32) {
         let samples = self.work.samples;
         match source {
@@ -427,7 +427,7 @@ impl Estimate<'_> {
         Term::of(&self.place, d, light, pdf, samples)
     }
 
-    /// Judges a shadow ray: it goes to a light that can contribute, and ends just before it.
+    /// Judges a shadow ray: it goes to a light that can contribute, and ends just before the light.
     fn shadow_ray(&self, tally: &mut Tally, recorded: &RecordedRay, target: &Target) {
         tally.expect(Aspect::Direction);
         tally.expect(Aspect::Range);
@@ -503,7 +503,7 @@ impl Estimate<'_> {
         });
     }
 
-    /// Judges that no two samples use the same random numbers.
+    /// Judges that no two samples use the same random numbers: no two rays have one direction.
     fn distinct(&self, tally: &mut Tally) {
         let is_directional = |light: &Light| matches!(light, Light::Directional { .. });
         let may_repeat = self

@@ -71,10 +71,11 @@ fn path_sheet(
     };
     let modal = Modal::new(Id::unique("path")).show(ctx, |ui| {
         ui.set_max_width(ctx.content_rect().width().min(560.0) - 60.0);
-        ui.heading(heading);
+        let heading = ui.heading(heading).id;
         ui.label(about);
         let field = TextEdit::singleline(&mut text).desired_width(f32::INFINITY);
         let field = ui.add(field.hint_text("scenes/dae/cornell_whale.dae"));
+        let field = field.labelled_by(heading);
         if !field.has_focus() && !field.lost_focus() {
             field.request_focus();
         }

@@ -222,6 +222,9 @@ fn every_control_has_a_name() {
         let controls = named_controls(&mut window, shown);
         assert!(controls >= least, "{controls} in {shown}");
     }
+    window.press(Key::Escape);
+    window.press_with(Modifiers::CTRL, Key::O);
+    assert!(named_controls(&mut window, "a path") >= 3);
 }
 
 #[test]

@@ -201,18 +201,15 @@ pub fn diagnose(known: &[Known], student: &Signature) -> Option<Diagnosis> {
     ranked.sort_by(Ranked::compare);
     let likeliest = *ranked.first()?;
     let likeness = likeliest.agreement.likeness();
-    if likeness < 1.0
-        && student.has_core_faults()
-        && let Some(pair) = several::two_at_once(&ranked, student, likeness)
-    {
+    if let Some(pair) = several::two_at_once(&ranked, student) {
         return Some(pair);
     }
-    let best = match likeness < LIKELY {
-        true => match alone_of_its_kind(&ranked, student) {
-            Some(alone) => alone,
-            None => return several::one_of_several(&ranked, student),
-        },
-        false => likeliest,
+    let best = if likeness >= LIKELY {
+        likeliest
+    } else if let Some(alone) = alone_of_its_kind(&ranked, student) {
+        alone
+    } else {
+        return several::one_of_several(&ranked, student);
     };
     let Named {
         mistakes,
@@ -392,7 +389,7 @@ mod tests {
     use super::*;
     use crate::signature::tests::signature;
 
-    fn known(name: &str, signature: Signature) -> Known {
+    pub(super) fn known(name: &str, signature: Signature) -> Known {
         Known {
             mistakes: vec![name.into()],
             descriptions: vec![format!("does {name}")],
@@ -440,51 +437,6 @@ mod tests {
         };
         assert_eq!(named(&[in_both.clone(), in_one]), ["one"]);
         assert_eq!(named(&[in_both]), ["both"]);
-    }
-
-    #[test]
-    fn a_second_mistake_explains_what_the_first_leaves() {
-        let all = [
-            known("first", signature(&[("case t", "90*a")])),
-            known("second", signature(&[("case normal", "20*b")])),
-        ];
-        let of = |rest| {
-            diagnose(
-                &all,
-                &signature(&[("case t", "90*a"), ("case normal", rest)]),
-            )
-        };
-        let pair = of("20*b").expect("both are known");
-        assert!(
-            pair.says
-                .ends_with("the first explains 90 of 110 wrong values, the second the other 20"),
-            "{}",
-            pair.says
-        );
-        assert_eq!(pair.mistakes, ["first", "second"]);
-        // Half of the rest is not enough: a second mistake is not invented.
-        let one = of("20*b 20*c").map(|diagnosis| diagnosis.mistakes);
-        assert_ne!(one.as_deref().map(<[_]>::len), Some(2));
-    }
-
-    #[test]
-    fn one_mistake_in_two_functions_is_not_told_as_two() {
-        let in_one = ("case t@one", "90*a");
-        let in_two = ("case t@two", "20*b");
-        let all = [
-            known("this", signature(&[in_one])),
-            known("other", signature(&[in_two])),
-            known("this", signature(&[in_two])),
-        ];
-        let diagnosis = diagnose(&all, &signature(&[in_one, in_two])).expect("it is known");
-        assert_eq!(diagnosis.mistakes, ["this"]);
-        assert!(
-            diagnosis
-                .says
-                .contains("code that does this, in two functions: the first explains 90"),
-            "{}",
-            diagnosis.says
-        );
     }
 
     #[test]

@@ -2,6 +2,7 @@
 
 use super::{Certainty, Diagnosis, FEWEST_CALLS, Named, Ranked, SURE, with_twins};
 use crate::signature::{Alone, Signature};
+use std::cmp::Reverse;
 
 /// Two mistakes together must explain this share of the wrong values.
 const TOGETHER: f64 = 0.8;
@@ -32,14 +33,19 @@ const SHOWN_OF_SEVERAL: f64 = 0.9;
 const SHARE_OF_SEVERAL: f64 = 0.3;
 
 /// Two mistakes that together explain what neither explains alone: one leaves a rest that the other
-/// explains.
-pub(super) fn two_at_once(ranked: &[Ranked], student: &Signature, alone: f64) -> Option<Diagnosis> {
+/// explains. `ranked` begins with the likeliest.
+pub(super) fn two_at_once(ranked: &[Ranked], student: &Signature) -> Option<Diagnosis> {
+    let likeliest = ranked.first()?;
+    let alone = likeliest.agreement.likeness();
+    if alone >= 1.0 || !student.has_core_faults() {
+        return None;
+    }
     let is_candidate = |one: &&Ranked| {
         let shares = one.agreement.equal as f64 >= CANDIDATE * one.agreement.second as f64;
         one.known.mistakes.len() == 1 && one.agreement.equal > 0 && shares
     };
     let mut candidates: Vec<Ranked> = ranked.iter().filter(is_candidate).copied().collect();
-    candidates.sort_by_key(|one| std::cmp::Reverse(one.agreement.equal));
+    candidates.sort_by_key(|one| Reverse(one.agreement.equal));
     candidates.truncate(MOST_CANDIDATES);
     let pairs = candidates.iter().enumerate().flat_map(|(i, first)| {
         // The one that explains more comes first.
@@ -47,12 +53,13 @@ pub(super) fn two_at_once(ranked: &[Ranked], student: &Signature, alone: f64) ->
         others.map(move |second| (first, second))
     });
     let wrong = student.wrong();
-    // Where one mistake explains nearly all, another formula explains the rest as well as another
-    // mistake does, unless that mistake and the other leave nothing.
+    // Where one mistake explains nearly all, its formula may be to blame for the rest. A second
+    // mistake is made only if it and the first leave nothing.
     let is_nearly_all = alone >= SURE;
-    let has_likeliest = |pair: [&Ranked; 2]| pair.iter().any(|one| is_same(one, &ranked[0]));
     let (first, second, together) = pairs
-        .filter(|(first, second)| !is_nearly_all || has_likeliest([first, second]))
+        .filter(|(first, second)| {
+            !is_nearly_all || is_same(first, likeliest) || is_same(second, likeliest)
+        })
         .filter(|(first, second)| !is_same(first, second) || is_in_two_functions(first, second))
         .map(|(first, second)| {
             let [one, other] = [first, second].map(|one| &one.known.signature);
@@ -111,32 +118,29 @@ pub(super) fn two_at_once(ranked: &[Ranked], student: &Signature, alone: f64) ->
     })
 }
 
-/// One of several mistakes: the wrong values of code that makes it are also the student's, and wrong
-/// in the same way, but the student has others, for which no name is known.
+/// One of several mistakes: the wrong values of code that makes it are also the student's, and
+/// wrong in the same way, but the student has others, for which no name is known.
 pub(super) fn one_of_several(ranked: &[Ranked], student: &Signature) -> Option<Diagnosis> {
     if !student.has_core_faults() {
         return None;
     }
     let wrong = student.wrong();
-    let shown = |one: &Ranked| student.shows(&one.known.signature);
-    let is_one = |one: &&Ranked| {
-        let Alone { of, shown } = shown(one);
-        one.known.mistakes.len() == 1
-            && shown >= FEWEST_OF_SEVERAL
-            && shown as f64 >= SHOWN_OF_SEVERAL * of as f64
-            && shown as f64 >= SHARE_OF_SEVERAL * wrong as f64
-    };
-    let best = ranked
+    let (best, Alone { shown: equal, .. }) = ranked
         .iter()
-        .filter(is_one)
-        .max_by_key(|one| (shown(one).shown, std::cmp::Reverse(shown(one).of)))?;
+        .filter(|one| one.known.mistakes.len() == 1)
+        .map(|one| (one, student.shows(&one.known.signature)))
+        .filter(|(_, Alone { of, shown })| {
+            *shown >= FEWEST_OF_SEVERAL
+                && *shown as f64 >= SHOWN_OF_SEVERAL * *of as f64
+                && *shown as f64 >= SHARE_OF_SEVERAL * wrong as f64
+        })
+        .max_by_key(|(_, Alone { of, shown })| (*shown, Reverse(*of)))?;
     let Named {
         mistakes,
         says,
         others,
         hint,
     } = with_twins(ranked, best)?;
-    let equal = shown(best).shown;
     Some(Diagnosis {
         mistakes,
         says: format!(
@@ -164,19 +168,58 @@ fn is_in_two_functions(first: &Ranked, second: &Ranked) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use crate::diagnosis::{Diagnosis, Known, diagnose};
+    use crate::diagnosis::tests::known;
+    use crate::diagnosis::{Diagnosis, diagnose};
     use crate::signature::tests::signature;
 
     /// What is said of a student's wrong values where one mistake is known.
     fn diagnosis(mistake: &[(&str, &str)], student: &[(&str, &str)]) -> Option<Diagnosis> {
-        let known = Known {
-            mistakes: vec!["this".into()],
-            descriptions: vec!["does this".into()],
-            hints: vec!["Not this.".into()],
-            signature: signature(mistake),
-            is_symptom: false,
+        diagnose(&[known("this", signature(mistake))], &signature(student))
+    }
+
+    #[test]
+    fn a_second_mistake_explains_what_the_first_leaves() {
+        let all = [
+            known("first", signature(&[("case t", "90*a")])),
+            known("second", signature(&[("case normal", "20*b")])),
+        ];
+        let of = |rest| {
+            diagnose(
+                &all,
+                &signature(&[("case t", "90*a"), ("case normal", rest)]),
+            )
         };
-        diagnose(&[known], &signature(student))
+        let pair = of("20*b").expect("both are known");
+        assert!(
+            pair.says
+                .ends_with("the first explains 90 of 110 wrong values, the second the other 20"),
+            "{}",
+            pair.says
+        );
+        assert_eq!(pair.mistakes, ["first", "second"]);
+        // Half of the rest is not enough: a second mistake is not invented.
+        let one = of("20*b 20*c").map(|diagnosis| diagnosis.mistakes);
+        assert_ne!(one.as_deref().map(<[_]>::len), Some(2));
+    }
+
+    #[test]
+    fn one_mistake_in_two_functions_is_not_told_as_two() {
+        let in_one = ("case t@one", "90*a");
+        let in_two = ("case t@two", "20*b");
+        let all = [
+            known("this", signature(&[in_one])),
+            known("other", signature(&[in_two])),
+            known("this", signature(&[in_two])),
+        ];
+        let diagnosis = diagnose(&all, &signature(&[in_one, in_two])).expect("it is known");
+        assert_eq!(diagnosis.mistakes, ["this"]);
+        assert!(
+            diagnosis
+                .says
+                .contains("code that does this, in two functions: the first explains 90"),
+            "{}",
+            diagnosis.says
+        );
     }
 
     #[test]
@@ -206,16 +249,9 @@ mod tests {
 
     #[test]
     fn where_one_mistake_explains_nearly_all_a_second_explains_the_whole_rest() {
-        let known = |name: &str, side: &str, codes: &str| Known {
-            mistakes: vec![name.into()],
-            descriptions: vec![format!("does {name}")],
-            hints: vec![format!("Not {name}.")],
-            signature: signature(&[(side, codes)]),
-            is_symptom: false,
-        };
         let all = [
-            known("this", "case t", "97*a"),
-            known("that", "case normal", "3*b"),
+            known("this", signature(&[("case t", "97*a")])),
+            known("that", signature(&[("case normal", "3*b")])),
         ];
         let named = |rest| {
             let student = signature(&[("case t", "97*a"), ("case normal", rest)]);

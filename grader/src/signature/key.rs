@@ -39,12 +39,9 @@ impl SignatureKey {
                 fault: None,
             },
         };
-        let decides = self
-            .side
-            .place()
-            .is_some_and(|(aspect, _)| aspect.is_decision());
+        let is_decision = self.side.is_decision();
         let keys = [Aspect::HitOrMiss, Aspect::SampleOrNone].map(of);
-        keys.into_iter().filter(move |_| !decides)
+        keys.into_iter().filter(move |_| !is_decision)
     }
 
     /// The key of a crash of the same case.
@@ -93,6 +90,11 @@ impl Side {
             Side::Crash => None,
             Side::Aspect { function, .. } => function.as_deref(),
         }
+    }
+
+    /// Whether this is the side without which no other of the same answer is judged.
+    pub(super) fn is_decision(&self) -> bool {
+        self.place().is_some_and(|(aspect, _)| aspect.is_decision())
     }
 
     /// The aspect and the function, without the fault's name.

@@ -36,6 +36,11 @@ pub struct Signature {
 
 type Cases = BTreeMap<SignatureKey, Codes>;
 
+/// The codes of a side of a case, call by call; none where every call is right.
+fn codes_at<'a>(cases: &'a Cases, key: &SignatureKey) -> &'a [u16] {
+    cases.get(key).map_or(&[], |codes| &codes.0)
+}
+
 /// How two signatures agree.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Agreement {
@@ -188,7 +193,7 @@ impl Signature {
     pub fn contradicts(&self, mistake: &Signature) -> bool {
         let mut sides: BTreeMap<Option<(Aspect, Option<&str>)>, Alone> = BTreeMap::new();
         for (key, codes) in mistake.cases() {
-            let mine = self.cases().get(key).map_or(&[][..], |mine| &mine.0);
+            let mine = codes_at(self.cases(), key);
             let hidden = Hiding::of(self.cases(), key);
             let side = sides.entry(key.side.place()).or_default();
             let wrong = codes.0.iter().enumerate().filter(|(_, code)| **code != 0);
@@ -212,10 +217,7 @@ impl Signature {
         let [mine, theirs] = [self, mistake].map(Signature::cases);
         let keys: BTreeSet<&SignatureKey> = mine.keys().chain(theirs.keys()).collect();
         for key in keys {
-            let codes = [mine, theirs].map(|cases| {
-                let codes = cases.get(key);
-                codes.map_or(&[][..], |codes| &codes.0)
-            });
+            let codes = [mine, theirs].map(|cases| codes_at(cases, key));
             let hidden = [mine, theirs].map(|cases| Hiding::of(cases, key));
             let is_of_all_calls = matches!(&key.side, Side::Aspect { aspect, fault: None, .. } if aspect.is_of_chance());
             if is_of_all_calls
@@ -295,10 +297,7 @@ impl Signature {
         let keys: BTreeSet<&SignatureKey> =
             self.cases().keys().chain(other.cases().keys()).collect();
         for key in keys {
-            let [mine, theirs] = [self, other].map(|signature| {
-                let codes = signature.cases().get(key);
-                codes.map_or(&[][..], |codes| &codes.0)
-            });
+            let [mine, theirs] = [self, other].map(|signature| codes_at(signature.cases(), key));
             for call in 0..mine.len().max(theirs.len()) {
                 let [a, b] = [mine, theirs].map(|codes| codes.get(call).copied().unwrap_or(0));
                 if a != 0 || b != 0 {

@@ -1,27 +1,20 @@
 //! Compares a signature with those of two known mistakes that may be made together.
 
-use super::{Cases, Signature, SignatureKey};
+use super::{Cases, Signature, SignatureKey, codes_at};
 use std::collections::BTreeSet;
 
 impl Signature {
-    /// How many of the values that `mistake` makes wrong are here wrong in the same way. Left out are
-    /// values that a crash or a wrong hit or miss hides here, and hits and misses themselves: a miss
-    /// is the same whatever causes it.
+    /// How many of the values that `mistake` makes wrong are wrong here in the same way. Not counted
+    /// are values that a crash or a wrong hit or miss hides here, nor hits and misses themselves: a
+    /// miss is the same whatever causes the miss.
     pub fn shows(&self, mistake: &Signature) -> Alone {
-        let [mine, theirs] = match self.core.is_empty() {
-            true => [&self.robust, &mistake.robust],
-            false => [&self.core, &mistake.core],
-        };
         let mut shows = Alone::default();
-        let is_decision = |key: &SignatureKey| {
-            let place = key.side.place();
-            place.is_some_and(|(aspect, _)| aspect.is_decision())
-        };
-        for (key, codes) in theirs.iter().filter(|(key, _)| !is_decision(key)) {
-            let mine_here = mine.get(key).map_or(&[][..], |codes| &codes.0);
-            let hidden = Hiding::of(mine, key);
+        let sides = mistake.cases().iter();
+        for (key, codes) in sides.filter(|(key, _)| !key.side.is_decision()) {
+            let mine = codes_at(self.cases(), key);
+            let hidden = Hiding::of(self.cases(), key);
             for (call, code) in codes.0.iter().enumerate() {
-                let here = mine_here.get(call).copied().unwrap_or(0);
+                let here = mine.get(call).copied().unwrap_or(0);
                 if *code != 0 && !(here == 0 && hidden.at(call)) {
                     shows.of += 1;
                     shows.shown += usize::from(here == *code);
@@ -43,10 +36,7 @@ impl Signature {
         });
         let keys: BTreeSet<&SignatureKey> = of_tier.iter().flat_map(|cases| cases.keys()).collect();
         for key in keys {
-            let [student, one, other] = of_tier.map(|cases| {
-                let codes = cases.get(key);
-                codes.map_or(&[][..], |codes| &codes.0)
-            });
+            let [student, one, other] = of_tier.map(|cases| codes_at(cases, key));
             let hiding = [of_tier[1], of_tier[2]].map(|cases| Hiding::of(cases, key));
             let is_hidden = |call| hiding.iter().any(|hiding| hiding.at(call));
             for call in 0..student.len().max(one.len()).max(other.len()) {

@@ -35,10 +35,7 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
             "samples_and_mean",
             "A stopping rule that always returns false: all -s samples are taken, each with one \
              call of camera_ray and trace_ray, and averaged over their number, black ones, too.",
-            (0..6)
-                .map(|i| of(i, 9 + 7 * i, 4, never()))
-                .chain((6..9).map(|i| with_black(of(i, 9 + 7 * i, 4, never()))))
-                .collect(),
+            some_black(|i| of(i, 9 + 7 * i, 4, never())),
         )
         .only(&[Calls, Radiance]),
         pixel(
@@ -74,12 +71,12 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         .only(&[Calls, Radiance]),
         pixel(
             "luminance",
-            "The stopping rule gets luminances, in which green has the largest weight, those of black \
-             samples, too, and the tolerance unchanged.",
-            (0..6)
-                .map(in_colours)
-                .chain((6..9).map(|i| with_black(in_colours(i))))
-                .collect(),
+            "The stopping rule gets luminances, in which green has the largest weight, those of \
+             black samples, too, and the tolerance unchanged.",
+            some_black(|i| AdaptivePixel {
+                stream: colours("luminance", i),
+                ..of(i, 24, 8, never())
+            }),
         )
         .only(&[Questions]),
         pixel(
@@ -182,31 +179,21 @@ fn of(i: u32, ns_aa: u32, batch: u32, rule: StopRule) -> AdaptivePixel {
     }
 }
 
-/// A pixel whose rule never stops.
-fn in_colours(i: u32) -> AdaptivePixel {
-    AdaptivePixel {
-        stream: colours("luminance", i),
-        ..of(i, 24, 8, never())
+/// Nine pixels; in the last three every third sample is black.
+fn some_black(pixel: impl Fn(u32) -> AdaptivePixel) -> Vec<AdaptivePixel> {
+    let mut pixels: Vec<AdaptivePixel> = (0..9).map(pixel).collect();
+    for pixel in &mut pixels[6..] {
+        let thirds = pixel.stream.iter_mut().skip(2).step_by(3);
+        thirds.for_each(|colour| *colour = [0.0; 3]);
     }
-}
-
-/// The pixel with every third sample black.
-fn with_black(pixel: AdaptivePixel) -> AdaptivePixel {
-    let each = pixel.stream.iter().zip(1..);
-    let stream = each.map(|(colour, i)| if i % 3 == 0 { [0.0; 3] } else { *colour });
-    AdaptivePixel {
-        stream: stream.collect(),
-        ..pixel
-    }
+    pixels
 }
 
 /// The pixel with samples a hundred thousand times as bright.
-fn bright(pixel: AdaptivePixel) -> AdaptivePixel {
-    let stream = pixel.stream.iter();
-    AdaptivePixel {
-        stream: stream.map(|colour| colour.map(|c| 1e5 * c)).collect(),
-        ..pixel
-    }
+fn bright(mut pixel: AdaptivePixel) -> AdaptivePixel {
+    let channels = pixel.stream.iter_mut().flatten();
+    channels.for_each(|c| *c *= 1e5);
+    pixel
 }
 
 /// 4 samples in a pixel of a film of 16 x 16.

@@ -4,9 +4,9 @@ use super::{Cases, Signature, SignatureKey, codes_at};
 use std::collections::BTreeSet;
 
 impl Signature {
-    /// How many of the values that `mistake` makes wrong are wrong here in the same way. Not counted
-    /// are values that a crash or a wrong hit or miss hides here, nor hits and misses themselves: a
-    /// miss is the same whatever causes the miss.
+    /// How many of the values that `mistake` makes wrong are wrong here in the same way. Not
+    /// counted are values that a crash or a wrong hit or miss hides here, nor hits and misses
+    /// themselves: a miss is the same whatever causes the miss.
     pub fn shows(&self, mistake: &Signature) -> Alone {
         let mut shows = Alone::default();
         let sides = mistake.cases().iter();

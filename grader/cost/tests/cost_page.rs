@@ -251,8 +251,8 @@ fn the_page_is_self_contained() {
     let page = html(&report(rows(0.0, 0.0), None));
     assert_eq!(
         plots(&page).len(),
-        10,
-        "pareto, heat map; distributions, exactness, trees and pictures for two widths"
+        12,
+        "pareto, heat map, distributions, exactness, trees and pictures for two widths"
     );
     for place in ["src=\"", "href=\""] {
         for (i, _) in page.match_indices(place) {
@@ -313,6 +313,54 @@ fn no_text_is_clipped() {
             assert!(size / 4.0 >= 8.5, "“{said}” is too small to read");
         }
     }
+}
+
+/// With all families of rays the cells of a telephone's heat map are narrow.
+#[test]
+fn numbers_fit_their_cells() {
+    let mut all = family(rows(5.0, 0.0));
+    all.columns = RayFamily::ALL
+        .map(|family| RayColumn {
+            family,
+            about: String::new(),
+        })
+        .into();
+    for (i, row) in all.rows.iter_mut().enumerate() {
+        let wrong = [0.0, 5.0, 110_000.0, 1e6][i];
+        row.by_ray_family = RayFamily::ALL
+            .map(|family| accuracy(family, 1e-16, wrong))
+            .into();
+    }
+    let mut report = report(vec![], None);
+    report.families = vec![all];
+    let page = html(&report);
+    let mut cells = 0;
+    for plot in plots(&page) {
+        let file = roxmltree::Document::parse(plot).expect("well-formed");
+        let number = |node: roxmltree::Node, name| -> f64 {
+            let text = node.attribute(name).expect(name);
+            text.parse().expect(name)
+        };
+        let tips = || {
+            let rects = file.descendants().filter(|n| n.has_tag_name("rect"));
+            rects.filter(|rect| rect.attribute("class") == Some("tip"))
+        };
+        for text in file.descendants().filter(|n| n.has_tag_name("text")) {
+            let (x, y) = (number(text, "x"), number(text, "y"));
+            let Some(cell) = tips().find(|rect| {
+                let [left, top] = ["x", "y"].map(|name| number(*rect, name));
+                (left..left + number(*rect, "width")).contains(&x)
+                    && (top..top + number(*rect, "height")).contains(&y)
+            }) else {
+                continue;
+            };
+            let said = text.text().unwrap_or("").trim();
+            let long = 0.56 * number(text, "font-size") * said.chars().count() as f64;
+            assert!(long <= number(cell, "width"), "“{said}” is cut");
+            cells += 1;
+        }
+    }
+    assert_eq!(cells, 2 * 4 * (RayFamily::ALL.len() + 1));
 }
 
 #[test]

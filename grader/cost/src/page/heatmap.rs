@@ -1,93 +1,73 @@
 //! A heat map of accuracy: one column per family of rays, one row per kernel.
 
-use super::heatmap_cell::{Cell, CellClass, cells};
+use super::heatmap_cell::{CellClass, cells};
 use super::kernel_name::name;
 use crate::report::{Accuracy, KernelFamily, KernelRow};
 use base::GraderError;
-use plots::canvas::{DrawResult, Label, svg};
+use plots::canvas::{Canvas, DrawResult, Label, Position, for_both_widths};
 use plots::figure::Figure;
 use plots::numbers::list;
 use plots::style::{self, text_color_on};
+use std::fmt::Write;
 
-/// Sizes of the kernel names, the family names and the cells, in points.
+/// Sizes in points of the kernel names, the family names and the rows.
 const NAMES: f64 = 172.0;
 const HEAD: f64 = 34.0;
 const WIDTH: f64 = 860.0;
 const ROW: f64 = 18.0;
 const KEY: f64 = 26.0;
 
+/// The same on a telephone, where the kernel's name is above its cells and the names of families
+/// are upright.
+const NARROW_WIDTH: f64 = 300.0;
+const NARROW_HEAD: f64 = 88.0;
+const NAME_LINE: f64 = 14.0;
+
+/// Font size of names.
+const NAME: f64 = 9.5;
+
 /// Draws the heat map.
 pub(crate) fn figure(family: &KernelFamily) -> Result<Figure, GraderError> {
-    let has_leaks = family
-        .rows
-        .iter()
-        .any(|row| row.leaks_per_million.is_some());
-    let columns = family.columns.len() + usize::from(has_leaks);
-    let cell = (WIDTH - NAMES) / columns.max(1) as f64;
-    let height = HEAD + ROW * family.rows.len() as f64 + KEY;
+    let mut headings: Vec<&str> = family.columns.iter().map(|c| c.family.name()).collect();
+    if has_leaks(family) {
+        headings.push("closed mesh");
+    }
+    let rows = family.rows.len() as f64;
+    let broad = [WIDTH, HEAD + ROW * rows + KEY];
+    let narrow_key = KEY_LINE * (classes(family).count() as f64 + 1.0);
+    let narrow = [
+        NARROW_WIDTH,
+        NARROW_HEAD + (NAME_LINE + ROW) * rows + narrow_key,
+    ];
     let label = format!("Accuracy by family of rays: {}", family.shape.name());
-    let drawing = svg(WIDTH, height, &label, |canvas| -> DrawResult {
-        let center = |column: usize, y: f64| (NAMES + cell * (column as f64 + 0.5), y);
-        let mut headings: Vec<&str> = family.columns.iter().map(|c| c.family.name()).collect();
-        if has_leaks {
-            headings.push("closed mesh");
-        }
-        for (column, head) in headings.iter().enumerate() {
-            let words: Vec<&str> = head.split(' ').collect();
-            let (first, last) = words.split_at(words.len() - 1);
-            let (first, last) = (first.join(" "), last.join(" "));
-            canvas.text(&first, center(column, HEAD - 21.0), Label::centered(9.5))?;
-            canvas.text(&last, center(column, HEAD - 9.0), Label::centered(9.5))?;
-        }
+    let drawing = for_both_widths(broad, narrow, &label, |canvas, size, is_narrow| {
+        let layout = match is_narrow {
+            false => Layout {
+                left: NAMES,
+                head: HEAD,
+                row: ROW,
+                cell: (WIDTH - NAMES) / headings.len().max(1) as f64,
+            },
+            true => Layout {
+                left: 0.0,
+                head: NARROW_HEAD,
+                row: NAME_LINE + ROW,
+                cell: NARROW_WIDTH / headings.len().max(1) as f64,
+            },
+        };
+        draw_headings(canvas, &layout, &headings, is_narrow)?;
         for (i, row) in family.rows.iter().enumerate() {
-            let top = HEAD + ROW * i as f64;
-            let label = Label::right(9.5);
-            let label = if row.student { label.bold() } else { label };
-            canvas.text(&name(row), (NAMES - 6.0, top + 0.5 * ROW), label)?;
-            for (column, cell_of) in cells(row).into_iter().enumerate() {
-                let left = NAMES + cell * column as f64;
-                let Cell { color, text, .. } = &cell_of;
-                let color = *color;
-                let corners = [
-                    (left + 0.6, top + 0.6),
-                    (left + cell - 0.6, top + ROW - 0.6),
-                ];
-                canvas.rectangle(corners[0], corners[1], color)?;
-                let label = Label::centered(9.0).in_color(text_color_on(color));
-                canvas.text(text, center(column, top + 0.5 * ROW), label)?;
-                let tip = format!("{}, {}: {}", name(row), headings[column], cell_of.tip);
-                canvas.tip_over(corners[0], corners[1], &tip);
-            }
+            let top = layout.head + layout.row * i as f64;
+            draw_row(canvas, &layout, top, row, &headings, is_narrow)?;
         }
-        let y = height - 0.4 * KEY;
-        let mut x = 12.0;
-        for class in CellClass::ALL {
-            if class == CellClass::Leak && !has_leaks {
-                continue;
-            }
-            // Those that are shaded by degree have a key of three shades.
-            let shades: &[f64] = match class {
-                CellClass::Correct => &[1.0],
-                _ => &[0.0, 0.5, 1.0],
-            };
-            for (i, strength) in shades.iter().enumerate() {
-                let left = x + 8.0 * i as f64;
-                let color = style::tint(class.color(), *strength);
-                canvas.rectangle((left, y - 7.0), (left + 8.0, y + 7.0), color)?;
-            }
-            x += 8.0 * shades.len() as f64 + 5.0;
-            let label = Label::left(9.5);
-            let text = format!("{} {}", class.sign(), class.meaning());
-            canvas.text(&text, (x, y), label)?;
-            x += 14.0 + label.width(&text);
-        }
-        Ok(())
+        let corner = match is_narrow {
+            false => (12.0, size[1] - 0.4 * KEY),
+            true => (2.0, size[1] - narrow_key + 1.2 * KEY_LINE),
+        };
+        draw_key(canvas, corner, family, is_narrow)
     })?;
     let mut head = vec!["test".to_string()];
-    head.extend(family.columns.iter().map(|c| c.family.name().to_string()));
-    if has_leaks {
-        head.push("closed mesh".into());
-    }
+    head.extend(headings.iter().map(ToString::to_string));
     let row_of = |row: &KernelRow| {
         let cells = cells(row).into_iter().map(|cell| cell.text);
         std::iter::once(name(row)).chain(cells).collect()
@@ -101,6 +81,133 @@ pub(crate) fn figure(family: &KernelFamily) -> Result<Figure, GraderError> {
         head,
         rows: family.rows.iter().map(row_of).collect(),
     })
+}
+
+/// Where names and cells are.
+struct Layout {
+    /// Left end of the first cell.
+    left: f64,
+    /// Top of the first row.
+    head: f64,
+    /// Distance of two rows.
+    row: f64,
+    /// Width of a cell.
+    cell: f64,
+}
+
+impl Layout {
+    fn middle(&self, column: usize) -> f64 {
+        self.left + self.cell * (column as f64 + 0.5)
+    }
+}
+
+/// Writes the names of the families above their columns.
+fn draw_headings(
+    canvas: &Canvas,
+    layout: &Layout,
+    headings: &[&str],
+    is_narrow: bool,
+) -> DrawResult {
+    for (column, head) in headings.iter().enumerate() {
+        let x = layout.middle(column);
+        if is_narrow {
+            let upright = Label {
+                upright: true,
+                ..Label::left(NAME)
+            };
+            canvas.text(head, (x, layout.head - 4.0), upright)?;
+            continue;
+        }
+        let words: Vec<&str> = head.split(' ').collect();
+        let (first, last) = words.split_at(words.len() - 1);
+        let (first, last) = (first.join(" "), last.join(" "));
+        canvas.text(&first, (x, layout.head - 21.0), Label::centered(NAME))?;
+        canvas.text(&last, (x, layout.head - 9.0), Label::centered(NAME))?;
+    }
+    Ok(())
+}
+
+/// Draws the name of a kernel and its cells.
+fn draw_row(
+    canvas: &Canvas,
+    layout: &Layout,
+    top: f64,
+    row: &KernelRow,
+    headings: &[&str],
+    is_narrow: bool,
+) -> DrawResult {
+    let bottom = top + layout.row;
+    let (position, label) = match is_narrow {
+        false => ((layout.left - 6.0, bottom - 0.5 * ROW), Label::right(NAME)),
+        true => ((2.0, bottom - ROW - 0.4 * NAME_LINE), Label::left(NAME)),
+    };
+    let label = if row.student { label.bold() } else { label };
+    canvas.text(&name(row), position, label)?;
+    for (column, cell) in cells(row).into_iter().enumerate() {
+        let left = layout.left + layout.cell * column as f64;
+        let corners = [
+            (left + 0.6, bottom - ROW + 0.6),
+            (left + layout.cell - 0.6, bottom - 0.6),
+        ];
+        canvas.rectangle(corners[0], corners[1], cell.color)?;
+        let label = Label::centered(9.0).in_color(text_color_on(cell.color));
+        let text = if is_narrow { &cell.short } else { &cell.text };
+        canvas.text(text, (layout.middle(column), bottom - 0.5 * ROW), label)?;
+        let tip = format!("{}, {}: {}", name(row), headings[column], cell.tip);
+        canvas.tip_over(corners[0], corners[1], &tip);
+    }
+    Ok(())
+}
+
+/// Distance in points of the lines of the key, where it has several.
+const KEY_LINE: f64 = 16.0;
+
+/// Draws what the shades of cells mean, in one line or, on a telephone, in one for each class.
+fn draw_key(
+    canvas: &Canvas,
+    (start, mut y): Position,
+    family: &KernelFamily,
+    is_narrow: bool,
+) -> DrawResult {
+    let mut x = start;
+    for class in classes(family) {
+        // Those that are shaded by degree have a key of three shades.
+        let shades: &[f64] = match class {
+            CellClass::Correct => &[1.0],
+            _ => &[0.0, 0.5, 1.0],
+        };
+        for (i, strength) in shades.iter().enumerate() {
+            let left = x + 8.0 * i as f64;
+            let color = style::tint(class.color(), *strength);
+            canvas.rectangle((left, y - 7.0), (left + 8.0, y + 7.0), color)?;
+        }
+        let shown = if is_narrow { 3 } else { shades.len() };
+        x += 8.0 * shown as f64 + 5.0;
+        let label = Label::left(NAME);
+        let mut text = format!("{} {}", class.sign(), class.meaning());
+        if is_narrow {
+            let _ = write!(text, ", {}", class.unit());
+        }
+        canvas.text(&text, (x, y), label)?;
+        if is_narrow {
+            (x, y) = (start, y + KEY_LINE);
+        } else {
+            x += 14.0 + label.width(&text);
+        }
+    }
+    Ok(())
+}
+
+fn has_leaks(family: &KernelFamily) -> bool {
+    let mut rows = family.rows.iter();
+    rows.any(|row| row.leaks_per_million.is_some())
+}
+
+/// The classes that cells of the map can have.
+fn classes(family: &KernelFamily) -> impl Iterator<Item = CellClass> {
+    let has_leaks = has_leaks(family);
+    let all = CellClass::ALL.into_iter();
+    all.filter(move |class| *class != CellClass::Leak || has_leaks)
 }
 
 /// What the map shows: which tests are never wrong.

@@ -74,6 +74,14 @@ impl CellClass {
             CellClass::Leak => "leaks",
         }
     }
+
+    /// What the number in a cell counts.
+    pub(super) fn unit(self) -> &'static str {
+        match self {
+            CellClass::Correct | CellClass::Within => "bits",
+            CellClass::Beyond | CellClass::Wrong | CellClass::Leak => "%",
+        }
+    }
 }
 
 /// The smallest and the largest share of rays, per million, between which a cell is shaded by
@@ -95,6 +103,8 @@ fn missing_bits(bits: f64) -> f64 {
 pub(super) struct Cell {
     pub(super) color: RGBColor,
     pub(super) text: String,
+    /// The sign and a whole number of [`CellClass::unit`], for narrow cells.
+    pub(super) short: String,
     pub(super) tip: String,
 }
 
@@ -107,25 +117,24 @@ pub(super) fn cells(row: &KernelRow) -> Vec<Cell> {
         .map(|accuracy| {
             let class = CellClass::of(accuracy);
             let bits = accuracy.t.map(|t| t.correct_bits());
-            let (number, strength) = match class {
+            let bits_text = || bits.map_or(String::new(), |bits| format!("{bits:.0}"));
+            let (number, rounded, strength) = match class {
                 CellClass::Wrong => {
                     let wrong = accuracy.wrong_per_million();
-                    (share(wrong), degree(wrong))
+                    (share(wrong), whole_percent(wrong), degree(wrong))
                 }
                 CellClass::Beyond => {
                     let beyond = accuracy.beyond_bound_per_million;
-                    (share(beyond), degree(beyond))
+                    (share(beyond), whole_percent(beyond), degree(beyond))
                 }
-                CellClass::Within => (
-                    bits.map_or(String::new(), |bits| format!("{bits:.0}")),
-                    bits.map_or(1.0, missing_bits),
-                ),
-                _ => (bits.map_or(String::new(), |bits| format!("{bits:.0}")), 1.0),
+                CellClass::Within => (bits_text(), bits_text(), bits.map_or(1.0, missing_bits)),
+                _ => (bits_text(), bits_text(), 1.0),
             };
             let bits = bits.map_or(String::new(), |bits| format!(", {bits:.0} correct bits"));
             Cell {
                 color: style::tint(class.color(), strength),
                 text: format!("{} {number}", class.sign()),
+                short: format!("{}{rounded}", class.sign()),
                 tip: match class {
                     CellClass::Wrong | CellClass::Beyond => {
                         format!("{} on {number} of the rays{bits}", class.meaning())
@@ -141,12 +150,14 @@ pub(super) fn cells(row: &KernelRow) -> Vec<Cell> {
             Cell {
                 color: style::tint(class.color(), degree(leaks)),
                 text: format!("{} {}", class.sign(), share(leaks)),
+                short: format!("{}{}", class.sign(), whole_percent(leaks)),
                 tip: format!("{} of the rays leave the mesh", share(leaks)),
             }
         } else {
             Cell {
                 color: CellClass::Correct.color(),
                 text: "= closed".into(),
+                short: CellClass::Correct.sign().into(),
                 tip: "no ray leaves the mesh".into(),
             }
         });
@@ -157,6 +168,14 @@ pub(super) fn cells(row: &KernelRow) -> Vec<Cell> {
 /// Formats a count per million in percent.
 fn share(per_million: f64) -> String {
     percent(per_million / 1e6)
+}
+
+/// Formats a count per million as the number of whole percents.
+fn whole_percent(per_million: f64) -> String {
+    match per_million / 1e4 {
+        percent if percent < 1.0 => "<1".into(),
+        percent => format!("{percent:.0}"),
+    }
 }
 
 #[cfg(test)]

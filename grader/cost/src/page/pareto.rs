@@ -6,7 +6,7 @@ use super::pareto_caption::{caption, finding};
 use crate::report::{KernelFamily, KernelRow, Precision, Shape};
 use crate::table::plus_minus;
 use base::GraderError;
-use plots::canvas::{Canvas, DrawResult, Label, Position, svg};
+use plots::canvas::{Canvas, DrawResult, Label, Position, for_both_widths};
 use plots::figure::{Figure, heads};
 use plots::labels::Labels;
 use plots::numbers::{percent, tick};
@@ -14,8 +14,13 @@ use plots::plot::{Axis, Plot};
 use plots::style::{self, INK, Marker, SeriesStyle};
 
 const PLOT: [f64; 2] = [860.0, 470.0];
-/// Height of the legend below the plot.
+/// On a telephone, where markers have numbers and the names are below the plot.
+const NARROW_PLOT: [f64; 2] = [300.0, 330.0];
+/// Height of the legend below the plot, and of each line of it on a telephone.
 const KEY: f64 = 26.0;
+const KEY_LINE: f64 = 16.0;
+/// Distance of the names below the plot.
+const NAME_LINE: f64 = 13.0;
 
 /// Area in square points of the markers of a kernel that is never wrong and of one that is always
 /// wrong.
@@ -27,65 +32,30 @@ const NAME: f64 = 9.5;
 /// Draws the plot.
 pub(crate) fn figure(family: &KernelFamily) -> Result<Figure, GraderError> {
     let label = format!("Correct bits against time: {}", family.shape.name());
-    let drawing = svg(PLOT[0], PLOT[1] + KEY, &label, |canvas| -> DrawResult {
-        let times = family.rows.iter().map(|row| row.ranked_time().ratio);
-        let times = times.flat_map(|ratio| [ratio.lower, ratio.upper]);
-        let x_name = format!("time / time of the textbook's test ({})", textbook(family));
-        let x = Axis::log(&x_name, times, tick);
-        let ticks = (0..=5)
-            .map(|i| f64::from(10 * i))
-            .map(|v| (v, v.to_string()));
-        let y = Axis::linear(
-            "correct bits of t, mean of ray families",
-            0.0,
-            56.0,
-            ticks.collect(),
-        );
-        let plot = Plot::new(canvas, "correct bits against time", (0.0, 0.0), PLOT, x, y)?;
-        let corners = front_line(&plot, family)?;
-        for row in &family.rows {
-            let ratio = row.ranked_time().ratio;
-            let ends = [ratio.lower, ratio.upper];
-            plot.time_bar(style_of(row), ends, row.mean_correct_bits())?;
+    let names_below = NAME_LINE * (family.rows.len() as f64 + 0.5);
+    let key_below = KEY_LINE * key(family).len().div_ceil(3) as f64 + KEY;
+    let broad = [PLOT[0], PLOT[1] + KEY];
+    let narrow = [NARROW_PLOT[0], NARROW_PLOT[1] + names_below + key_below];
+    let drawing = for_both_widths(broad, narrow, &label, |canvas, size, is_narrow| {
+        draw(canvas, family, is_narrow)?;
+        if !is_narrow {
+            return draw_key(canvas, family, (60.0, PLOT[1] + 0.4 * KEY), PLOT[0]);
         }
-        // Large markers first, so that they do not hide small ones.
-        let mut order: Vec<&KernelRow> = family.rows.iter().collect();
-        order.sort_by(|a, b| failure_rate(b).total_cmp(&failure_rate(a)));
-        let mut labels = Labels::new(plot.inner());
-        for row in &order {
-            let position = place(&plot, row);
-            let radius = (area(row) / std::f64::consts::PI).sqrt() + 1.0;
-            style::marker(canvas, style_of(row), position, area(row))?;
-            labels.keep_free(position, radius);
-            let ratio = row.ranked_time().ratio;
-            let [from, to] =
-                [ratio.lower, ratio.upper].map(|x| plot.at(x, row.mean_correct_bits()));
-            labels.keep_box_free([from.0, from.1 - 2.0, to.0, to.1 + 2.0]);
+        for (i, row) in fastest_first(family).into_iter().enumerate() {
+            let y = NARROW_PLOT[1] + NAME_LINE * (i as f64 + 0.5);
+            let label = label_of(row);
+            canvas.text(
+                &number(i),
+                (20.0, y),
+                Label {
+                    anchor: Label::right(NAME).anchor,
+                    ..label
+                },
+            )?;
+            canvas.text(&text_of(row, &name(row)), (26.0, y), label)?;
         }
-        for ends in corners.windows(2) {
-            let [from, to] = [ends[0], ends[1]].map(|(x, y)| plot.at(x, y));
-            labels.keep_box_free([
-                from.0.min(to.0) - 1.0,
-                from.1.min(to.1) - 1.0,
-                from.0.max(to.0) + 1.0,
-                from.1.max(to.1) + 1.0,
-            ]);
-        }
-        // The fastest first: the crowd is there, and they are what the plot is about.
-        order.sort_by(|a, b| at(a).0.total_cmp(&at(b).0));
-        for row in order {
-            let radius = (area(row) / std::f64::consts::PI).sqrt() + 1.0;
-            canvas.tip(place(&plot, row), radius.max(6.0), &tip(family.shape, row));
-            let label = Label::left(NAME).in_color(style_of(row).color);
-            let label = if row.student { label.bold() } else { label };
-            let text = match (row.student, row.textbook) {
-                (true, _) => "yours".to_string(),
-                (_, true) => format!("{} (textbook)", row.name),
-                _ => row.name.clone(),
-            };
-            labels.place(canvas, &text, place(&plot, row), label)?;
-        }
-        key(canvas, family)
+        let y = NARROW_PLOT[1] + names_below + 0.5 * KEY;
+        draw_key(canvas, family, (10.0, y), size[0])
     })?;
     Ok(Figure {
         finding: finding(family),
@@ -119,6 +89,92 @@ pub(crate) fn figure(family: &KernelFamily) -> Result<Figure, GraderError> {
             })
             .collect(),
     })
+}
+
+/// Draws the plot. On a telephone its markers have numbers, the fastest kernel the first.
+fn draw(canvas: &Canvas, family: &KernelFamily, is_narrow: bool) -> DrawResult {
+    let times = family.rows.iter().map(|row| row.ranked_time().ratio);
+    let times = times.flat_map(|ratio| [ratio.lower, ratio.upper]);
+    let x_name = match is_narrow {
+        false => format!("time / time of the textbook's test ({})", textbook(family)),
+        true => "time / time of the textbook's test".into(),
+    };
+    let x = Axis::log(&x_name, times, tick);
+    let ticks = (0..=5)
+        .map(|i| f64::from(10 * i))
+        .map(|v| (v, v.to_string()));
+    let y = Axis::linear(
+        "correct bits of t, mean of ray families",
+        0.0,
+        56.0,
+        ticks.collect(),
+    );
+    let size = if is_narrow { NARROW_PLOT } else { PLOT };
+    let plot = Plot::new(canvas, "correct bits against time", (0.0, 0.0), size, x, y)?;
+    let corners = front_line(&plot, family)?;
+    for row in &family.rows {
+        let ratio = row.ranked_time().ratio;
+        let ends = [ratio.lower, ratio.upper];
+        plot.time_bar(style_of(row), ends, row.mean_correct_bits())?;
+    }
+    // Large markers first, so that they do not hide small ones.
+    let mut largest_first: Vec<&KernelRow> = family.rows.iter().collect();
+    largest_first.sort_by(|a, b| failure_rate(b).total_cmp(&failure_rate(a)));
+    let mut labels = Labels::new(plot.inner());
+    for row in largest_first {
+        let position = place(&plot, row);
+        let radius = (area(row) / std::f64::consts::PI).sqrt() + 1.0;
+        style::marker(canvas, style_of(row), position, area(row))?;
+        labels.keep_free(position, radius);
+        let ratio = row.ranked_time().ratio;
+        let [from, to] = [ratio.lower, ratio.upper].map(|x| plot.at(x, row.mean_correct_bits()));
+        labels.keep_box_free([from.0, from.1 - 2.0, to.0, to.1 + 2.0]);
+    }
+    for ends in corners.windows(2) {
+        let [from, to] = [ends[0], ends[1]].map(|(x, y)| plot.at(x, y));
+        labels.keep_box_free([
+            from.0.min(to.0) - 1.0,
+            from.1.min(to.1) - 1.0,
+            from.0.max(to.0) + 1.0,
+            from.1.max(to.1) + 1.0,
+        ]);
+    }
+    for (i, row) in fastest_first(family).into_iter().enumerate() {
+        let radius = (area(row) / std::f64::consts::PI).sqrt() + 1.0;
+        canvas.tip(place(&plot, row), radius.max(6.0), &tip(family.shape, row));
+        let text = match is_narrow {
+            false => text_of(row, &row.name),
+            true => number(i),
+        };
+        labels.place(canvas, &text, place(&plot, row), label_of(row))?;
+    }
+    Ok(())
+}
+
+/// The fastest first: the crowd is there, and they are what the plot is about.
+fn fastest_first(family: &KernelFamily) -> Vec<&KernelRow> {
+    let mut rows: Vec<&KernelRow> = family.rows.iter().collect();
+    rows.sort_by(|a, b| at(a).0.total_cmp(&at(b).0));
+    rows
+}
+
+/// The number of the `i`th marker and name.
+fn number(i: usize) -> String {
+    (i + 1).to_string()
+}
+
+/// How a kernel with this name is called in the plot.
+fn text_of(row: &KernelRow, name: &str) -> String {
+    match (row.student, row.textbook) {
+        (true, _) => "yours".to_string(),
+        (_, true) => format!("{name} (textbook)"),
+        _ => name.to_string(),
+    }
+}
+
+fn label_of(row: &KernelRow) -> Label {
+    let label = Label::left(NAME).in_color(style_of(row).color);
+    if row.student { label.bold() } else { label }
 }
 
 /// The test that times are compared with.
@@ -208,8 +264,8 @@ fn front_line(plot: &Plot, family: &KernelFamily) -> Result<Vec<(f64, f64)>, Gra
     Ok(corners)
 }
 
-/// Draws the legend of the markers below the plot.
-fn key(canvas: &Canvas, family: &KernelFamily) -> DrawResult {
+/// The legend of the markers: style, area and meaning.
+fn key(family: &KernelFamily) -> Vec<(SeriesStyle, f64, String)> {
     let failure = match family.shape {
         Shape::Triangle => "leaks",
         Shape::Sphere | Shape::Box => "wrong",
@@ -244,10 +300,18 @@ fn key(canvas: &Canvas, family: &KernelFamily) -> DrawResult {
     if let Some(yours) = family.rows.iter().find(|row| row.student) {
         entries.push((style_of(yours), AREA[0], "yours".into()));
     }
-    let (mut x, y) = (60.0, PLOT[1] + 0.4 * KEY);
-    for (style, area, text) in entries {
-        style::marker(canvas, style, (x, y), area)?;
+    entries
+}
+
+/// Draws the legend from `start` on, in as many lines as the `width` of the canvas needs.
+fn draw_key(canvas: &Canvas, family: &KernelFamily, start: Position, width: f64) -> DrawResult {
+    let (mut x, mut y) = start;
+    for (style, area, text) in key(family) {
         let label = Label::left(NAME);
+        if x + 14.0 + label.width(&text) > width {
+            (x, y) = (start.0, y + KEY_LINE);
+        }
+        style::marker(canvas, style, (x, y), area)?;
         canvas.text(&text, (x + 14.0, y), label)?;
         x += 36.0 + label.width(&text);
     }

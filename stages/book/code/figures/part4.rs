@@ -134,8 +134,8 @@ fn fresnel() -> String {
         0.5 * (s * s + p * p)
     };
     let mut d = Drawing::graph(
-        640.0,
-        320.0,
+        440.0,
+        300.0,
         w(-8.0, -0.1),
         w(95.0, 1.05),
         &format!(

@@ -71,7 +71,7 @@
       label: "The reflected fraction F against the angle, from outside and from inside",
       x: [0, 90],
       y: [0, 1],
-      ratio: (width) => (width < 360 ? 0.6 : 0.75),
+      ratio: 0.75,
       stretch: true,
       margin: [22, 14, 38, 34],
     });
@@ -116,8 +116,13 @@
     stage.rect([-3, -3], [3, 0], "dots-soft");
     stage.line([[-3, 0], [3, 0]], "ink");
     stage.line([[0, -1.25], [0, 1.25]], "soft dash");
-    stage.words([-1.28, 1.2], "outside, n = 1", "ink small", { anchor: "start", dy: 4 });
-    stage.words([-1.28, -1.22], `inside, n = ${Explore.text(ior)}`, "ink small", { anchor: "start", dy: 4 });
+    // The name of a half-space is not where light is refracted to.
+    const name = (y, words) => {
+      const side = o[1] * y < 0 && o[0] > 0 ? 1 : -1;
+      stage.words([1.28 * side, y], words, "ink small", { anchor: side < 0 ? "start" : "end", dy: 4 });
+    };
+    name(1.2, "outside, n = 1");
+    name(-1.22, `inside, n = ${Explore.text(ior)}`);
     stage.words([0, 1.2], "m", "ink", { dx: 10 });
     stage.arrow([0, 0], o, "ink");
     const F = truth.F.number();

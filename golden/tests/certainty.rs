@@ -1,6 +1,6 @@
-//! Tests what the statistical tests are certain to detect. Each case with such a test states this
-//! to students. With the reference's answers the statement is true, and answers with such an error
-//! fail.
+//! Tests which errors the statistical tests always detect. Each case with such a test tells
+//! students the smallest error. The statement is true of the reference's answers, and answers with
+//! this error fail.
 
 use crate::shared::moved_back;
 use judge::Tier;

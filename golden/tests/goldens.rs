@@ -1,9 +1,9 @@
-//! Every golden is what the reference answers, and is not refuted by the oracle, which judges every
-//! aspect of every answer. `<task>/not_judged.txt` lists what it does not judge.
+//! Every golden equals the reference's answer. The oracle judges every aspect of every answer and
+//! must not refute it. `<task>/not_judged.txt` lists what it does not judge.
 //!
 //! If answers differ, the test writes each new snapshot beside its golden, as `.snap.new`, where
 //! `cargo insta review` finds it. `cargo grader review` shows every difference on a page, and
-//! `cargo grader bless` accepts them; neither reads these files.
+//! `cargo grader bless` accepts them; neither command reads the `.snap.new` files.
 
 use crate::shared::{SPECS, record, spec};
 use base::Workspace;

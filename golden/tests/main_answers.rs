@@ -1,4 +1,5 @@
-//! Every case has a main answer, without which it gives no points, and the reference has it right.
+//! Every case has a main answer, without which the case gives no points. The reference's main
+//! answers are right.
 
 use crate::shared::{SPECS, record};
 use judge::Tier;

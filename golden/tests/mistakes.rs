@@ -1,7 +1,7 @@
-//! No mistake of the reference becomes golden unnoticed: typical mistakes are planted in its
-//! answers, and the oracle, which judges them whole, must refuse each answer that they change, or
-//! say what it does not judge. `grader mutants TASK --against-bless` does the same with the code of
-//! every mutant.
+//! No mistake of the reference becomes golden unnoticed. Typical mistakes are planted in the
+//! reference's answers, and the oracle judges these answers in all aspects. It must refuse each
+//! changed answer, or say what it does not judge. `grader mutants TASK --against-bless` does the
+//! same with the code of every mutant.
 
 use crate::shared::{SPECS, reference, spec};
 use judge::Tier;

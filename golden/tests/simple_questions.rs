@@ -1,5 +1,5 @@
-//! The reference answers every simple question rightly, so none of them accuses right code. The
-//! correct variants answer them in `grader mutants`.
+//! The reference answers every simple question rightly, so no simple question marks right code
+//! down. `grader mutants` asks the correct variants the same questions.
 
 use judge::cases::{self, Spec};
 use judge::{Tier, plural};

@@ -1,5 +1,5 @@
-//! What the grader reads was written by a process in which the student's code ran: records of every
-//! kind of work are spoilt here in every way, and nothing of it may end the grader or score.
+//! What the grader reads was written by a process in which the student's code ran: here records of
+//! every kind of work are damaged in every way. No damaged record may end the grader or score.
 
 use crate::shared::{SPECS, record};
 use grader::workers::records;

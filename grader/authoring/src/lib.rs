@@ -1,6 +1,6 @@
-//! Tools for the authors of the course: [`handout`] creates the projects for students, [`check`]
-//! tests the course itself, [`diff`] compares two versions of it, [`mutants`] grades typical mistakes
-//! and correct variants, [`term`] makes the course of one teacher.
+//! Tools for the authors of the course. [`handout`] creates the projects for students, and [`term`]
+//! makes the course of one teacher. [`check`] tests the course itself, [`diff`] compares two
+//! versions of the course, and [`mutants`] grades typical mistakes and correct variants.
 
 pub mod check;
 pub mod diff;

@@ -1,10 +1,10 @@
 //! Grades a class: hundreds of submissions, on one machine or on a cluster, and nothing twice.
 //!
-//! The program is `grader class`. The work is divided into *units*: a unit is the hash of a
-//! submission, the hash of the course, what is graded, and the seed. Its result is one file,
-//! `OUT/units/KEY.json`, which is written to a temporary file and renamed. So a run that is killed
-//! loses only the units that were in progress, machines that share a folder need no server, and the
-//! tables are a function of the folder `OUT` alone.
+//! The program is `grader class`. The work is divided into *units*: the key of a unit is a hash of
+//! the submission, the course, what is graded, the seed and the limits. The result of a unit is one
+//! file, `OUT/units/KEY.json`, which is written to a temporary file and renamed. So a run that is
+//! killed loses only the units in progress. Machines that share a folder need no server, and the
+//! tables depend on the folder `OUT` alone.
 //!
 //! Read the modules in this order:
 //!
@@ -14,9 +14,10 @@
 //! - [`out`]: the folder `OUT`
 //! - [`mod@unit`]: the result of one unit, and how it is graded
 //! - [`pool`]: grades units on this machine, several at a time
-//! - [`tables`]: writes what [`collect`] reads: [`gradebook`], [`pages`], with [`likeness`]
+//! - [`tables`]: writes [`gradebook`] and [`pages`], with [`likeness`], from what [`collect`] reads
 //! - [`late`]: when something was handed in, and what late work loses
-//! - [`roster`]: whose each submission is, and marks as course systems import them
+//! - [`roster`]: which student each submission belongs to, and marks in the form that course
+//!   systems import
 //! - [`regrade`]: old and new scores, before they are replaced
 
 pub mod alike;

@@ -7,13 +7,13 @@ use clap_complete::{Shell, generate};
 
 pub(super) fn command() -> Command {
     Command::new("completions")
-        .about("Prints the completions of a shell, and the function `grader` for `cargo grader`")
+        .about("Prints completions for a shell, and a shell function `grader` that runs `cargo grader`")
         .arg(
             Arg::new("shell")
                 .value_name("SHELL")
                 .required(true)
                 .value_parser(value_parser!(Shell))
-                .help("The shell, whose start-up file runs what is printed"),
+                .help("The shell; its start-up file must run what is printed"),
         )
 }
 

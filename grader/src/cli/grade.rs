@@ -50,7 +50,7 @@ pub(super) fn hint_argument(default: HintLevel) -> Arg {
         .value_parser(LEVELS)
         .default_value(LEVELS[default.number() - 1])
         .help(format!(
-            "How much to reveal, each level more: {}",
+            "How much to show; each level adds to the one before: {}",
             levels.join("; ")
         ))
 }
@@ -76,7 +76,7 @@ pub(super) fn student_arguments() -> [Arg; 4] {
             .value_name("N")
             .requires("case")
             .value_parser(|value: &str| whole_number(value, 0, u32::MAX))
-            .help("With --case: print this call of it, counted from 0: input, answer, expected answer"),
+            .help("With --case: print this call of the case, counted from 0: input, answer, expected answer"),
     ]
 }
 

@@ -26,7 +26,7 @@ pub(super) fn command() -> Command {
                 .default_value("all")
                 .help("A part such as `part1`, or a task"),
         )
-        .arg(asking::seed_argument().help("Repeat the choice of a seed [default: another one each time]"))
+        .arg(asking::seed_argument().help("Repeat the questions of this seed [default: a new seed each time]"))
 }
 
 pub(super) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {

@@ -32,11 +32,11 @@ pub(super) fn command() -> Command {
         .arg(
             Arg::new("topic")
                 .value_name("COMMAND")
-                .help("A command, or `instructors` for what they use"),
+                .help("A command, or `instructors` for the commands that they use"),
         )
 }
 
-/// The command that `word` is a misspelling of. Parts and tasks are none.
+/// The command that `word` is a misspelling of. Parts and tasks are not commands.
 pub(super) fn command_like(word: &str) -> Option<String> {
     let whole = super::command();
     let names = whole.get_subcommands().map(Command::get_name);

@@ -52,7 +52,7 @@ const SUBPROGRAMS: &[(&str, &str, &str)] = &[
     (
         "speedup",
         "speedup",
-        "Measures what each step from brute force to a wide tree gains in speed: yours are among them",
+        "Measures what each step from brute force to a wide tree gains in speed, your own steps included",
     ),
     (
         "bless",

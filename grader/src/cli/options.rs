@@ -45,7 +45,7 @@ pub fn seed_argument() -> Arg {
     Arg::new("seed")
         .long("seed")
         .value_name("SEED")
-        .help("Seed of the random inputs, such as rays. Another than 0 also moves all other inputs by exact symmetries, as an instructor's run does")
+        .help("Seed of the random inputs, such as rays. A seed other than 0 also moves all other inputs by exact symmetries, as an instructor's run does")
         .value_parser(|value: &str| whole_number(value, 0, u64::MAX))
         .default_value("0")
         .allow_negative_numbers(true)

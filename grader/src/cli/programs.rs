@@ -55,7 +55,7 @@ pub fn cost() -> Command {
         )
         .arg(
             path_argument("svg", "FILE")
-                .help("Also write one plot as an SVG file: accuracy against time of the first shape, or of `bvh` alone what exactness costs"),
+                .help("Also write one plot as an SVG file: accuracy against time of the first shape, or, for `bvh` alone, what exactness costs"),
         )
         .arg(
             Arg::new("quick")
@@ -69,7 +69,7 @@ pub fn cost() -> Command {
 /// The command line of `grader speedup`.
 pub fn speedup() -> Command {
     Command::new("speedup")
-        .about("Measures what each step from brute force to a wide tree gains in speed: yours are among them")
+        .about("Measures what each step from brute force to a wide tree gains in speed, your own steps included")
         .arg(
             Arg::new("mesh")
                 .value_parser(MESHES)
@@ -82,7 +82,7 @@ pub fn speedup() -> Command {
                 .value_name("TRIANGLES")
                 .value_parser(|value: &str| whole_number(value, 1000, 10_000_000_usize))
                 .default_value("1000000")
-                .help("The largest mesh; the others are powers of ten from 1000 on"),
+                .help("The size of the largest mesh; the smaller sizes are powers of ten from 1000 on"),
         )
         .arg(Format::argument())
         .arg(path_argument("html", "FILE").help("Also write a self-contained HTML page of plots"))

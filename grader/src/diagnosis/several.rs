@@ -14,26 +14,29 @@ const OF_THE_REST: f64 = 0.8;
 /// leaves unexplained.
 const LEFT: f64 = 0.5;
 
-/// A mistake is one of two only if the student also gets wrong this share of what it alone gets
-/// wrong.
+/// A mistake is one of two only if, of the values that it alone makes wrong, the student gets this
+/// share wrong, too.
 const MADE: f64 = 0.75;
 
-/// Only mistakes are combined to pairs of which at least this fraction of the wrong answers are
-/// also the student's.
+/// A mistake is combined to pairs only if at least this fraction of its wrong answers are also the
+/// student's.
 const CANDIDATE: f64 = 0.2;
 
-/// At most this many mistakes are combined to pairs, those that explain the most: every pair takes
-/// a millisecond.
+/// At most this many mistakes are combined to pairs, those that explain the most: a pair takes a
+/// millisecond.
 const MOST_CANDIDATES: usize = 32;
 
-/// One of several mistakes shows in at least so many wrong values, in this share of all that it
-/// makes wrong, and in this share of all that are wrong.
+/// One of several mistakes shows in at least so many wrong values.
 const FEWEST_OF_SEVERAL: usize = 5;
+
+/// One of several mistakes shows in at least this share of the values that it makes wrong.
 const SHOWN_OF_SEVERAL: f64 = 0.9;
+
+/// One of several mistakes shows in at least this share of the student's wrong values.
 const SHARE_OF_SEVERAL: f64 = 0.3;
 
-/// Two mistakes that together explain what neither explains alone: one leaves a rest that the other
-/// explains. `ranked` begins with the likeliest.
+/// Two mistakes that together explain what neither explains alone: the second explains what the
+/// first leaves. `ranked` begins with the likeliest.
 pub(super) fn two_at_once(ranked: &[Ranked], student: &Signature) -> Option<Diagnosis> {
     let likeliest = ranked.first()?;
     let alone = likeliest.agreement.likeness();
@@ -53,8 +56,8 @@ pub(super) fn two_at_once(ranked: &[Ranked], student: &Signature) -> Option<Diag
         others.map(move |second| (first, second))
     });
     let wrong = student.wrong();
-    // Where one mistake explains nearly all, its formula may be to blame for the rest. A second
-    // mistake is made only if it and the first leave nothing.
+    // If one mistake explains nearly all wrong values, its formula may also cause the rest. Then a
+    // second mistake is assumed only if the two together explain everything.
     let is_nearly_all = alone >= SURE;
     let (first, second, together) = pairs
         .filter(|(first, second)| {
@@ -118,8 +121,8 @@ pub(super) fn two_at_once(ranked: &[Ranked], student: &Signature) -> Option<Diag
     })
 }
 
-/// One of several mistakes: the wrong values of code that makes it are also the student's, and
-/// wrong in the same way, but the student has others, for which no name is known.
+/// One of several mistakes: nearly all wrong values of code that makes it are also the student's,
+/// and wrong in the same way. The student has other wrong values, too, whose cause has no name.
 pub(super) fn one_of_several(ranked: &[Ranked], student: &Signature) -> Option<Diagnosis> {
     if !student.has_core_faults() {
         return None;

@@ -152,7 +152,7 @@ impl HintLevel {
     pub fn adds(self) -> &'static str {
         match self {
             HintLevel::Cases => "what each failed case tests",
-            HintLevel::Findings => "what is wrong, and the worst ray",
+            HintLevel::Findings => "what is wrong, and a simple wrong call",
             HintLevel::Mistake => "the likely mistake",
             HintLevel::Remedy => "where to look",
         }

@@ -1,8 +1,7 @@
 //! Part 5: adaptive sampling.
 //!
-//! Reading order: [`stop`] (task 1, the stopping criterion; task 2, the same with little of its
-//! bias), [`pixel`] (task 1, the sampling loop that uses it), [`rate`] (the image of the sampling
-//! rate).
+//! Reading order: [`stop`] (task 1, the stopping criterion; task 2, the criterion with less bias),
+//! [`pixel`] (task 1, the sampling loop that uses it), [`rate`] (the image of the sampling rate).
 
 pub mod pixel;
 pub mod rate;

@@ -17,9 +17,9 @@ const Z95: f64 = 1.96;
 ///
 /// Chapter: stages/book/src/part5/task1.md
 ///
-/// This is exactly the criterion of the assignment. It fails in two cases, which task 2 corrects:
-/// if all samples happen to be equal, σ = 0 and it stops at once, and black samples satisfy 0 <= 0.
-/// Without samples the result is false.
+/// This is exactly the criterion of the assignment. It fails in two cases, which task 2 corrects.
+/// If all samples happen to be equal, σ = 0 and sampling stops at once. Black samples satisfy
+/// `0 <= 0`. Without samples the result is false.
 ///
 /// See it: `cargo grader picture part5.task1`.
 pub fn has_converged(samples: &Tally, tolerance: f64) -> bool {
@@ -37,19 +37,20 @@ pub const FEWEST_SAMPLES: u64 = 256;
 ///
 /// Chapter: stages/book/src/part5/task2.md
 ///
-/// A criterion that uses the same samples as the estimate stops more often when they happen to be
-/// similar, and samples are similar when all of them missed a light that few samples hit. With a
-/// lamp that one sample in a thousand hits, 97 % of the first batches of 32 samples are black. If
-/// the pixels stopped there, the image would be about 20 times too dark. So black samples are never
-/// enough, because the light may not have been hit yet. And n must be large before σ is used,
-/// because the σ of a few samples is unreliable, and more often too small than too large.
+/// A criterion that uses the same samples as the estimate stops more often when these samples
+/// happen to be similar. Samples are similar when all of them missed a light that few samples hit.
+/// With a lamp that one sample in a thousand hits, 97 % of the first batches of 32 samples are
+/// black. If the pixels stopped there, an image of at most 2048 samples a pixel would be about 20
+/// times too dark. So black samples are never enough, because the light may not have been hit yet.
+/// And n must be large before σ is used, because the σ of a few samples is unreliable, and more
+/// often too small than too large.
 ///
 /// So a pixel whose maximum number of samples (`-s`) is below [`FEWEST_SAMPLES`] takes all of them,
 /// and so does a black pixel.
 ///
-/// The remaining bias is small: with a tolerance of 5 %, an estimate of a light with hit
-/// probability p needs `n·p >= (1.96/0.05)² ≈ 1537` hits, and the bias is then far below the
-/// tolerance. `rule` is [`has_converged`], or another function with the same signature.
+/// The remaining bias is small. With a tolerance of 5 %, an estimate of a light with a small hit
+/// probability p needs `n·p >= (1.96/0.05)² ≈ 1537` hits; the bias is then far below the tolerance.
+/// `rule` is [`has_converged`], or another function with the same signature.
 ///
 /// See it: `cargo grader picture part5.task2`.
 pub fn has_surely_converged(

@@ -10,21 +10,21 @@ use kit::{Aabb, Bvh};
 ///
 /// Chapter: stages/book/src/part2/task1.md
 ///
-/// A node with at most `max_leaf_size` primitives becomes a leaf (0 counts as 1). To split it
-/// further is accepted, too, because the tree stays right. A larger node is split at the midpoint
-/// of the bounds of its primitives' centroids, along their longest axis. Primitives with centroids
-/// below the midpoint go to the left child. One side is empty only if all centroids are equal; a
-/// split at the midpoint of the *boxes* would also leave one side empty for a large primitive among
-/// small ones.
+/// A node with at most `max_leaf_size` primitives becomes a leaf (0 counts as 1). Splitting such a
+/// node further is accepted, too, because the tree stays right. A larger node is split at the
+/// midpoint of the bounds of its primitives' centroids, along their longest axis. Primitives with
+/// centroids below the midpoint go to the left child. One side is empty only if all centroids are
+/// equal, up to rounding. A split at the midpoint of the *boxes* would also leave one side empty
+/// for a large primitive among small ones.
 ///
 /// Special cases:
 /// - Without primitives there are no nodes, not even an empty leaf.
-/// - If one side of the split is empty (equal centroids), or after more than 64 splits on the path
-///   from the root (centroids whose distances halve again and again), the node is split at the
-///   median primitive along the axis; equal centroids are sorted by id. So the depth is at most 64
+/// - If one side would be empty (equal centroids), the node is split at the median primitive along
+///   the axis; equal centroids are sorted by id. After 64 splits on the path from the root, every
+///   node is split so (centroids whose distances halve again and again). So the depth is at most 64
 ///   + log2(n).
 /// - An empty box (also one with a NaN coordinate) does not extend the box of its node, so a ray
-///   need not find it. It is still part of `order`.
+///   need not find its primitive. The primitive is still part of `order`.
 /// - Boxes can be arbitrarily large, and even infinite: nothing overflows.
 ///
 /// The tree depends only on the boxes. The ids within a leaf are ascending.

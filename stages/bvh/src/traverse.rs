@@ -13,9 +13,10 @@ use kit::{Bvh, Hit, Ray, World};
 /// Chapter: stages/book/src/part2/task3.md
 ///
 /// Tests a node's box with `world` before it visits the node. If both children are hit, visits the
-/// nearer one first, so that the farther one is often out of range afterwards; the left one first
-/// is accepted, too. On a hit sets `ray.max_t` to its `t`; a miss changes nothing. Both ends of the
-/// ray's range count. Of several hits with equal `t` returns the one with the lowest id.
+/// nearer one first, so that the farther one is often out of range afterwards. Visiting the left
+/// child first is accepted, too. On a hit sets `ray.max_t` to its `t`; a miss changes nothing. Both
+/// ends of the ray's range count. Of several hits with equal `t` returns the one with the lowest
+/// id.
 ///
 /// See it: `cargo grader picture part2.task3`.
 pub fn intersect_bvh<W: World>(bvh: &Bvh, ray: &mut Ray, world: &mut W) -> Option<Hit> {
@@ -34,7 +35,7 @@ pub fn intersect_bvh<W: World>(bvh: &Bvh, ray: &mut Ray, world: &mut W) -> Optio
         ControlFlow::Continue(())
     });
     closest
-    // STUB: // Works, but slowly: asks every primitive, and no box.
+    // STUB: // Works, but slowly: tests every primitive, and no box.
     // STUB: kit::untouched!("part2.task3");
     // STUB: let mut closest = None;
     // STUB: for &id in &bvh.order {
@@ -63,7 +64,7 @@ pub fn occludes_bvh<W: World>(bvh: &Bvh, ray: &Ray, world: &mut W) -> bool {
         }
     });
     blocked
-    // STUB: // Works, but slowly: asks every primitive, and no box.
+    // STUB: // Works, but slowly: tests every primitive, and no box.
     // STUB: kit::untouched!("part2.task3");
     // STUB: bvh.order.iter().any(|&id| world.blocked(id, ray))
     // END SOLUTION(part2.task3)
@@ -75,9 +76,10 @@ pub fn occludes_bvh<W: World>(bvh: &Bvh, ray: &Ray, world: &mut W) -> bool {
 ///
 /// A box's entry and a primitive's `t` have different rounding errors, so a primitive may be
 /// computed slightly nearer than its own box. In a test with 2.4 million rays at overlapping
-/// triangles in one plane, an extension by ε lost hits and one by 4 ε lost none. 64 ε leave a
-/// margin for other kernels and are still too small to visit boxes needlessly. The part relative to
-/// coordinates is for `t` near 0, where vertices have the same rounding errors.
+/// triangles in one plane, an extension by ε lost hits, and an extension by 4 ε lost none. 64 ε
+/// leave a margin for other kernels, and are still so small that hardly a box is visited
+/// needlessly. The part relative to coordinates is for `t` near 0, where vertices have the same
+/// rounding errors.
 const SLACK: f64 = 64.0 * f64::EPSILON;
 
 /// The largest coordinate of the ray's origin and of all primitives, divided by the largest

@@ -15,9 +15,9 @@ use crate::microfacets::{self, MIN_ALPHA};
 use kit::{BsdfSample, Spectrum, Vec2, Vec3};
 
 /// The roughness α of a surface with the Phong exponent `shininess`: `α² = 2 / (shininess + 2)`.
-/// This gives both highlights the same width at their peak (Walter and others 2007, section 5.2,
-/// equation for Beckmann's α, which equals that of GGX at the peak). The largest value is α = 1,
-/// for a shininess of 0.
+/// This gives the highlights of both models the same width at their peak (Walter and others 2007,
+/// section 5.2, equation for Beckmann's α, which equals that of GGX at the peak). The largest value
+/// is α = 1, for a shininess of 0.
 pub fn roughness_of(shininess: f64) -> f64 {
     (2.0 / (shininess.max(0.0) + 2.0)).sqrt().max(MIN_ALPHA)
 }

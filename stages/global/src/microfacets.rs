@@ -3,8 +3,8 @@
 //! A rough surface consists of facets too small to see. The density of facets with the normal `h`
 //! is the distribution D of Trowbridge and Reitz (1975), also called GGX (Walter, Marschner, Li,
 //! Torrance: "Microfacet models for refraction through rough surfaces", EGSR 2007). Smith's G is
-//! the fraction of them that is not hidden by others. Directions are unit vectors in the local
-//! space of the surface; the normal is +z. `a` is the roughness α, in (0, 1].
+//! the fraction of these facets that is not hidden by others. Directions are unit vectors in the
+//! local space of the surface; the normal is +z. `a` is the roughness α, in (0, 1].
 
 use kit::math;
 use kit::{Vec2, Vec3};

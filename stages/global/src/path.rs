@@ -12,18 +12,19 @@ use kit::{Hit, LitScene, PixelSampler, Ray, Scattering, Spectrum, Surface, Vec3}
 ///
 /// `ray` is a camera ray: its direction is a unit vector.
 ///
-/// Light is traced backwards: at each surface [`Scattering::sample`] samples one direction, `trace`
-/// finds the next surface, and its radiance is multiplied by the product of all weights
-/// `f · |cos θi| / pdf` so far, the *throughput*.
+/// Light is traced backwards: at each surface [`Scattering::sample`] samples one direction, and
+/// `trace` finds the next surface. The radiance of this surface is multiplied by the product of all
+/// weights `f · |cos θi| / pdf` so far, the *throughput*.
 ///
 /// A path has at most `max_depth` rays, of which the first is `ray`. With 0, only emission is
-/// visible; with 1, also directly lit surfaces; with 2, also what these light and what mirrors
-/// reflect, and so on. Passing through a glass sphere takes two more rays. The rules are:
+/// visible; with 1, also directly lit surfaces; with 2, also what those surfaces illuminate and
+/// what mirrors reflect, and so on. Passing through a glass sphere takes two more rays. The rules
+/// are:
 ///
 /// - The emission of a surface counts at the first hit, and after a sample of a delta distribution
 ///   ([`BsdfSample::delta`](kit::BsdfSample::delta): mirrors and smooth glass), where no direct
 ///   light was estimated. The same holds for [`LitScene::background`] if nothing is hit. Elsewhere
-///   the direct light of the previous surface already contains it.
+///   the direct light of the previous surface already contains this light.
 /// - Unless `max_depth` is 0, `direct` returns the direct light of each surface that is not a
 ///   mirror or smooth glass ([`Material::is_delta`](kit::Material::is_delta)), towards the unit
 ///   world direction `wo` (part 3).

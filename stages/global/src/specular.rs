@@ -3,10 +3,10 @@
 //! Directions are unit vectors in the local space of the surface and point away from it; the normal
 //! is +z. The *outside* of a surface is the side of its normal, `z > 0`. `ior` is the index of
 //! refraction of the inside divided by that of the outside. These surfaces scatter light into one
-//! or two directions only. Their BSDF is a delta distribution, so
-//! [`Scattering::f`](kit::Scattering::f) is black and [`BsdfSample::f`] is the factor in front of
-//! the delta function: `f · |cos θi| / pdf` is the fraction of the incoming light that is
-//! scattered.
+//! or two directions only. Their BSDF is a delta distribution. So
+//! [`Scattering::f`](kit::Scattering::f) is black, and [`BsdfSample::f`] is the factor in front of
+//! the delta function. The fraction of the incoming light that is scattered is
+//! `f · |cos θi| / pdf`.
 
 // BEGIN SOLUTION(part4.task1)
 use crate::fresnel_dielectric;
@@ -32,8 +32,8 @@ pub fn reflect(wo: Vec3) -> Vec3 {
 ///
 /// Chapter: stages/book/src/part4/task1.md
 ///
-/// `None` if there is none (total internal reflection, `η · sin θo >= 1`), or if `wo` is in the
-/// plane of the surface. With `ior` 1 the direction is `-wo`.
+/// `None` on total internal reflection (`η · sin θo >= 1`), or if `wo` is in the plane of the
+/// surface. With `ior` 1 the direction is `-wo`.
 ///
 /// See it: `cargo grader picture part4.task1`.
 pub fn refract(wo: Vec3, ior: f64) -> Option<Vec3> {

@@ -11,8 +11,8 @@ use std::ops::{Add, Mul, Neg, Sub};
 ///
 /// Kahan's algorithm; the bound is in Jeannerod, Louvet, Muller, "Further analysis of Kahan's
 /// algorithm for the accurate computation of 2x2 determinants", Math. Comp. 82, 2013. The sign is
-/// exact, and the result is 0 only if the exact value is 0, unless a product is so small (below
-/// 1e-290) that its rounding error underflows.
+/// exact, and the result is 0 only if the exact value is 0. The exception is a product so small
+/// (below 1e-290) that its rounding error underflows.
 pub(crate) fn difference_of_products(a: f64, b: f64, c: f64, d: f64) -> f64 {
     let cd = c * d;
     let rounding_of_cd = (-c).mul_add(d, cd);

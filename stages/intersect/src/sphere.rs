@@ -13,8 +13,8 @@ use kit::{Hit, PrimId, Ray, Sphere};
 ///
 /// Chapter: stages/book/src/part1/task4.md
 ///
-/// The textbook's formula for the roots of a quadratic loses digits by cancellation in two places:
-/// in the discriminant if the sphere is small and far away or the ray is nearly tangent, and in the
+/// The textbook's formula for the roots of a quadratic loses digits by cancellation in two places.
+/// The discriminant cancels if the sphere is small and far away or the ray is nearly tangent, the
 /// numerator if the origin is near the surface.
 ///
 /// - If the near root is out of range, the far root counts: the ray starts inside, or `min_t` is
@@ -95,7 +95,7 @@ fn crossings(s: &Sphere, ray: &Ray) -> Option<[f64; 2]> {
 }
 
 /// The roots of `a·t² - 2·b·t + c`, smaller first, given `sqrt_disc = sqrt(b² - a·c)`. Computes the
-/// root that adds terms of equal sign, then the other one from their product `c / a`.
+/// root that adds terms of equal sign, then the other root: their product is `c / a`.
 #[inline]
 fn roots(a: f64, b: f64, c: f64, sqrt_disc: f64) -> [f64; 2] {
     if b < 0.0 {

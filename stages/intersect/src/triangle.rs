@@ -109,17 +109,17 @@ pub fn record_triangle(tri: &Triangle, id: PrimId, ray: &mut Ray, hit: TriangleH
 }
 
 // BEGIN SOLUTION(part1.task3)
-/// Whether a product of several factors has neither underflowed nor overflowed in an intermediate
-/// step, with a margin for the digits of its terms. The weights need no such test: their agreement
-/// underflows long before they do.
+/// Whether no intermediate step of a product underflowed or overflowed, with a margin for the
+/// digits of its terms. The weights need no such test: the product in [`Weights::agreement`]
+/// underflows long before a weight does.
 #[inline]
 fn is_ordinary(x: f64) -> bool {
     (SMALLEST_PRODUCT < x.abs()) & (x.abs() < f64::INFINITY)
 }
 
 /// The edge functions: for each edge, twice the signed area of the triangle that the edge forms
-/// with the ray, projected along the ray. They are the barycentric weights times their sum, the
-/// determinant.
+/// with the ray, projected along the ray. They are the barycentric weights, multiplied by the
+/// determinant, which is the sum of the edge functions.
 struct Weights {
     u: f64,
     v: f64,

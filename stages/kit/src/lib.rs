@@ -13,8 +13,8 @@
 //! - [`effects`]: which effects a scene needs.
 //! - [`mod@hole`]: placeholders for tasks that are not written yet.
 //!
-//! The kit depends on `glam` and `libm` only. It contains no formula that a task asks for, but
-//! for [`camera::half_tan`], which camera files need.
+//! The kit depends on `glam` and `libm` only. It contains one formula that a task asks for,
+//! [`camera::half_tan`], because camera files need it.
 
 pub mod aabb;
 mod area_lights;

@@ -406,7 +406,7 @@ const GIVEN: &[(&str, &str)] = &[
     ("grading.md", "on 1106 of 1106 calls"),
     // Of the report above it, which tests/course.rs compares with the README's.
     ("grading.md", "*hit or miss wrong on 150 of 630 calls*"),
-    ("debugging.md", "Scale it by 1024, with"),
+    ("debugging.md", "Scale the scene by 1024, with"),
     (
         "part1/task1.md",
         "at 0.35 of its width and 0.4 of its height",

@@ -3,9 +3,11 @@
 //! A floating-point kernel is only approximately right; to grade it, the exact answer is needed.
 //! Every finite `f64` is an integer times a power of two, and deciding a hit takes only sums and
 //! products of such numbers. Integers of arbitrary length therefore decide every ray exactly: tiny,
-//! huge, denormal, grazing. A cheap test in `f64` with an error bound comes first and rejects the
-//! rays that clearly miss (a *filter*; Shewchuk, *Adaptive Precision Floating-Point Arithmetic and
-//! Fast Robust Geometric Predicates*, 1997).
+//! huge, denormal, grazing.
+//!
+//! A cheap test in `f64` with an error bound comes first and rejects the rays that clearly miss (a
+//! *filter*; Shewchuk, *Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric
+//! Predicates*, 1997).
 //!
 //! # Four verdicts
 //!

@@ -9,10 +9,12 @@ use kit::{Budget, FilmSize, PixelEstimate, PixelSampler, Ray, Spectrum, Tally, V
 ///
 /// As in part 1, the position of each sample in the pixel comes from [`PixelSampler::get_sample`],
 /// `camera_ray` generates the ray of a position on the film in [0, 1]², and `trace_ray` returns its
-/// radiance. After every `budget.batch` samples, `stop` is called with the tally of the luminances
-/// of all samples so far and with the tolerance. If `stop` returns true, the loop ends. The loop
-/// always ends after `budget.ns_aa` samples. The estimate contains the mean over all samples and
-/// their number. With a budget of 0 the estimate is black, with 0 samples.
+/// radiance.
+///
+/// After every `budget.batch` samples, `stop` is called with the tally of the luminances of all
+/// samples so far and with the tolerance. If `stop` returns true, the loop ends. The loop always
+/// ends after `budget.ns_aa` samples. The estimate contains the mean over all samples and their
+/// number. With a budget of 0 the estimate is black, with 0 samples.
 ///
 /// See it: `cargo grader picture part5.task1`.
 pub fn raytrace_pixel_adaptive(

@@ -11,8 +11,8 @@ use kit::Tally;
 const Z95: f64 = 1.96;
 // END SOLUTION(part5.task1)
 
-/// Whether the relative error of the mean of `samples` (the luminances of a pixel's samples) is at
-/// most `tolerance`, with a confidence of 95 %: whether half of the confidence interval, 1.96
+/// Whether the mean of `samples` (the luminances of a pixel's samples) has a relative error of at
+/// most `tolerance`, with a confidence of 95 %. This holds if half of the confidence interval, 1.96
 /// standard errors, is at most this fraction of the mean. Equality counts.
 ///
 /// Chapter: stages/book/src/part5/task1.md
@@ -41,9 +41,11 @@ pub const FEWEST_SAMPLES: u64 = 256;
 /// happen to be similar. Samples are similar when all of them missed a light that few samples hit.
 /// With a lamp that one sample in a thousand hits, 97 % of the first batches of 32 samples are
 /// black. If the pixels stopped there, an image of at most 2048 samples a pixel would be about 20
-/// times too dark. So black samples are never enough, because the light may not have been hit yet.
-/// And n must be large before σ is used, because the σ of a few samples is unreliable, and more
-/// often too small than too large.
+/// times too dark.
+///
+/// So black samples are never enough, because the light may not have been hit yet. And n must be
+/// large before σ is used, because the σ of a few samples is unreliable, and more often too small
+/// than too large.
 ///
 /// So a pixel whose maximum number of samples (`-s`) is below [`FEWEST_SAMPLES`] takes all of them,
 /// and so does a black pixel.

@@ -11,11 +11,12 @@ use kit::{Aabb, Bvh};
 /// Chapter: stages/book/src/part2/task1.md
 ///
 /// A node with at most `max_leaf_size` primitives becomes a leaf (0 counts as 1). Splitting such a
-/// node further is accepted, too, because the tree stays right. A larger node is split at the
-/// midpoint of the bounds of its primitives' centroids, along their longest axis. Primitives with
-/// centroids below the midpoint go to the left child. One side is empty only if all centroids are
-/// equal, up to rounding. A split at the midpoint of the *boxes* would also leave one side empty
-/// for a large primitive among small ones.
+/// node further is accepted, too, because the tree stays right.
+///
+/// A larger node is split at the midpoint of the bounds of its primitives' centroids, along their
+/// longest axis. Primitives with centroids below the midpoint go to the left child. One side is
+/// empty only if all centroids are equal, up to rounding. A split at the midpoint of the *boxes*
+/// would also leave one side empty for a large primitive among small ones.
 ///
 /// Special cases:
 /// - Without primitives there are no nodes, not even an empty leaf.

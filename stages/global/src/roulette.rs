@@ -13,10 +13,11 @@ pub const MIN_BOUNCES: u32 = 3;
 /// Up to [`MIN_BOUNCES`] bounces the path continues unchanged. After that it survives with the
 /// probability `q`, the largest channel of `throughput` (at most 1): if `u < q` it continues,
 /// otherwise `None` ends it. The weight of the survivors compensates for the paths that ended: the
-/// mean over all `u` is `throughput`, whatever `q` is. So the estimate stays unbiased, and dark
-/// paths, which cost as much as bright ones, become rare (Arvo and Kirk, "Particle transport and
-/// image synthesis", 1990). A black path always ends, also before the first roulette, because it
-/// contributes nothing.
+/// mean over all `u` is `throughput`, whatever `q` is.
+///
+/// So the estimate stays unbiased, and dark paths, which cost as much as bright ones, become rare
+/// (Arvo and Kirk, "Particle transport and image synthesis", 1990). A black path always ends, also
+/// before the first roulette, because it contributes nothing.
 ///
 /// See it: `cargo grader picture part4.task3`.
 pub fn play_roulette(throughput: Spectrum, bounces: u32, u: f64) -> Option<Spectrum> {

@@ -2,10 +2,11 @@
 //!
 //! Directions are unit vectors in the local space of the surface and point away from it; the normal
 //! is +z. The *outside* of a surface is the side of its normal, `z > 0`. `ior` is the index of
-//! refraction of the inside divided by that of the outside. These surfaces scatter light into one
-//! or two directions only. Their BSDF is a delta distribution. So
-//! [`Scattering::f`](kit::Scattering::f) is black, and [`BsdfSample::f`] is the factor in front of
-//! the delta function. The fraction of the incoming light that is scattered is
+//! refraction of the inside divided by that of the outside.
+//!
+//! These surfaces scatter light into one or two directions only. Their BSDF is a delta
+//! distribution. So [`Scattering::f`](kit::Scattering::f) is black, and [`BsdfSample::f`] is the
+//! factor in front of the delta function. The fraction of the incoming light that is scattered is
 //! `f · |cos θi| / pdf`.
 
 // BEGIN SOLUTION(part4.task1)

@@ -14,11 +14,12 @@
 //! The tree is fast and exact. Boxes are single precision and rounded outwards. Triangles have 16
 //! bits a coordinate and are tested in single precision, with a bound on all errors that
 //! `kernels::triangle_filter` proves. A triangle is missed for certain, hit for certain, or
-//! undecided. Only the hits are computed in double precision, with the scalar kernel's arithmetic.
-//! Where the scalar kernel switches to its careful variant, this variant is called. So the hits are
-//! those of brute force, bit for bit. The source is the same for every machine: `fearless_simd`
-//! compiles it for each instruction set, and the best one that the machine has is chosen once per
-//! ray.
+//! undecided.
+//!
+//! Only the hits are computed in double precision, with the scalar kernel's arithmetic. Where the
+//! scalar kernel switches to its careful variant, this variant is called. So the hits are those of
+//! brute force, bit for bit. The source is the same for every machine: `fearless_simd` compiles it
+//! for each instruction set, and the best one that the machine has is chosen once per ray.
 // STUB: //! Use `fearless_simd`; its `dispatch!` selects the instruction set once a ray.
 // END SOLUTION(part6.task1)
 

@@ -1,8 +1,8 @@
 //! Beyond the course: rough glass.
 //!
-//! A boundary of microfacets, each of which reflects and refracts like smooth glass (Walter,
-//! Marschner, Li, Torrance: "Microfacet models for refraction through rough surfaces", EGSR 2007,
-//! equations 20 and 21). η is the index of refraction of the side of `wo` divided by that of the
+//! A boundary of microfacets, each of which reflects and refracts like smooth glass. Equations 20
+//! and 21 of Walter, Marschner, Li, Torrance: "Microfacet models for refraction through rough
+//! surfaces", EGSR 2007. η is the index of refraction of the side of `wo` divided by that of the
 //! side of `wi`. The BSDF of facets with the normal `h` is:
 //!
 //! ```text

@@ -1,14 +1,13 @@
 //! Judges the results of the student's code: which aspects of them are right, and which are wrong.
 //!
-//! The crate has three floors, and a floor imports only from the floors below. The highest is
-//! `face`: what other crates call. [`fits`] validates the form of an answer. [`judge`] judges the
-//! values in the aspects that a case is about; [`whole`] judges all aspects, before an answer
-//! becomes a golden. [`cases`] has the cases, [`snapshot`] writes goldens, and [`repro`] writes
-//! Rust tests. [`picture`] has the colours of answers, [`pictures`] the pictures that students see
-//! of their code.
+//! Three floors; each imports only from the floors below. The highest is `face`: what other crates
+//! call. [`fits`] validates the form of an answer. [`judge`] judges the values in the aspects that
+//! a case is about; [`whole`] judges all aspects, before an answer becomes a golden. [`cases`] has
+//! the cases, [`snapshot`] writes goldens, and [`repro`] writes Rust tests. [`picture`] has the
+//! colours of answers, [`pictures`] the pictures that students see of their code.
 //!
-//! In the middle is `tasks`: each task has a folder with its cases and the `Check` of its kind of
-//! work. One list there names all tasks.
+//! In the middle is `tasks`: a folder for each task, with its cases and the `Check` of its kind of
+//! work, and a list of all tasks.
 //!
 //! The lowest is `tools`: what the tasks are made of, without any code for a certain task. All that
 //! depends on a kind of work is a function of the trait `check::Check`.

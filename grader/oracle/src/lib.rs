@@ -18,10 +18,9 @@
 //! 4. *Undecidable in `f64`*: the exact answer is known, but it depends on a number so close to
 //!    zero that correct code may round it to either side. Either answer scores.
 //!
-//! How close to zero the number must be follows from the roundings of the code. This is derived for
-//! two classes of code: textbook formulas and a robust kernel ([`KernelClass`]). A ray for which
-//! nothing is rounded, such as one with small integers along an axis, is never undecidable: on such
-//! rays the boundary itself can be graded.
+//! How close is derived from the roundings in two classes of code: textbook formulas and a robust
+//! kernel ([`KernelClass`]). A ray for which nothing is rounded, such as one with small integers
+//! along an axis, is never undecidable: on such rays the boundary itself can be graded.
 //!
 //! # Reading order
 //!

@@ -35,8 +35,8 @@ const SHOWN_OF_SEVERAL: f64 = 0.9;
 /// One of several mistakes shows in at least this share of the student's wrong values.
 const SHARE_OF_SEVERAL: f64 = 0.3;
 
-/// Two mistakes that together explain what neither explains alone: the second explains what the
-/// first leaves. `ranked` begins with the likeliest.
+/// Two mistakes of which the second explains what the first leaves. `ranked` begins with the
+/// likeliest.
 pub(super) fn two_at_once(ranked: &[Ranked], student: &Signature) -> Option<Diagnosis> {
     let likeliest = ranked.first()?;
     let alone = likeliest.agreement.likeness();
@@ -56,8 +56,8 @@ pub(super) fn two_at_once(ranked: &[Ranked], student: &Signature) -> Option<Diag
         others.map(move |second| (first, second))
     });
     let wrong = student.wrong();
-    // If one mistake explains nearly all wrong values, its formula may also cause the rest. Then a
-    // second mistake is assumed only if the two together explain everything.
+    // If one mistake explains nearly all, its formula may cause the rest, too. Then a second is
+    // assumed only if both together explain everything.
     let is_nearly_all = alone >= SURE;
     let (first, second, together) = pairs
         .filter(|(first, second)| {

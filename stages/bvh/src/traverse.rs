@@ -78,9 +78,9 @@ pub fn occludes_bvh<W: World>(bvh: &Bvh, ray: &Ray, world: &mut W) -> bool {
 /// computed slightly nearer than its own box.
 ///
 /// In a test with 2.4 million rays at overlapping triangles in one plane, an extension by ε lost
-/// hits, and an extension by 4 ε lost none. 64 ε leave a margin for other kernels, and are still so
-/// small that hardly a box is visited needlessly. The part relative to coordinates is for `t` near
-/// 0, where vertices have the same rounding errors.
+/// hits, and an extension by 4 ε lost none. 64 ε leave a margin for other kernels, and hardly a box
+/// is visited needlessly. The part relative to coordinates is for `t` near 0, where vertices have
+/// the same rounding errors.
 const SLACK: f64 = 64.0 * f64::EPSILON;
 
 /// The largest coordinate of the ray's origin and of all primitives, divided by the largest

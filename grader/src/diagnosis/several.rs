@@ -56,8 +56,8 @@ pub(super) fn two_at_once(ranked: &[Ranked], student: &Signature) -> Option<Diag
         others.map(move |second| (first, second))
     });
     let wrong = student.wrong();
-    // If one mistake explains nearly all, its formula may cause the rest, too. Then a second is
-    // assumed only if both together explain everything.
+    // If one mistake explains nearly all wrong values, its formula may cause the rest, too. Then a
+    // second is assumed only if both together explain everything.
     let is_nearly_all = alone >= SURE;
     let (first, second, together) = pairs
         .filter(|(first, second)| {

@@ -254,3 +254,22 @@ fn overview(review: &Review) -> String {
     }
     text + "</ul>\n"
 }
+
+#[cfg(test)]
+mod tests {
+    use super::STYLE;
+
+    /// The names golden, actual and exact in records have the class of captions of pictures.
+    #[test]
+    fn only_captions_of_pictures_are_hidden_where_names_of_values_are_shown() {
+        let hidden: Vec<&str> = STYLE
+            .lines()
+            .filter(|line| line.contains("{ display: none"))
+            .filter_map(|line| line.split('{').next())
+            .flat_map(|selectors| selectors.split(','))
+            .map(str::trim)
+            .collect();
+        assert!(hidden.contains(&".layer .who"), "{hidden:?}");
+        assert!(!hidden.contains(&".who"), "{hidden:?}");
+    }
+}

@@ -1,7 +1,7 @@
 //! The comparison of two pictures: which ones, how, their errors and the causes.
 
 use super::side_panel::facts;
-use super::{colors, key_button, pair_view};
+use super::{colors, key_button, outlined, pair_view};
 use crate::command::Command;
 use crate::session::Session;
 use egui::{ComboBox, Key, RichText, Ui};
@@ -59,10 +59,8 @@ pub(super) fn show(ui: &mut Ui, session: &mut Session, commands: &mut Vec<Comman
         pair_view::legend(ui, &pair.legend, differing);
     }
     if let Some(comparison) = session.comparison_mut() {
-        ui.checkbox(
-            &mut comparison.each_pixel,
-            "every pixel, also within the noise",
-        );
+        let name = "every pixel, also within the noise";
+        outlined(ui, |ui| ui.checkbox(&mut comparison.each_pixel, name));
     }
 }
 

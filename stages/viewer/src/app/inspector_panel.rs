@@ -2,7 +2,7 @@
 
 use super::side_panel::facts;
 use super::text::{SMALL, short};
-use super::{colors, lines, sample_plots};
+use super::{arrow_button, colors, lines, outlined, sample_plots};
 use crate::command::Command;
 use crate::digits;
 use crate::inspector::{Inspected, Inspector};
@@ -59,12 +59,14 @@ pub(super) fn show(ui: &mut Ui, session: &mut Session, commands: &mut Vec<Comman
     values(ui, inspected);
     truth(ui, inspected, commands);
     ui.horizontal_wrapped(|ui| {
-        ui.checkbox(&mut filter.camera, "camera");
-        ui.checkbox(&mut filter.bounce, "bounce");
-        ui.checkbox(&mut filter.light, "light");
-        ui.checkbox(&mut filter.one_sample, "this sample only");
-        ui.checkbox(&mut filter.lobe, "lobe")
-            .on_hover_text("How the surface scatters where the selected ray hits: the density of directions, and the sampled ones");
+        outlined(ui, |ui| {
+            ui.checkbox(&mut filter.camera, "camera");
+            ui.checkbox(&mut filter.bounce, "bounce");
+            ui.checkbox(&mut filter.light, "light");
+            ui.checkbox(&mut filter.one_sample, "this sample only");
+            ui.checkbox(&mut filter.lobe, "lobe")
+                .on_hover_text("How the surface scatters where the selected ray hits: the density of directions, and the sampled ones");
+        });
         let mut depth = filter.depth.map_or(-1, i64::from);
         let any = |value: f64, _: std::ops::RangeInclusive<usize>| match value < 0.0 {
             true => "any".to_owned(),
@@ -151,10 +153,10 @@ fn rays(ui: &mut Ui, inspector: &Inspector, commands: &mut Vec<Command>) {
     let samples = inspected.replay.samples.len();
     ui.horizontal(|ui| {
         ui.label(RichText::new(format!("Sample {} of {samples}", sample + 1)).strong());
-        if ui.small_button("<").clicked() {
+        if arrow_button(ui, "<", "previous sample").clicked() {
             commands.push(Command::SelectSample(sample.wrapping_sub(1)));
         }
-        if ui.small_button(">").clicked() {
+        if arrow_button(ui, ">", "next sample").clicked() {
             commands.push(Command::SelectSample(sample + 1));
         }
         ui.weak("Shift N, Shift B: rays");
@@ -236,10 +238,10 @@ fn tests(ui: &mut Ui, inspector: &Inspector, commands: &mut Vec<Command>) {
     let scene = inspected.scene.scene();
     ui.horizontal(|ui| {
         ui.label(RichText::new(format!("Tests {step} of {}", record.tests.len())).strong());
-        if ui.small_button("<").clicked() {
+        if arrow_button(ui, "<", "previous test").clicked() {
             commands.push(Command::StepTest { forward: false });
         }
-        if ui.small_button(">").clicked() {
+        if arrow_button(ui, ">", "next test").clicked() {
             commands.push(Command::StepTest { forward: true });
         }
         ui.weak("N, B: tests");

@@ -42,7 +42,7 @@ use crate::command::Command;
 use crate::features::Feature;
 use crate::session::{Mode, Saved, Session};
 use crate::snapshot;
-use egui::{Align, Key, Layout, ProgressBar, RichText, Ui};
+use egui::{Align, Key, Layout, ProgressBar, Response, RichText, Role, Stroke, Ui, WidgetInfo};
 use std::sync::{Arc, Mutex};
 use std::time::Instant;
 
@@ -314,4 +314,20 @@ impl FrameRate {
 fn key_button(ui: &mut Ui, label: &str, key: Key) -> bool {
     ui.button(format!("{label} ({})", key.symbol_or_name()))
         .clicked()
+}
+
+/// A small button with an arrow; screen readers read its `name`.
+fn arrow_button(ui: &mut Ui, arrow: &str, name: &str) -> Response {
+    let response = ui.small_button(arrow);
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, name));
+    response
+}
+
+/// Adds check boxes with an outline: without it an empty one is hardly seen.
+fn outlined<R>(ui: &mut Ui, add: impl FnOnce(&mut Ui) -> R) -> R {
+    let outline = Stroke::new(1.0, colors::line(ui));
+    let before = std::mem::replace(&mut ui.visuals_mut().widgets.inactive.bg_stroke, outline);
+    let added = add(ui);
+    ui.visuals_mut().widgets.inactive.bg_stroke = before;
+    added
 }

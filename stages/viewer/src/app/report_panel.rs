@@ -349,6 +349,8 @@ fn orders(ui: &mut Ui, orders: &[ChildOrder], commands: &mut Vec<Command>) {
                     verdict_mark(ui, order.is_nearer_first());
                     let hover = digits::shortened(&order.sentence());
                     let node = ui.button(order.node.to_string()).on_hover_text(hover);
+                    let name = format!("node {}", order.node);
+                    node.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, &name));
                     if let Some(test) = order.visited[0].first_test
                         && node.clicked()
                     {

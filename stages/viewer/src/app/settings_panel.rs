@@ -3,7 +3,7 @@
 use super::side_panel::{self, facts};
 use super::single_picture::Look;
 use super::text::SMALL;
-use super::{compare_panel, key_button, scale};
+use super::{arrow_button, compare_panel, key_button, outlined, scale};
 use crate::command::Command;
 use crate::compare::Reference;
 use crate::features::{Feature, MissingFeatures};
@@ -94,7 +94,8 @@ pub(super) fn settings(ui: &mut Ui, session: &mut Session, commands: &mut Vec<Co
                 let mut is_on = settings.light.adaptive.is_some();
                 let is_written = missing.why(Feature::Adaptive).is_none();
                 let checkbox = egui::Checkbox::without_text(&mut is_on);
-                let checkbox = ui.add_enabled(is_written, checkbox).labelled_by(label);
+                let checkbox = outlined(ui, |ui| ui.add_enabled(is_written, checkbox));
+                let checkbox = checkbox.labelled_by(label);
                 if checkbox.changed() {
                     commands.push(Command::ToggleAdaptive);
                 }
@@ -117,8 +118,7 @@ pub(super) fn settings(ui: &mut Ui, session: &mut Session, commands: &mut Vec<Co
             session.set_accel(accel);
             tone(ui, &mut session.tone);
             let label = ui.label("roulette").id;
-            ui.checkbox(&mut settings.light.roulette, "")
-                .labelled_by(label);
+            outlined(ui, |ui| ui.checkbox(&mut settings.light.roulette, "")).labelled_by(label);
             ui.end_row();
         });
     session.set_settings(settings);
@@ -242,11 +242,11 @@ fn stepper(
 ) {
     ui.label(label);
     ui.horizontal(|ui| {
-        if ui.small_button("<").clicked() {
+        if arrow_button(ui, "<", &format!("less: {label}")).clicked() {
             commands.push(command(Change::Less));
         }
         ui.monospace(value.to_string());
-        if ui.small_button(">").clicked() {
+        if arrow_button(ui, ">", &format!("more: {label}")).clicked() {
             commands.push(command(Change::More));
         }
     });

@@ -1,6 +1,7 @@
 //! A window without a display.
 
 use egui::{Color32, Context, FullOutput, Key, Modifiers, PointerButton, Pos2, TexturesDelta};
+use egui_kittest::kittest::NodeT;
 use egui_kittest::{Harness, TestRenderer};
 use image::RgbaImage;
 use std::ffi::OsString;
@@ -56,6 +57,27 @@ impl Window {
 
     pub(crate) fn session(&mut self) -> &mut Session {
         &mut self.harness.state_mut().session
+    }
+
+    /// The number of controls that a screen reader stops at, each of which must have a name.
+    pub(crate) fn named_controls(&mut self, shown: &str) -> usize {
+        self.settle();
+        let mut controls = 0;
+        for node in self.harness.root().children_recursive() {
+            let node = node.accesskit_node();
+            // A text that can be selected is its own name.
+            let is_control = node.role() != egui::Role::Label;
+            if !is_control || !node.data().supports_action(egui::accesskit::Action::Focus) {
+                continue;
+            }
+            controls += 1;
+            let name = node.label().unwrap_or_default();
+            let (role, place) = (node.role(), node.bounding_box());
+            // A screen reader reads "<" as "less than".
+            let is_name = name.chars().any(char::is_alphabetic);
+            assert!(is_name, "{name:?}, {role:?} at {place:?}, {shown}");
+        }
+        controls
     }
 
     /// Draws frames until nothing is in progress.

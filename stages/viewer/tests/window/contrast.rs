@@ -11,6 +11,9 @@ use viewer::report::CaseContent;
 /// The least contrast of text and its background (WCAG 2.2, level AA).
 const LEAST: f64 = 4.5;
 
+/// The least contrast of what shows a control and its state.
+const LEAST_OF_SIGNS: f64 = 3.0;
+
 fn luminance([r, g, b]: [u8; 3]) -> f64 {
     let linear = [r, g, b].map(|c| {
         let c = f64::from(c) / 255.0;
@@ -65,6 +68,12 @@ fn check(window: &mut Window) -> usize {
             continue;
         }
         let rect = node.rect();
+        if node.accesskit_node().role() == egui::Role::CheckBox && visible.contains_rect(rect) {
+            let edge = rect.height();
+            let square = egui::Rect::from_min_size(rect.min, egui::Vec2::splat(edge));
+            let found = contrast(&picture, square);
+            assert!(found >= LEAST_OF_SIGNS, "{name:?} at {rect:?}: {found:.2}");
+        }
         let has_letters = name.chars().any(char::is_alphabetic);
         if !is_text || !has_letters || !visible.contains_rect(rect) || rect.height() < 10.0 {
             continue;
@@ -103,7 +112,7 @@ fn every_text_has_contrast() {
 
 /// Of every kind of case, light and dark.
 #[test]
-fn texts_of_cases_have_contrast_in_a_small_window() {
+fn texts_of_cases_have_contrast_in_a_small_window_and_controls_have_names() {
     for (task, name) in [
         ("part1.task1", "samples_inside_the_pixel"),
         ("part1.task3", "back_face"),
@@ -121,6 +130,7 @@ fn texts_of_cases_have_contrast_in_a_small_window() {
         let case = failed(task, name);
         let content = CaseContent::of(&case);
         let mut window = sized_window_with([700.0, 500.0], case, content);
+        assert!(window.named_controls(name) >= 10, "{task} {name}");
         for _theme in 0..2 {
             let checked = check(&mut window);
             assert!(checked > 10, "{checked} in {task} {name}");

@@ -2,7 +2,7 @@
 
 use super::common::{Window, scene, session};
 use egui::{Key, Modifiers, Pos2};
-use egui_kittest::kittest::{NodeT, Queryable};
+use egui_kittest::kittest::Queryable;
 use kit::Vec2;
 use scenes::CameraFile;
 use std::path::PathBuf;
@@ -185,25 +185,6 @@ fn pinching_moves_the_camera_and_scrolling_sideways_orbits() {
     assert!((distance(turned) - distance(pinched)).abs() < 1e-9);
 }
 
-/// The controls that a screen reader stops at, each of which must have a name.
-fn named_controls(window: &mut Window, shown: &str) -> usize {
-    window.settle();
-    let mut controls = 0;
-    for node in window.harness.root().children_recursive() {
-        let node = node.accesskit_node();
-        // A text that can be selected is its own name.
-        let is_control = node.role() != egui::Role::Label;
-        if !is_control || !node.data().supports_action(egui::accesskit::Action::Focus) {
-            continue;
-        }
-        controls += 1;
-        let name = node.label().unwrap_or_default();
-        let (role, place) = (node.role(), node.bounding_box());
-        assert!(!name.is_empty(), "{role:?} at {place:?}, {shown}");
-    }
-    controls
-}
-
 /// What a screen reader reads: everything that can be focused has a name.
 #[test]
 fn every_control_has_a_name() {
@@ -219,12 +200,12 @@ fn every_control_has_a_name() {
         for key in keys {
             window.press(*key);
         }
-        let controls = named_controls(&mut window, shown);
+        let controls = window.named_controls(shown);
         assert!(controls >= least, "{controls} in {shown}");
     }
     window.press(Key::Escape);
     window.press_with(Modifiers::CTRL, Key::O);
-    assert!(named_controls(&mut window, "a path") >= 3);
+    assert!(window.named_controls("a path") >= 3);
 }
 
 #[test]

@@ -16,6 +16,6 @@ cargo grader review part1.task3 --out "$folder/review.html" || test $? -eq 1
 cp target/first-light/part1_task3.html "$folder/look.html"
 
 for page in look review; do
-    "$browser" --headless --no-sandbox --hide-scrollbars --window-size=1200,800 \
+    "$browser" --headless --no-sandbox --hide-scrollbars --window-size=1200,960 \
         --screenshot="scenes/pictures/pages/$page.png" "file://$folder/$page.html"
 done

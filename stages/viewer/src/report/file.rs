@@ -1,6 +1,7 @@
 //! Reads `report.json`, as far as the window shows it.
 
 use judge::cases::{self, Spec};
+use judge::tally::Aspect;
 use judge::{Tier, repro};
 use serde::Deserialize;
 use std::fs;
@@ -36,7 +37,7 @@ pub struct FailedCase {
 /// An aspect with wrong answers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WrongAspect {
-    /// Its name.
+    /// Its name in sentences.
     pub aspect: String,
     /// Wrong answers.
     pub wrong: u32,
@@ -102,7 +103,7 @@ pub fn read(path: &Path) -> Result<Vec<FailedCase>, String> {
                 },
                 findings: wrong
                     .map(|finding| WrongAspect {
-                        aspect: finding.aspect,
+                        aspect: name_of(finding.aspect),
                         wrong: finding.wrong,
                         judged: finding.judged,
                         worst: finding.worst.map(|worst| (worst.call, worst.message)),
@@ -148,6 +149,14 @@ struct Case {
     detail: Option<serde_json::Value>,
     about: String,
     findings: Vec<Finding>,
+}
+
+/// The name of an aspect in sentences. One that only a newer grader knows stays as in the file.
+fn name_of(aspect: String) -> String {
+    match serde_json::from_value::<Aspect>(aspect.clone().into()) {
+        Ok(known) => known.label().to_owned(),
+        Err(_) => aspect,
+    }
 }
 
 #[derive(Deserialize)]

@@ -266,6 +266,8 @@ fn a_case_is_drawn_and_saved_as_a_test() {
         .max_failed_pixels(30);
     window.settle();
     window.harness.snapshot_options("report", &options);
+    let shown = "hit or miss: wrong on 320 of 320";
+    assert!(window.harness.query_by_label(shown).is_some());
 }
 
 /// A window with the first case of a report, about which `content` is known.

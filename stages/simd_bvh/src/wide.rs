@@ -2,11 +2,13 @@
 
 // BEGIN SOLUTION(part6.task1)
 use crate::build::builder;
+use crate::kernels::woop::Vertices;
 use crate::layout::node::{Child, ChildKind, Node};
 use crate::layout::prefetch::prefetch;
 use crate::layout::space::TreeSpace;
 use crate::layout::sphere_block::SphereBlock;
-use crate::layout::triangle_block::{ExactBlock, TriangleBlock};
+use crate::layout::triangle_block::TriangleBlock;
+use crate::layout::vertex_list::{BlockVertices, ExactVertex};
 use std::collections::VecDeque;
 use std::hint::select_unpredictable;
 // END SOLUTION(part6.task1)
@@ -33,8 +35,10 @@ pub struct WideBvh {
     pub(crate) nodes: Vec<Node>,
     /// The triangles, in blocks of eight.
     pub(crate) blocks: Vec<TriangleBlock>,
-    /// The same triangles in double precision.
-    pub(crate) exact_blocks: Vec<ExactBlock>,
+    /// Where the vertices of each block's triangles are.
+    pub(crate) block_vertices: Vec<BlockVertices>,
+    /// The vertices of the triangles in double precision, near others of their block.
+    pub(crate) vertices: Vec<ExactVertex>,
     /// The spheres, in blocks of eight.
     pub(crate) spheres: Vec<SphereBlock>,
     /// The space of the boxes. Triangles and spheres are in world space.
@@ -106,7 +110,8 @@ impl WideBvh {
         // BEGIN SOLUTION(part6.task1)
         size_of_val(&*self.nodes)
             + size_of_val(&*self.blocks)
-            + size_of_val(&*self.exact_blocks)
+            + size_of_val(&*self.block_vertices)
+            + size_of_val(&*self.vertices)
             + size_of_val(&*self.spheres)
         // STUB: kit::hole!("part6.task1", self)
         // END SOLUTION(part6.task1)
@@ -127,6 +132,22 @@ impl WideBvh {
         match subset {
             Subset::All => &self.roots,
             Subset::Inner => &self.roots[..self.inner_roots],
+        }
+    }
+
+    /// The vertices of the triangle in a lane of block number `index`.
+    #[inline(always)]
+    pub(crate) fn vertices(&self, index: usize, lane: usize) -> Vertices<'_> {
+        let [a, b, c] = self.block_vertices[index].corners(lane);
+        [&self.vertices[a], &self.vertices[b], &self.vertices[c]]
+    }
+
+    /// Starts to load them: in the end a hit is computed from them.
+    #[inline(always)]
+    pub(crate) fn prefetch_vertices(&self, index: usize, lane: usize) {
+        for corner in self.block_vertices[index].corners(lane) {
+            let vertex = self.vertices.as_ptr().wrapping_add(corner);
+            prefetch::<{ size_of::<ExactVertex>() }>(vertex.cast());
         }
     }
 

@@ -8,7 +8,8 @@ use crate::build::widen::{WideNodes, widen};
 use crate::layout::LANES;
 use crate::layout::space::TreeSpace;
 use crate::layout::sphere_block::SphereBlock;
-use crate::layout::triangle_block::{TriangleBlock, exact_block};
+use crate::layout::triangle_block::TriangleBlock;
+use crate::layout::vertex_list::{BlockVertices, ExactVertex, VertexList};
 use crate::wide::WideBvh;
 use fearless_simd::Level;
 use kit::{Aabb, PrimId, Sphere, Triangle, Vec3};
@@ -35,7 +36,8 @@ pub(crate) fn build(triangles: &[Triangle], spheres: &[Sphere], with_apart: bool
         apart: Vec::new(),
         nodes: Vec::new(),
         blocks: Vec::new(),
-        exact_blocks: Vec::new(),
+        block_vertices: Vec::new(),
+        vertices: Vec::new(),
         spheres: Vec::new(),
         space,
         level,
@@ -157,12 +159,19 @@ impl Input<'_> {
         blocks
             .map(|range| {
                 let ids = in_order(range);
-                dispatch!(level, _simd => (
-                    TriangleBlock::of(self.triangles, ids, &space),
-                    exact_block(self.triangles, ids),
-                ))
+                dispatch!(level, _simd => TriangleBlock::of(self.triangles, ids, &space))
             })
-            .unzip_into_vecs(&mut tree.blocks, &mut tree.exact_blocks);
+            .collect_into_vec(&mut tree.blocks);
+        let chunks = wide.triangle_blocks.par_chunks(CHUNK);
+        let chunks: Vec<(Vec<BlockVertices>, Vec<ExactVertex>)> = chunks
+            .map(|ranges| {
+                let mut list = VertexList::new(LIKELY_VERTICES * ranges.len());
+                let blocks = ranges.iter();
+                let blocks = blocks.map(|range| list.add(self.triangles, in_order(range)));
+                (blocks.collect(), list.vertices)
+            })
+            .collect();
+        join(chunks, tree);
         let blocks = wide.sphere_blocks.iter();
         let first_sphere = self.triangles.len();
         tree.spheres = blocks
@@ -172,10 +181,43 @@ impl Input<'_> {
     }
 }
 
+/// A thread lists the vertices of this many blocks at once.
+const CHUNK: usize = 256;
+
+/// Few meshes have more vertices a block.
+const LIKELY_VERTICES: usize = 8;
+
+/// Adds the vertices of chunks of blocks to a tree.
+fn join(chunks: Vec<(Vec<BlockVertices>, Vec<ExactVertex>)>, tree: &mut WideBvh) {
+    tree.block_vertices.reserve_exact(tree.blocks.len());
+    let count = chunks.iter().map(|(_, vertices)| vertices.len()).sum();
+    tree.vertices.reserve_exact(count);
+    for (blocks, vertices) in chunks {
+        let before = tree.vertices.len() as u32;
+        let blocks = blocks.into_iter().map(|block| block.moved(before));
+        tree.block_vertices.extend(blocks);
+        tree.vertices.extend(vertices);
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use meshes::{MeshKind, generate};
+
+    /// Knots and needles are divided, and their parts share the exact vertices.
+    #[test]
+    fn trees_take_few_bytes_a_triangle() {
+        for (kind, limit) in [
+            (MeshKind::Terrain, 53),
+            (MeshKind::Knot, 95),
+            (MeshKind::Needles, 88),
+        ] {
+            let triangles = generate(kind, 40_000);
+            let bytes = build(&triangles, &[], false).byte_count() / triangles.len();
+            assert!(bytes <= limit, "{kind:?}: {bytes} bytes a triangle");
+        }
+    }
 
     /// Long triangles that are divided, and spheres among them: enough for every parallel step.
     #[test]
@@ -192,7 +234,8 @@ mod tests {
             let pool = pool.expect("a pool of threads");
             let tree = pool.install(|| build(&triangles, &spheres, false));
             assert!(tree.nodes.len() > 1000 && tree.spheres.len() > 10);
-            format!("{:?} {:?} {:?}", tree.nodes, tree.blocks, tree.spheres)
+            let triangles = (&tree.blocks, &tree.block_vertices, &tree.vertices);
+            format!("{:?} {triangles:?} {:?}", tree.nodes, tree.spheres)
         };
         let one = with_threads(1);
         assert!(one == with_threads(2), "two threads build another tree");

@@ -4,8 +4,9 @@ use kit::{Ray, TriangleHit, Vec3 as KitVec3};
 use lanes::Vec3;
 use lanes::triangle::{Edges, project};
 
-/// The vertices of a triangle in world space.
-pub(crate) type Vertices = [[f64; 3]; 3];
+/// The vertices of a triangle in world space, where the tree has them: a test loads each coordinate
+/// once.
+pub(crate) type Vertices<'t> = [&'t [f64; 3]; 3];
 
 /// What [`test`] found.
 pub(crate) enum Decision {
@@ -20,15 +21,15 @@ pub(crate) enum Decision {
 /// `intersect::test_triangle`; where that switches to its careful variant, the triangle is
 /// undecided.
 #[inline(always)]
-pub(crate) fn test(vertices: &Vertices, ray: &Ray, axes: [usize; 3]) -> Decision {
+pub(crate) fn test(vertices: Vertices, ray: &Ray, axes: [usize; 3]) -> Decision {
     let (o, d) = (
         permuted(&ray.o.to_array(), axes),
         permuted(&ray.d.to_array(), axes),
     );
     let [a, b, c] = [
-        permuted(&vertices[0], axes) - o,
-        permuted(&vertices[1], axes) - o,
-        permuted(&vertices[2], axes) - o,
+        permuted(vertices[0], axes) - o,
+        permuted(vertices[1], axes) - o,
+        permuted(vertices[2], axes) - o,
     ];
     let edges = Edges::of([project(a, d), project(b, d), project(c, d)]);
     let crossing = edges.crossing([a.z, b.z, c.z], d.z);

@@ -1,6 +1,5 @@
 //! A leaf of up to eight triangles with 16 bits a coordinate.
 
-use crate::kernels::woop::Vertices;
 use crate::layout::LANES;
 use crate::layout::space::TreeSpace;
 use fearless_simd::{Simd, prelude::*, u32x8};
@@ -22,21 +21,6 @@ pub(crate) struct TriangleBlock {
     pub(crate) origin: [f32; 3],
     /// A power of two.
     pub(crate) unit: f32,
-}
-
-/// The vertices of the triangles of a [`TriangleBlock`] in world space and double precision. They
-/// are apart, because few blocks need them.
-pub(crate) type ExactBlock = [Vertices; LANES];
-
-/// The vertices of the triangles `prims`; 0 in lanes without one.
-#[inline(always)]
-pub(crate) fn exact_block(triangles: &[Triangle], prims: &[PrimId]) -> ExactBlock {
-    let mut block = [[[0.0; 3]; 3]; LANES];
-    for (vertices, &id) in block.iter_mut().zip(prims) {
-        let triangle = &triangles[id.0 as usize];
-        *vertices = [triangle.p0, triangle.p1, triangle.p2].map(|p| p.to_array());
-    }
-    block
 }
 
 /// The smallest unit. It is far above the rounding errors of double precision, relative to a tree
@@ -124,7 +108,8 @@ mod tests {
         ];
         let bounds: Vec<_> = triangles.iter().map(Triangle::bounds).collect();
         let space = TreeSpace::around(2, |number| Some(bounds[number]));
-        let block = TriangleBlock::of(&triangles, &[PrimId(0), PrimId(1)], &space);
+        let prims = [PrimId(0), PrimId(1)];
+        let block = TriangleBlock::of(&triangles, &prims, &space);
         let unit = f64::from(block.unit);
         assert_eq!(f64::from(block.steps_per_length()), 1.0 / unit);
         for (lane, t) in triangles.iter().enumerate() {

@@ -6,8 +6,7 @@ use crate::kernels::ray_in_tree::{RayInTree, TScale};
 use crate::kernels::simd_box_test::Key;
 use crate::kernels::simd_box_test::{SimdBoxTest, range_end};
 use crate::kernels::triangle_filter::TriangleFilter;
-use crate::kernels::woop::{self, Decision, Vertices};
-use crate::layout::prefetch::prefetch;
+use crate::kernels::woop::{self, Decision};
 use crate::many_rays::slot_stack::SlotStack;
 use crate::rounding::at_least;
 use crate::wide::WideBvh;
@@ -105,8 +104,7 @@ impl RaySlot {
         self.limit = self.limit.min(farthest);
         if self.candidate.is_none_or(|other| farthest < other.nearest) {
             // They are needed after the traversal.
-            let vertices = &raw const tree.exact_blocks[at.block as usize][at.lane as usize & 7];
-            prefetch::<{ size_of::<Vertices>() }>(vertices.cast());
+            tree.prefetch_vertices(at.block as usize, at.lane as usize);
             self.candidate = Some(Candidate { at, nearest });
         } else {
             self.test(tree, at, ray, exact);
@@ -132,7 +130,7 @@ impl RaySlot {
     ) -> bool {
         let (block, lane) = (at.block as usize, at.lane as usize & 7);
         let id = tree.blocks[block].id(lane);
-        match woop::test(&tree.exact_blocks[block][lane], ray, self.filter.axes) {
+        match woop::test(tree.vertices(block, lane), ray, self.filter.axes) {
             Decision::Hit(hit) => {
                 self.found.accept(id, hit);
                 self.shorten(hit.t);

@@ -9,13 +9,16 @@ use crate::kernels::triangle_filter::TriangleFilter;
 use crate::kernels::woop::{self, Decision, Vertices};
 use crate::layout::prefetch::prefetch;
 use crate::layout::sphere_block::SphereBlock;
-use crate::layout::triangle_block::ExactBlock;
 use crate::one_ray::stack::StackMemory;
 use crate::rounding::at_least;
 use crate::wide::WideBvh;
 use fearless_simd::Simd;
 use kit::{PrimId, Ray, TriangleHit};
 use std::hint::select_unpredictable;
+
+/// How much of a block's exact vertices is loaded ahead: five cache lines. Eight neighbours of a
+/// mesh have 9 or 10 vertices of 24 bytes, but some of them are farther away.
+const VERTEX_BYTES: usize = 320;
 
 /// The traversal of the tree by one ray. With `ANY` it ends at the first hit.
 pub(crate) struct Traversal<'a, 'e, S: Simd, const ANY: bool> {
@@ -159,8 +162,9 @@ impl<'a, 'e, S: Simd, const ANY: bool> Traversal<'a, 'e, S, ANY> {
         let block = &self.tree.blocks[index];
         if !ANY {
             // A hit needs them, and waiting for memory costs more than the rest of the test.
-            let exact = &raw const self.tree.exact_blocks[index];
-            prefetch::<{ size_of::<ExactBlock>() }>(exact.cast());
+            let first = self.tree.block_vertices[index].first as usize;
+            let vertices = self.tree.vertices.as_ptr().wrapping_add(first);
+            prefetch::<VERTEX_BYTES>(vertices.cast());
         }
         if self.filter.is_none() {
             self.filter = Some(TriangleFilter::new(&self.in_tree));
@@ -192,7 +196,7 @@ impl<'a, 'e, S: Simd, const ANY: bool> Traversal<'a, 'e, S, ANY> {
                 is_hit = true;
                 if !ANY {
                     self.shorten(self.limit.min(farthest));
-                    let vertices = &self.tree.exact_blocks[index][lane & 7];
+                    let vertices = self.tree.vertices(index, lane);
                     self.test_sure(id, vertices, axes);
                 }
             }
@@ -221,7 +225,7 @@ impl<'a, 'e, S: Simd, const ANY: bool> Traversal<'a, 'e, S, ANY> {
     /// Computes a hit that the ray has for certain; `axes` are the filter's. The range is already
     /// shortened to it.
     #[inline(always)]
-    fn test_sure(&mut self, id: PrimId, vertices: &Vertices, axes: [usize; 3]) {
+    fn test_sure(&mut self, id: PrimId, vertices: Vertices, axes: [usize; 3]) {
         match woop::test(vertices, self.ray, axes) {
             Decision::Hit(hit) => self.found.accept(id, hit),
             Decision::Miss => {}

@@ -11,10 +11,9 @@ use super::rays::{NONE, TileRays, Together};
 use super::{GROUP, SIZE};
 use crate::intersect::{ExactTest, TestCounts};
 use crate::kernels::triangle_filter::first_lanes;
-use crate::kernels::woop::{self, Decision, Vertices, axes_along};
+use crate::kernels::woop::{self, Decision, axes_along};
 use crate::layout::LANES;
 use crate::layout::node::{Child, ChildKind};
-use crate::layout::prefetch::prefetch;
 use crate::ray_tile::RayTile;
 use crate::rounding::at_least;
 use crate::wide::{Subset, WideBvh};
@@ -74,13 +73,6 @@ pub(crate) fn trace<S: Simd>(
             tree.closest(&rays.ray(i), rays.skip(i), exact, counts)
         });
     }
-}
-
-/// Starts to load the exact vertices of a triangle: in the end its hit is computed from them.
-#[inline(always)]
-fn prefetch_vertices(tree: &WideBvh, index: usize, lane: usize) {
-    let vertices = &raw const tree.exact_blocks[index][lane];
-    prefetch::<{ size_of::<Vertices>() }>(vertices.cast());
 }
 
 struct TileTraversal<'a, 'e, S: Simd> {
@@ -225,7 +217,7 @@ impl<S: Simd> TileTraversal<'_, '_, S> {
                 let is_sure = hits.sure >> lane & 1 == 1;
                 let (nearest, farthest) = (hits.nearest[lane], hits.farthest[lane]);
                 if is_sure && farthest < columns.nearest[i] && farthest <= columns.end[i] {
-                    prefetch_vertices(self.tree, index, lane);
+                    self.tree.prefetch_vertices(index, lane);
                     columns.id[i] = id;
                     columns.place[i] = (LANES * index + lane) as u32;
                     columns.nearest[i] = nearest;
@@ -287,7 +279,7 @@ impl<S: Simd> TileTraversal<'_, '_, S> {
                 let before = (hits.farthest.simd_lt(old) & hits.farthest.simd_le(end)).to_bitmask();
                 let taken = possible & hits.sure & before;
                 if taken != 0 {
-                    prefetch_vertices(self.tree, index, lane);
+                    self.tree.prefetch_vertices(index, lane);
                 }
                 let interval = [hits.nearest, hits.farthest];
                 self.columns
@@ -326,7 +318,7 @@ impl<S: Simd> TileTraversal<'_, '_, S> {
     #[inline(always)]
     fn compute(&mut self, i: usize, place: u32, id: u32) {
         let (index, lane) = (place as usize / LANES, place as usize % LANES);
-        let vertices = &self.tree.exact_blocks[index][lane];
+        let vertices = self.tree.vertices(index, lane);
         let ray = &self.rays.ray(i);
         match woop::test(vertices, ray, axes_along(ray.d)) {
             Decision::Hit(hit) => {

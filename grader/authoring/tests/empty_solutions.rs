@@ -16,10 +16,6 @@ fn workspace() -> Workspace {
 static COURSE: LazyLock<Course> =
     LazyLock::new(|| Course::read(&workspace()).expect("the course is valid"));
 
-fn graded(stages: &[&str]) -> Vec<Unfinished> {
-    empty::of_stages(&workspace(), &COURSE, stages).expect("every solution compiles")
-}
-
 fn row(solution: &Unfinished) -> String {
     let Unfinished { name, result, .. } = solution;
     format!(
@@ -28,19 +24,12 @@ fn row(solution: &Unfinished) -> String {
     )
 }
 
-/// Those of one stage, which takes a tenth of the time of all.
-#[test]
-fn unfinished_intersections_get_their_share() {
-    let graded = graded(&["intersect"]);
-    assert_shares(&graded);
-    assert_functions_of_triangles(&graded);
-}
-
 /// Prints a row for each solution (`--nocapture` shows it).
 #[test]
 #[ignore = "compiles and grades the unfinished solutions of all stages: 50 s of CPU"]
 fn unfinished_solutions_get_their_share() {
-    let graded = graded(&COURSE.stages());
+    let graded = empty::of_stages(&workspace(), &COURSE, &COURSE.stages());
+    let graded = graded.expect("every solution compiles");
     assert_shares(&graded);
     assert_functions_of_triangles(&graded);
     use FunctionStatus::{Hole, Right};

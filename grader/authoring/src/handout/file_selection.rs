@@ -22,6 +22,9 @@ const PROGRAMS: &[&str] = &[
     "formats",
 ];
 
+/// A crate that tests of the grader's crates use, which no handout has.
+const ONLY_FOR_TESTS: &str = "damage";
+
 /// The folder of the book, whose chapters of all parts are in every handout.
 const BOOK: &str = "stages/book";
 
@@ -65,7 +68,8 @@ pub(super) struct FileSelection<'a> {
 
 impl<'a> FileSelection<'a> {
     pub(super) fn new(members: &'a [Member]) -> FileSelection<'a> {
-        let needed = members::with_dependencies(members, PROGRAMS);
+        let mut needed = members::with_dependencies(members, PROGRAMS);
+        needed.remove(ONLY_FOR_TESTS);
         let grading = members::with_dependencies(members, &["grader", "worker"]);
         FileSelection {
             members,

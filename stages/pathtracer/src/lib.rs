@@ -2,7 +2,8 @@
 //!
 //! Reading order: [`world`] (the scene as a ray tests it, and the counters), [`accel`] (brute force
 //! or a tree), [`normals`] and [`lit`] (from pixel to radiance), `integrator` and `packet` (scalar
-//! paths, and paths in packets of eight), `materials` (scattering), [`textures`], [`lens`] and
+//! paths, and paths in packets of eight), [`empty_pixels`] (where there is nothing to hit),
+//! `materials` (scattering), [`textures`], [`lens`] and
 //! [`environment_file`] (what flags add to a scene), [`trial`] (whether the stages for a picture are
 //! written), [`rendered`] (a job and its result),
 //! [`layers`] (albedo, normal, depth), [`layer_file`] (any layers of a file), [`lobe`] (scattering
@@ -14,6 +15,7 @@
 
 pub mod accel;
 pub mod args;
+pub mod empty_pixels;
 pub mod environment_file;
 pub mod exact_sum;
 mod integrator;

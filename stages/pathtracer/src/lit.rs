@@ -5,6 +5,7 @@
 //! ray depth of 0 or 1 needs `direct` only. With `--accel simd`, `PacketRenderer` traces most
 //! pictures instead, in packets of eight paths.
 
+use crate::empty_pixels::EmptyPixels;
 use crate::exact_sum::PixelSum;
 use crate::integrator::PathIntegrator;
 use crate::packet::PacketRenderer;
@@ -103,18 +104,21 @@ pub fn render_lit(
         tile_done(tile.cell, tile.counters.rays);
         tile
     };
-    let tiles = render_lit_tiles(lit, textures, accel, job, settings, &tiles, stop, &finished);
+    let empty = EmptyPixels::new(lit, job, settings);
+    let tiles = render_lit_tiles(
+        lit, textures, accel, job, settings, &empty, &tiles, stop, &finished,
+    );
     let mut rendered = Rendered::black(job.film, true);
     tiles.iter().for_each(|tile| rendered.add_tile(tile));
     rendered
 }
 
-/// Renders some tiles of the picture of [`render_lit`], with the same pixels. `finish` is called
-/// with each tile and returns what to keep of it. A tile that is in progress when `stop` is set has
+/// Renders some tiles of the picture of [`render_lit`], with the same pixels. `empty` are the
+/// empty pixels of `job`. `finish` is called with each tile and returns what to keep of it. A tile that is in progress when `stop` is set has
 /// black pixels without samples.
 #[allow(
     clippy::too_many_arguments,
-    reason = "those of `render_lit`, and the tiles"
+    reason = "those of `render_lit`, its empty pixels, and the tiles"
 )]
 pub fn render_lit_tiles<R: Send>(
     lit: &LitScene,
@@ -122,12 +126,13 @@ pub fn render_lit_tiles<R: Send>(
     accel: &Accel,
     job: &Job,
     settings: &LightSettings,
+    empty: &EmptyPixels,
     tiles: &[Tile],
     stop: &AtomicBool,
     finish: &(dyn Fn(RenderedTile) -> R + Sync),
 ) -> Vec<R> {
     if let Some(renderer) = PacketRenderer::new(lit, textures, accel, job, settings) {
-        return renderer.render(tiles, stop, finish);
+        return renderer.render(empty, tiles, stop, finish);
     }
     tiles::render(
         tiles,
@@ -137,7 +142,7 @@ pub fn render_lit_tiles<R: Send>(
             if stop.load(Ordering::Relaxed) {
                 return integrator.finish_pixel(PixelSum::default(), Tally::default());
             }
-            integrator.pixel(job, (x, y), sampler)
+            integrator.pixel(job, empty, (x, y), sampler)
         },
         |cell, pixels, integrator| finish(integrator.into_tile(cell, pixels)),
     )
@@ -149,6 +154,7 @@ impl<T: RayTracer> PathIntegrator<'_, T> {
     pub(crate) fn pixel(
         &mut self,
         job: &Job,
+        empty: &EmptyPixels,
         (x, y): (u32, u32),
         sampler: &mut PixelSampler,
     ) -> PixelEstimate {
@@ -163,8 +169,15 @@ impl<T: RayTracer> PathIntegrator<'_, T> {
             this.tracer.sample_ends(radiance);
             radiance
         };
-        let (sum, luminance) =
-            sample_pixel(job, this.settings, (x, y), sampler, camera_ray, trace_ray);
+        let (sum, luminance) = sample_pixel(
+            job,
+            this.settings,
+            empty,
+            (x, y),
+            sampler,
+            camera_ray,
+            trace_ray,
+        );
         self.finish_pixel(sum, luminance)
     }
 
@@ -190,9 +203,11 @@ impl<T: RayTracer> PathIntegrator<'_, T> {
 }
 
 /// Sums the samples of the pixel `(x, y)`, which `trace_ray` traces, and tallies their luminances.
+/// With adaptive sampling an empty pixel takes one batch.
 pub(crate) fn sample_pixel(
     job: &Job,
     settings: &LightSettings,
+    empty: &EmptyPixels,
     (x, y): (u32, u32),
     sampler: &mut PixelSampler,
     camera_ray: &mut impl FnMut(Vec2) -> Ray,
@@ -220,7 +235,8 @@ pub(crate) fn sample_pixel(
             camera_ray,
             trace_ray,
             &mut |samples: &Tally, tolerance| {
-                has_surely_converged(samples, tolerance, &mut has_converged)
+                empty.contains((x, y))
+                    || has_surely_converged(samples, tolerance, &mut has_converged)
             },
         ),
     };

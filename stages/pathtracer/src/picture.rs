@@ -1,6 +1,7 @@
 //! What a picture shows, and everything that rendering it needs.
 
 use crate::args::Shade;
+use crate::empty_pixels::EmptyPixels;
 use crate::lit::{LightSettings, render_lit_tiles};
 use crate::normals::render_normal_tiles;
 use crate::rendered::RenderedTile;
@@ -43,6 +44,14 @@ impl Picture {
         }
     }
 
+    /// The empty pixels of `job`: none of a picture of normals, which is not sampled adaptively.
+    pub fn empty_pixels(&self, job: &Job, settings: &LightSettings) -> EmptyPixels {
+        match self {
+            Picture::Normals(_) => EmptyPixels::default(),
+            Picture::Lit(lit) => EmptyPixels::new(lit, job, settings),
+        }
+    }
+
     /// Whether the picture shows light.
     pub fn is_lit(&self) -> bool {
         matches!(self, Picture::Lit(_))
@@ -78,11 +87,12 @@ impl PreparedScene {
     /// Renders some tiles of the picture: those of [`render_lit`](crate::render_lit) or
     /// [`render_normals`](crate::render_normals). `finish` is called with each tile and returns
     /// what to keep of it. A tile that is in progress when `stop` is set has black pixels without
-    /// samples.
+    /// samples. `empty` are the [`Picture::empty_pixels`] of `job`.
     pub fn render_tiles<R: Send>(
         &self,
         job: &Job,
         settings: &LightSettings,
+        empty: &EmptyPixels,
         tiles: &[Cell],
         stop: &AtomicBool,
         finish: &(dyn Fn(RenderedTile) -> R + Sync),
@@ -97,6 +107,7 @@ impl PreparedScene {
                 &self.accel,
                 job,
                 settings,
+                empty,
                 tiles,
                 stop,
                 finish,

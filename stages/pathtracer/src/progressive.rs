@@ -1,8 +1,10 @@
 //! Rendering that can be watched, stopped, resumed, and continued with more samples.
 
+use crate::empty_pixels::EmptyPixels;
 use crate::rendered::RenderedTile;
 use crate::{Job, LightSettings, PreparedScene, Rendered};
 use kit::film::Cell;
+use std::cell::OnceCell;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -22,6 +24,8 @@ pub struct ProgressiveRender {
     current: Job,
     /// The tiles of this pass that are still to be rendered.
     pending: Vec<Cell>,
+    /// The empty pixels of all passes, known once the first tile is rendered.
+    empty: OnceCell<EmptyPixels>,
     so_far: Rendered,
 }
 
@@ -51,6 +55,7 @@ impl ProgressiveRender {
             passes: 1,
             current: job,
             pending: centre_first(job.cell),
+            empty: OnceCell::new(),
             so_far,
         }
     }
@@ -156,7 +161,11 @@ impl ProgressiveRender {
                 });
             }
         };
-        scene.render_tiles(&self.current, &self.settings, &tiles, stop, &finish);
+        let (job, settings) = (&self.current, &self.settings);
+        let empty = self
+            .empty
+            .get_or_init(|| scene.picture.empty_pixels(job, settings));
+        scene.render_tiles(job, settings, empty, &tiles, stop, &finish);
         let (_, finished) = finished.into_inner().expect("adding a tile does not panic");
         let (rendered, mut pending): (Vec<Cell>, Vec<Cell>) =
             tiles.iter().partition(|tile| finished.contains(tile));

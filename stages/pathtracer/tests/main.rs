@@ -3,6 +3,7 @@
 mod accel;
 mod command_line;
 mod common;
+mod empty_pixels;
 mod interrupt;
 mod lit;
 mod lit_program;

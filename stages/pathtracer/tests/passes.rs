@@ -44,7 +44,11 @@ fn settings() -> LightSettings {
 fn single_pass(scene: &PreparedScene, job: &Job, settings: &LightSettings) -> Rendered {
     let mut rendered = Rendered::black(job.film, scene.picture.is_lit());
     let tiles = job.cell.tiles();
-    let tiles = scene.render_tiles(job, settings, &tiles, &AtomicBool::new(false), &|tile| tile);
+    let (empty, stop) = (
+        scene.picture.empty_pixels(job, settings),
+        AtomicBool::new(false),
+    );
+    let tiles = scene.render_tiles(job, settings, &empty, &tiles, &stop, &|tile| tile);
     tiles.iter().for_each(|tile| rendered.add_tile(tile));
     rendered
 }

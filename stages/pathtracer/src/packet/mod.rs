@@ -5,6 +5,7 @@
 
 mod fallback;
 
+use crate::empty_pixels::EmptyPixels;
 use crate::exact_sum::PixelSum;
 use crate::integrator::PathIntegrator;
 use crate::lit::sample_pixel;
@@ -83,6 +84,7 @@ impl<'a> PacketRenderer<'a> {
     /// Renders `tiles` as [`crate::lit::render_lit_tiles`] does.
     pub(crate) fn render<R: Send>(
         &self,
+        empty: &EmptyPixels,
         tiles: &[Tile],
         stop: &AtomicBool,
         finish: &(dyn Fn(RenderedTile) -> R + Sync),
@@ -90,7 +92,7 @@ impl<'a> PacketRenderer<'a> {
         tiles::render_tiles(
             tiles,
             || PathIntegrator::new(self.lit, self.textures, self.accel, self.settings),
-            |integrator, tile| self.tile(integrator, tile, stop),
+            |integrator, tile| self.tile(integrator, empty, tile, stop),
             |tile, pixels, integrator| finish(integrator.into_tile(tile, pixels)),
         )
     }
@@ -98,6 +100,7 @@ impl<'a> PacketRenderer<'a> {
     fn tile(
         &self,
         integrator: &mut PathIntegrator<'a>,
+        empty: &EmptyPixels,
         tile: Tile,
         stop: &AtomicBool,
     ) -> Vec<PixelEstimate> {
@@ -120,7 +123,7 @@ impl<'a> PacketRenderer<'a> {
                 .collect();
             let samples = self.trace(integrator, &mut memory, &mut starts, first);
             for (samples, start) in samples.chunks(first as usize).zip(&mut starts) {
-                let estimate = self.pixel(integrator, &mut memory, start, samples);
+                let estimate = self.pixel(integrator, &mut memory, empty, start, samples);
                 estimates.push(estimate);
             }
         }
@@ -133,6 +136,7 @@ impl<'a> PacketRenderer<'a> {
         &self,
         integrator: &mut PathIntegrator<'a>,
         memory: &mut Memory,
+        empty: &EmptyPixels,
         start: &mut PathStart,
         first: &[Spectrum],
     ) -> PixelEstimate {
@@ -147,6 +151,7 @@ impl<'a> PacketRenderer<'a> {
         let (sum, luminance) = sample_pixel(
             self.job,
             self.settings,
+            empty,
             start.pixel,
             // The packets draw the sample positions and generate the camera rays.
             &mut PixelSampler::new(0, 0, 0),

@@ -1,5 +1,6 @@
 //! The number of tests of every pixel.
 
+use crate::empty_pixels::EmptyPixels;
 use crate::integrator::PathIntegrator;
 use crate::normals::normal_pixel;
 use crate::tiles;
@@ -67,25 +68,28 @@ pub fn heat_map(
                 |cell, _, counts| (cell, counts),
             )
         }
-        Picture::Lit(lit) => tiles::render(
-            &tiles,
-            job.sampling,
-            || {
-                (
-                    PathIntegrator::new(lit, textures, accel, settings),
-                    Vec::new(),
-                )
-            },
-            |(paths, counts), x, y, sampler| {
-                let before = paths.counters();
-                if !stop.load(Ordering::Relaxed) {
-                    paths.pixel(job, (x, y), sampler);
-                }
-                counts.push(paths.counters() - before);
-                PixelEstimate::default()
-            },
-            |cell, _, (_, counts)| (cell, counts),
-        ),
+        Picture::Lit(lit) => {
+            let empty = EmptyPixels::new(lit, job, settings);
+            tiles::render(
+                &tiles,
+                job.sampling,
+                || {
+                    (
+                        PathIntegrator::new(lit, textures, accel, settings),
+                        Vec::new(),
+                    )
+                },
+                |(paths, counts), x, y, sampler| {
+                    let before = paths.counters();
+                    if !stop.load(Ordering::Relaxed) {
+                        paths.pixel(job, &empty, (x, y), sampler);
+                    }
+                    counts.push(paths.counters() - before);
+                    PixelEstimate::default()
+                },
+                |cell, _, (_, counts)| (cell, counts),
+            )
+        }
     };
     let mut map = HeatMap {
         size: job.film,

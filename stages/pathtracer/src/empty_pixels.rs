@@ -1,0 +1,165 @@
+//! Pixels whose rays cannot hit anything, for adaptive sampling.
+
+use crate::{Job, LightSettings};
+use kit::camera::half_tan;
+use kit::{Camera, FilmSize, LitScene, Primitive, Vec2, Vec3};
+
+/// The pixels of a film that provably see only a black background.
+///
+/// Black samples never end the sampling of a pixel, because its light may not have been hit yet.
+/// Where the projection of every primitive is elsewhere on the film, there is none to hit: one batch
+/// is enough.
+///
+/// Every primitive is projected by corners: a triangle by its vertices, a sphere by those of its
+/// bounding box. All of its points then lie in the bounding rectangle of the projected corners,
+/// because they lie in the convex hull of the corners, whose projection is the convex hull of the
+/// projected corners where all corners are in front of the camera. The answer depends on the scene
+/// and the camera only, not on a tree, so every tree takes the same samples.
+#[derive(Clone, Debug, Default)]
+pub struct EmptyPixels {
+    /// Pixels in a row.
+    width: usize,
+    /// For each pixel, row by row from the bottom left, whether a primitive may be seen in it.
+    /// Without entries nothing is known, and no pixel counts as empty.
+    is_covered: Vec<bool>,
+}
+
+impl EmptyPixels {
+    /// The empty pixels of `job`. None are known without adaptive sampling, which alone asks for
+    /// them, with a background that can have radiance, with a lens, whose rays start elsewhere, and
+    /// where a primitive is not wholly in front of the camera.
+    pub(crate) fn new(lit: &LitScene, job: &Job, settings: &LightSettings) -> EmptyPixels {
+        let unknown = EmptyPixels::default();
+        if settings.adaptive.is_none() || lit.has_background() || settings.lens.radius > 0.0 {
+            return unknown;
+        }
+        let mut cover = Cover::new(job.film);
+        for primitive in lit.scene.primitives() {
+            let Some(rectangle) = projected(&job.camera, &primitive) else {
+                return unknown;
+            };
+            cover.add(rectangle);
+        }
+        EmptyPixels {
+            width: job.film.w as usize,
+            is_covered: cover.finish(),
+        }
+    }
+
+    /// Whether no ray of the pixel `(x, y)` can hit anything.
+    pub fn contains(&self, (x, y): (u32, u32)) -> bool {
+        let index = y as usize * self.width + x as usize;
+        self.is_covered.get(index) == Some(&false)
+    }
+}
+
+/// The bounding rectangle of a primitive on the film, whose corners are (0, 0) and (1, 1); `None` if
+/// a corner of the primitive is not in front of the camera.
+fn projected(camera: &Camera, primitive: &Primitive<'_>) -> Option<[Vec2; 2]> {
+    let mut rectangle = [Vec2::INFINITY, Vec2::NEG_INFINITY];
+    let mut add = |corner: Vec3| {
+        let point = on_film(camera, corner)?;
+        rectangle = [rectangle[0].min(point), rectangle[1].max(point)];
+        Some(())
+    };
+    match primitive {
+        Primitive::Triangle(triangle) => [triangle.p0, triangle.p1, triangle.p2]
+            .into_iter()
+            .try_for_each(add)?,
+        Primitive::Sphere(_) => {
+            let bounds = primitive.bounds();
+            let either = [bounds.min, bounds.max];
+            for corner in 0..8_usize {
+                let [x, y, z] = [0, 1, 2].map(|axis| either[corner >> axis & 1][axis]);
+                add(Vec3::new(x, y, z))?;
+            }
+        }
+    }
+    Some(rectangle)
+}
+
+/// The smallest cosine between the viewing direction and the direction to a point that counts as in
+/// front of the camera: below it rounding moves the projection by more than a pixel.
+const LEAST_COSINE: f64 = 1e-6;
+
+/// Where the film shows `point`: the inverse of [`generate_ray`](raygen::generate_ray).
+fn on_film(camera: &Camera, point: Vec3) -> Option<Vec2> {
+    let p = camera.c2w.inverse() * (point - camera.pos);
+    let is_in_front = -p.z > LEAST_COSINE * p.length();
+    let tangents = Vec2::new(half_tan(camera.h_fov), half_tan(camera.v_fov));
+    let on_film = 0.5 + 0.5 * Vec2::new(p.x, p.y) / -p.z / tangents;
+    (is_in_front && on_film.is_finite()).then_some(on_film)
+}
+
+/// Counts how many rectangles cover each pixel, in a time that does not depend on their size.
+struct Cover {
+    film: FilmSize,
+    /// How much the count changes at each pixel, along rows and along columns. One row and one
+    /// column more than the film has.
+    changes: Vec<i64>,
+}
+
+impl Cover {
+    fn new(film: FilmSize) -> Cover {
+        let [w, h] = [film.w, film.h].map(|size| size as usize + 1);
+        Cover {
+            film,
+            changes: vec![0; w * h],
+        }
+    }
+
+    fn index(&self, x: usize, y: usize) -> usize {
+        y * (self.film.w as usize + 1) + x
+    }
+
+    /// Adds a rectangle on the film, and one pixel around it: rounding moves rays and corners by
+    /// far less.
+    fn add(&mut self, [min, max]: [Vec2; 2]) {
+        let size = Vec2::new(f64::from(self.film.w), f64::from(self.film.h));
+        let first = ((min * size).floor() - 1.0).clamp(Vec2::ZERO, size);
+        let end = ((max * size).floor() + 2.0).clamp(Vec2::ZERO, size);
+        let [x0, y0, x1, y1] = [first.x, first.y, end.x, end.y].map(|pixel| pixel as usize);
+        for (x, y, change) in [(x0, y0, 1), (x1, y0, -1), (x0, y1, -1), (x1, y1, 1)] {
+            let index = self.index(x, y);
+            self.changes[index] += change;
+        }
+    }
+
+    /// Whether any rectangle covers each pixel.
+    fn finish(self) -> Vec<bool> {
+        let (w, h) = (self.film.w as usize, self.film.h as usize);
+        let mut counts = vec![0; w];
+        let mut is_covered = Vec::with_capacity(w * h);
+        for y in 0..h {
+            let mut change = 0;
+            for (x, count) in counts.iter_mut().enumerate() {
+                change += self.changes[self.index(x, y)];
+                *count += change;
+                is_covered.push(*count > 0);
+            }
+        }
+        is_covered
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn covered_pixels_are_those_of_the_rectangles_and_around_them() {
+        let film = FilmSize { w: 8, h: 6 };
+        let mut cover = Cover::new(film);
+        // Pixel (5, 2) alone, and a corner outside the film.
+        cover.add([
+            Vec2::new(5.2 / 8.0, 2.2 / 6.0),
+            Vec2::new(5.8 / 8.0, 2.8 / 6.0),
+        ]);
+        cover.add([Vec2::new(-9.0, -9.0), Vec2::new(0.1 / 8.0, 0.1 / 6.0)]);
+        let covered = cover.finish();
+        for (x, y) in film.whole().pixels() {
+            let is_near = (4..=6).contains(&x) && (1..=3).contains(&y) || x <= 1 && y <= 1;
+            assert_eq!(covered[(y * 8 + x) as usize], is_near, "({x}, {y})");
+        }
+    }
+}

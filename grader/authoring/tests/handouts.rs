@@ -198,9 +198,9 @@ fn a_handout_contains_the_students_files_and_no_others() {
     assert!(!text(handout, "Cargo.lock").contains("name = \"insta\""));
 }
 
-/// The largest size of a handout in bytes. Whoever raises it says why: of 20,000 bytes that came with
-/// shared vertices of the wide tree, empty pixels and telephone drawings of plots, 14,000 were paid by
-/// a crate for tests that handouts had.
+/// The largest size of a handout in bytes. Whoever raises it says why: of 20,000 bytes that came
+/// with shared vertices of the wide tree, empty pixels and telephone drawings of plots, 14,000 were
+/// paid by a crate for tests that handouts had.
 const LARGEST: usize = 7_626_000;
 
 #[test]

@@ -1,6 +1,5 @@
 //! Pixels whose rays cannot hit anything, for adaptive sampling.
 
-use crate::{Job, LightSettings};
 use kit::camera::half_tan;
 use kit::{Camera, FilmSize, LitScene, Primitive, Vec2, Vec3};
 
@@ -25,23 +24,22 @@ pub struct EmptyPixels {
 }
 
 impl EmptyPixels {
-    /// The empty pixels of `job`. None are known without adaptive sampling, which alone asks for
-    /// them, with a background that can have radiance, with a lens, whose rays start elsewhere, and
-    /// where a primitive is not wholly in front of the camera.
-    pub(crate) fn new(lit: &LitScene, job: &Job, settings: &LightSettings) -> EmptyPixels {
+    /// The empty pixels of a film whose rays start at `camera`. None are known where the background
+    /// can have radiance, or a primitive is not wholly in front of the camera.
+    pub(crate) fn new(lit: &LitScene, camera: &Camera, film: FilmSize) -> EmptyPixels {
         let unknown = EmptyPixels::default();
-        if settings.adaptive.is_none() || lit.has_background() || settings.lens.radius > 0.0 {
+        if lit.has_background() {
             return unknown;
         }
-        let mut cover = Cover::new(job.film);
+        let mut cover = Cover::new(film);
         for primitive in lit.scene.primitives() {
-            let Some(rectangle) = projected(&job.camera, &primitive) else {
+            let Some(rectangle) = projected(camera, &primitive) else {
                 return unknown;
             };
             cover.add(rectangle);
         }
         EmptyPixels {
-            width: job.film.w as usize,
+            width: film.w as usize,
             is_covered: cover.finish(),
         }
     }

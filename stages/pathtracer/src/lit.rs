@@ -82,6 +82,15 @@ impl LightSettings {
             environment: self.environment,
         })
     }
+
+    /// The empty pixels of `job`. None are known without adaptive sampling, which alone asks for
+    /// them, or with a lens, whose rays start elsewhere.
+    pub(crate) fn empty_pixels(&self, lit: &LitScene, job: &Job) -> EmptyPixels {
+        if self.adaptive.is_none() || self.lens.radius > 0.0 {
+            return EmptyPixels::default();
+        }
+        EmptyPixels::new(lit, &job.camera, job.film)
+    }
 }
 
 /// Renders a lit picture on rayon's current thread pool.
@@ -104,7 +113,7 @@ pub fn render_lit(
         tile_done(tile.cell, tile.counters.rays);
         tile
     };
-    let empty = EmptyPixels::new(lit, job, settings);
+    let empty = settings.empty_pixels(lit, job);
     let tiles = render_lit_tiles(
         lit, textures, accel, job, settings, &empty, &tiles, stop, &finished,
     );

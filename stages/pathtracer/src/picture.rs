@@ -48,7 +48,7 @@ impl Picture {
     pub fn empty_pixels(&self, job: &Job, settings: &LightSettings) -> EmptyPixels {
         match self {
             Picture::Normals(_) => EmptyPixels::default(),
-            Picture::Lit(lit) => EmptyPixels::new(lit, job, settings),
+            Picture::Lit(lit) => settings.empty_pixels(lit, job),
         }
     }
 

@@ -1,6 +1,5 @@
 //! The number of tests of every pixel.
 
-use crate::empty_pixels::EmptyPixels;
 use crate::integrator::PathIntegrator;
 use crate::normals::normal_pixel;
 use crate::tiles;
@@ -69,7 +68,7 @@ pub fn heat_map(
             )
         }
         Picture::Lit(lit) => {
-            let empty = EmptyPixels::new(lit, job, settings);
+            let empty = settings.empty_pixels(lit, job);
             tiles::render(
                 &tiles,
                 job.sampling,

@@ -22,9 +22,6 @@ const PROGRAMS: &[&str] = &[
     "formats",
 ];
 
-/// A crate that tests of the grader's crates use, which no handout has.
-const ONLY_FOR_TESTS: &str = "damage";
-
 /// The folder of the book, whose chapters of all parts are in every handout.
 const BOOK: &str = "stages/book";
 
@@ -68,8 +65,9 @@ pub(super) struct FileSelection<'a> {
 
 impl<'a> FileSelection<'a> {
     pub(super) fn new(members: &'a [Member]) -> FileSelection<'a> {
-        let mut needed = members::with_dependencies(members, PROGRAMS);
-        needed.remove(ONLY_FOR_TESTS);
+        // No handout has the tests of the grader's crates.
+        let has_tests = |member: &Member| !is_grader_crate(member);
+        let needed = members::with_tests_of(members, PROGRAMS, has_tests);
         let grading = members::with_dependencies(members, &["grader", "worker"]);
         FileSelection {
             members,

@@ -168,6 +168,7 @@ mod tests {
             name: name.into(),
             folder: folder.into(),
             imports: Vec::new(),
+            test_imports: Vec::new(),
         };
         let members = [member("a", "a"), member("b", "a/b"), member("c", "c")];
         let text = "[workspace]\nmembers = [\"a\", \"a/[!x]*\", \"c\"]\n# Not b.\ndefault-members = [\n    \"a\",\n]\n\n[workspace.dependencies]\na = { path = \"a\" }\nb = { path = \"a/b\" }\nd = \"1\"\n";

@@ -14,8 +14,10 @@ pub struct Member {
     pub name: String,
     /// Its folder, relative to the workspace.
     pub folder: PathBuf,
-    /// The crates of the workspace that it or its tests depend on.
+    /// The crates of the workspace that it depends on.
     pub imports: Vec<String>,
+    /// The crates of the workspace that its tests depend on, too.
+    pub test_imports: Vec<String>,
 }
 
 /// The fields of the output of `cargo metadata` that are read here.
@@ -35,6 +37,15 @@ struct Package {
 struct Dependency {
     name: String,
     path: Option<PathBuf>,
+    kind: Option<Kind>,
+}
+
+/// The kind of a dependency that is not a normal one.
+#[derive(Deserialize, PartialEq, Eq)]
+#[serde(rename_all = "lowercase")]
+enum Kind {
+    Build,
+    Dev,
 }
 
 /// The folders of a crate with tests and other code that runs the crate.
@@ -67,17 +78,30 @@ pub fn read(root: &Path) -> Result<Vec<Member>, GraderError> {
             .dependencies
             .into_iter()
             .filter(|d| d.path.is_some());
+        let (of_tests, imports): (Vec<_>, Vec<_>) = local.partition(|d| d.kind == Some(Kind::Dev));
+        let names = |list: Vec<Dependency>| list.into_iter().map(|d| d.name).collect();
         Member {
             name: package.name,
             folder: folder.strip_prefix(root).unwrap_or(folder).to_path_buf(),
-            imports: local.map(|dependency| dependency.name).collect(),
+            imports: names(imports),
+            test_imports: names(of_tests),
         }
     });
     Ok(members.collect())
 }
 
-/// The names of the crates `from` and of all crates that they depend on, directly or indirectly.
+/// The names of the crates `from` and of all crates that they or their tests depend on, directly or
+/// indirectly.
 pub fn with_dependencies<'a>(members: &'a [Member], from: &[&str]) -> BTreeSet<&'a str> {
+    with_tests_of(members, from, |_| true)
+}
+
+/// As [`with_dependencies`], where only the crates for which `has_tests` is true have their tests.
+pub fn with_tests_of<'a>(
+    members: &'a [Member],
+    from: &[&str],
+    has_tests: impl Fn(&Member) -> bool,
+) -> BTreeSet<&'a str> {
     let mut reached = BTreeSet::new();
     let mut next: Vec<&str> = from.to_vec();
     while let Some(name) = next.pop() {
@@ -86,6 +110,9 @@ pub fn with_dependencies<'a>(members: &'a [Member], from: &[&str]) -> BTreeSet<&
         };
         if reached.insert(member.name.as_str()) {
             next.extend(member.imports.iter().map(String::as_str));
+            if has_tests(member) {
+                next.extend(member.test_imports.iter().map(String::as_str));
+            }
         }
     }
     reached
@@ -108,6 +135,7 @@ mod tests {
             name: name.into(),
             folder: folder.into(),
             imports: imports.iter().map(ToString::to_string).collect(),
+            test_imports: Vec::new(),
         }
     }
 
@@ -127,6 +155,22 @@ mod tests {
             with_dependencies(&members, &["c", "unknown"]),
             BTreeSet::from(["c"])
         );
+    }
+
+    #[test]
+    fn what_only_tests_need_is_left_out_with_them() {
+        let mut members = [
+            member("a", "a", &["b"]),
+            member("b", "b", &[]),
+            member("c", "c", &[]),
+            member("d", "d", &[]),
+        ];
+        members[0].test_imports = vec!["c".into()];
+        members[1].test_imports = vec!["d".into()];
+        let of_b = with_tests_of(&members, &["a"], |member| member.name == "b");
+        assert_eq!(of_b, BTreeSet::from(["a", "b", "d"]));
+        let all = with_dependencies(&members, &["a"]);
+        assert_eq!(all, BTreeSet::from(["a", "b", "c", "d"]));
     }
 
     #[test]

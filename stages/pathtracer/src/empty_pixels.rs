@@ -1,13 +1,12 @@
 //! Pixels whose rays cannot hit anything, for adaptive sampling.
 
 use kit::camera::half_tan;
-use kit::{Camera, FilmSize, LitScene, Primitive, Vec2, Vec3};
+use kit::{Camera, FilmSize, LitScene, Mat3, Primitive, Vec2, Vec3};
 
 /// The pixels of a film that provably see only a black background.
 ///
 /// Black samples never end the sampling of a pixel, because its light may not have been hit yet.
-/// Where the projection of every primitive is elsewhere on the film, there is none to hit: one batch
-/// is enough.
+/// Where no primitive is projected onto the pixel, there is nothing to hit: one batch is enough.
 ///
 /// Every primitive is projected by corners: a triangle by its vertices, a sphere by those of its
 /// bounding box. All of its points then lie in the bounding rectangle of the projected corners,
@@ -31,9 +30,10 @@ impl EmptyPixels {
         if lit.has_background() {
             return unknown;
         }
+        let projection = Projection::of(camera);
         let mut cover = Cover::new(film);
         for primitive in lit.scene.primitives() {
-            let Some(rectangle) = projected(camera, &primitive) else {
+            let Some(rectangle) = projection.bounds(&primitive) else {
                 return unknown;
             };
             cover.add(rectangle);
@@ -51,42 +51,60 @@ impl EmptyPixels {
     }
 }
 
-/// The bounding rectangle of a primitive on the film, whose corners are (0, 0) and (1, 1); `None` if
-/// a corner of the primitive is not in front of the camera.
-fn projected(camera: &Camera, primitive: &Primitive<'_>) -> Option<[Vec2; 2]> {
-    let mut rectangle = [Vec2::INFINITY, Vec2::NEG_INFINITY];
-    let mut add = |corner: Vec3| {
-        let point = on_film(camera, corner)?;
-        rectangle = [rectangle[0].min(point), rectangle[1].max(point)];
-        Some(())
-    };
-    match primitive {
-        Primitive::Triangle(triangle) => [triangle.p0, triangle.p1, triangle.p2]
-            .into_iter()
-            .try_for_each(add)?,
-        Primitive::Sphere(_) => {
-            let bounds = primitive.bounds();
-            let either = [bounds.min, bounds.max];
-            for corner in 0..8_usize {
-                let [x, y, z] = [0, 1, 2].map(|axis| either[corner >> axis & 1][axis]);
-                add(Vec3::new(x, y, z))?;
-            }
-        }
-    }
-    Some(rectangle)
-}
-
 /// The smallest cosine between the viewing direction and the direction to a point that counts as in
 /// front of the camera: below it rounding moves the projection by more than a pixel.
 const LEAST_COSINE: f64 = 1e-6;
 
-/// Where the film shows `point`: the inverse of [`generate_ray`](raygen::generate_ray).
-fn on_film(camera: &Camera, point: Vec3) -> Option<Vec2> {
-    let p = camera.c2w.inverse() * (point - camera.pos);
-    let is_in_front = -p.z > LEAST_COSINE * p.length();
-    let tangents = Vec2::new(half_tan(camera.h_fov), half_tan(camera.v_fov));
-    let on_film = 0.5 + 0.5 * Vec2::new(p.x, p.y) / -p.z / tangents;
-    (is_in_front && on_film.is_finite()).then_some(on_film)
+/// Projects points in world space onto the film, whose corners are (0, 0) and (1, 1): the inverse
+/// of [`generate_ray`](raygen::generate_ray).
+struct Projection {
+    pos: Vec3,
+    world_to_camera: Mat3,
+    /// Tangents of half of the fields of view.
+    tangents: Vec2,
+}
+
+impl Projection {
+    fn of(camera: &Camera) -> Projection {
+        Projection {
+            pos: camera.pos,
+            world_to_camera: camera.c2w.inverse(),
+            tangents: Vec2::new(half_tan(camera.h_fov), half_tan(camera.v_fov)),
+        }
+    }
+
+    /// Where the film shows `point`; `None` if the point is not in front of the camera.
+    fn point(&self, point: Vec3) -> Option<Vec2> {
+        let p = self.world_to_camera * (point - self.pos);
+        let is_in_front = -p.z > LEAST_COSINE * p.length();
+        let on_film = 0.5 + 0.5 * Vec2::new(p.x, p.y) / -p.z / self.tangents;
+        (is_in_front && on_film.is_finite()).then_some(on_film)
+    }
+
+    /// The bounding rectangle of a primitive on the film; `None` if a corner of the primitive is
+    /// not in front of the camera.
+    fn bounds(&self, primitive: &Primitive<'_>) -> Option<[Vec2; 2]> {
+        let mut rectangle = [Vec2::INFINITY, Vec2::NEG_INFINITY];
+        let mut add = |corner: Vec3| {
+            let point = self.point(corner)?;
+            rectangle = [rectangle[0].min(point), rectangle[1].max(point)];
+            Some(())
+        };
+        match primitive {
+            Primitive::Triangle(triangle) => [triangle.p0, triangle.p1, triangle.p2]
+                .into_iter()
+                .try_for_each(add)?,
+            Primitive::Sphere(_) => {
+                let bounds = primitive.bounds();
+                let either = [bounds.min, bounds.max];
+                for corner in 0..8_usize {
+                    let [x, y, z] = [0, 1, 2].map(|axis| either[corner >> axis & 1][axis]);
+                    add(Vec3::new(x, y, z))?;
+                }
+            }
+        }
+        Some(rectangle)
+    }
 }
 
 /// Counts how many rectangles cover each pixel, in a time that does not depend on their size.

@@ -122,9 +122,10 @@ pub fn render_lit(
     rendered
 }
 
-/// Renders some tiles of the picture of [`render_lit`], with the same pixels. `empty` are the
-/// empty pixels of `job`. `finish` is called with each tile and returns what to keep of it. A tile that is in progress when `stop` is set has
-/// black pixels without samples.
+/// Renders some tiles of the picture of [`render_lit`], with the same pixels. `empty` must be the
+/// [`Picture::empty_pixels`](crate::Picture::empty_pixels) of `job`. `finish` is called with each
+/// tile and returns what to keep of it. A tile that is in progress when `stop` is set has black
+/// pixels without samples.
 #[allow(
     clippy::too_many_arguments,
     reason = "those of `render_lit`, its empty pixels, and the tiles"
@@ -140,8 +141,8 @@ pub fn render_lit_tiles<R: Send>(
     stop: &AtomicBool,
     finish: &(dyn Fn(RenderedTile) -> R + Sync),
 ) -> Vec<R> {
-    if let Some(renderer) = PacketRenderer::new(lit, textures, accel, job, settings) {
-        return renderer.render(empty, tiles, stop, finish);
+    if let Some(renderer) = PacketRenderer::new(lit, textures, accel, job, settings, empty) {
+        return renderer.render(tiles, stop, finish);
     }
     tiles::render(
         tiles,

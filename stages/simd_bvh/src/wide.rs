@@ -8,7 +8,7 @@ use crate::layout::prefetch::prefetch;
 use crate::layout::space::TreeSpace;
 use crate::layout::sphere_block::SphereBlock;
 use crate::layout::triangle_block::TriangleBlock;
-use crate::layout::vertex_list::{BlockVertices, ExactVertex};
+use crate::layout::vertex_list::{BLOCK_BYTES, BlockVertices, ExactVertex};
 use std::collections::VecDeque;
 use std::hint::select_unpredictable;
 // END SOLUTION(part6.task1)
@@ -142,13 +142,22 @@ impl WideBvh {
         [&self.vertices[a], &self.vertices[b], &self.vertices[c]]
     }
 
-    /// Starts to load them: in the end a hit is computed from them.
+    /// Starts to load the vertices of the triangle in a lane of block number `index`. In the end
+    /// its hit is computed from them.
     #[inline(always)]
     pub(crate) fn prefetch_vertices(&self, index: usize, lane: usize) {
         for corner in self.block_vertices[index].corners(lane) {
             let vertex = self.vertices.as_ptr().wrapping_add(corner);
             prefetch::<{ size_of::<ExactVertex>() }>(vertex.cast());
         }
+    }
+
+    /// Starts to load the vertices of block number `index`, before it is known which are needed.
+    #[inline(always)]
+    pub(crate) fn prefetch_block_vertices(&self, index: usize) {
+        let first = self.block_vertices[index].first as usize;
+        let vertices = self.vertices.as_ptr().wrapping_add(first);
+        prefetch::<BLOCK_BYTES>(vertices.cast());
     }
 
     /// Starts to load a node or a block of triangles. Which of them is hard to predict, so it does

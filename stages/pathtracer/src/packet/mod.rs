@@ -30,6 +30,7 @@ pub(crate) struct PacketRenderer<'a> {
     tree: &'a WideBvh,
     job: &'a Job,
     settings: &'a LightSettings,
+    empty: &'a EmptyPixels,
     scene: PathScene<'a>,
     view: View,
     paths: PathSettings,
@@ -43,6 +44,7 @@ impl<'a> PacketRenderer<'a> {
         accel: &'a Accel,
         job: &'a Job,
         settings: &'a LightSettings,
+        empty: &'a EmptyPixels,
     ) -> Option<PacketRenderer<'a>> {
         let Accel::Simd(tree) = accel else {
             return None;
@@ -64,6 +66,7 @@ impl<'a> PacketRenderer<'a> {
             tree,
             job,
             settings,
+            empty,
             scene: PathScene::new(lit, tree.apart())?,
             view: View {
                 camera: job.camera,
@@ -84,7 +87,6 @@ impl<'a> PacketRenderer<'a> {
     /// Renders `tiles` as [`crate::lit::render_lit_tiles`] does.
     pub(crate) fn render<R: Send>(
         &self,
-        empty: &EmptyPixels,
         tiles: &[Tile],
         stop: &AtomicBool,
         finish: &(dyn Fn(RenderedTile) -> R + Sync),
@@ -92,7 +94,7 @@ impl<'a> PacketRenderer<'a> {
         tiles::render_tiles(
             tiles,
             || PathIntegrator::new(self.lit, self.textures, self.accel, self.settings),
-            |integrator, tile| self.tile(integrator, empty, tile, stop),
+            |integrator, tile| self.tile(integrator, tile, stop),
             |tile, pixels, integrator| finish(integrator.into_tile(tile, pixels)),
         )
     }
@@ -100,7 +102,6 @@ impl<'a> PacketRenderer<'a> {
     fn tile(
         &self,
         integrator: &mut PathIntegrator<'a>,
-        empty: &EmptyPixels,
         tile: Tile,
         stop: &AtomicBool,
     ) -> Vec<PixelEstimate> {
@@ -123,7 +124,7 @@ impl<'a> PacketRenderer<'a> {
                 .collect();
             let samples = self.trace(integrator, &mut memory, &mut starts, first);
             for (samples, start) in samples.chunks(first as usize).zip(&mut starts) {
-                let estimate = self.pixel(integrator, &mut memory, empty, start, samples);
+                let estimate = self.pixel(integrator, &mut memory, start, samples);
                 estimates.push(estimate);
             }
         }
@@ -136,7 +137,6 @@ impl<'a> PacketRenderer<'a> {
         &self,
         integrator: &mut PathIntegrator<'a>,
         memory: &mut Memory,
-        empty: &EmptyPixels,
         start: &mut PathStart,
         first: &[Spectrum],
     ) -> PixelEstimate {
@@ -151,7 +151,7 @@ impl<'a> PacketRenderer<'a> {
         let (sum, luminance) = sample_pixel(
             self.job,
             self.settings,
-            empty,
+            self.empty,
             start.pixel,
             // The packets draw the sample positions and generate the camera rays.
             &mut PixelSampler::new(0, 0, 0),
@@ -295,10 +295,10 @@ mod tests {
             samples: 1,
             sampling: 0.into(),
         };
-        let textures = Textures::default();
+        let (textures, empty) = (Textures::default(), EmptyPixels::default());
         let uses_packets = |kind, settings: LightSettings| {
             let accel = Accel::build(kind, &lit.scene);
-            PacketRenderer::new(&lit, &textures, &accel, &job, &settings).is_some()
+            PacketRenderer::new(&lit, &textures, &accel, &job, &settings, &empty).is_some()
         };
         let lights = LightSettings::default();
         let adaptive = |batch| LightSettings {

@@ -49,6 +49,7 @@ pub fn heat_map(
     stop: &AtomicBool,
 ) -> HeatMap {
     let tiles = job.cell.tiles();
+    let empty = picture.empty_pixels(job, settings);
     let counts: Vec<(Cell, Vec<Counters>)> = match picture {
         Picture::Normals(scene) => {
             let tracer = SceneTracer { scene, accel };
@@ -67,28 +68,25 @@ pub fn heat_map(
                 |cell, _, counts| (cell, counts),
             )
         }
-        Picture::Lit(lit) => {
-            let empty = settings.empty_pixels(lit, job);
-            tiles::render(
-                &tiles,
-                job.sampling,
-                || {
-                    (
-                        PathIntegrator::new(lit, textures, accel, settings),
-                        Vec::new(),
-                    )
-                },
-                |(paths, counts), x, y, sampler| {
-                    let before = paths.counters();
-                    if !stop.load(Ordering::Relaxed) {
-                        paths.pixel(job, &empty, (x, y), sampler);
-                    }
-                    counts.push(paths.counters() - before);
-                    PixelEstimate::default()
-                },
-                |cell, _, (_, counts)| (cell, counts),
-            )
-        }
+        Picture::Lit(lit) => tiles::render(
+            &tiles,
+            job.sampling,
+            || {
+                (
+                    PathIntegrator::new(lit, textures, accel, settings),
+                    Vec::new(),
+                )
+            },
+            |(paths, counts), x, y, sampler| {
+                let before = paths.counters();
+                if !stop.load(Ordering::Relaxed) {
+                    paths.pixel(job, &empty, (x, y), sampler);
+                }
+                counts.push(paths.counters() - before);
+                PixelEstimate::default()
+            },
+            |cell, _, (_, counts)| (cell, counts),
+        ),
     };
     let mut map = HeatMap {
         size: job.film,

@@ -108,8 +108,7 @@ mod tests {
         ];
         let bounds: Vec<_> = triangles.iter().map(Triangle::bounds).collect();
         let space = TreeSpace::around(2, |number| Some(bounds[number]));
-        let prims = [PrimId(0), PrimId(1)];
-        let block = TriangleBlock::of(&triangles, &prims, &space);
+        let block = TriangleBlock::of(&triangles, &[PrimId(0), PrimId(1)], &space);
         let unit = f64::from(block.unit);
         assert_eq!(f64::from(block.steps_per_length()), 1.0 / unit);
         for (lane, t) in triangles.iter().enumerate() {

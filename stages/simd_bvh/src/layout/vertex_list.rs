@@ -6,6 +6,10 @@ use kit::{PrimId, Triangle, Vec3};
 /// A vertex in world space and double precision.
 pub(crate) type ExactVertex = [f64; 3];
 
+/// How much of a block's vertices is loaded ahead: five cache lines. Eight neighbours of a mesh
+/// have 9 or 10 vertices of 24 bytes, but some of them are farther away.
+pub(crate) const BLOCK_BYTES: usize = 320;
+
 /// Where the exact vertices of a block's triangles are. Apart from the block, because few blocks
 /// need them; in one cache line.
 #[derive(Clone, Debug)]
@@ -61,7 +65,7 @@ impl VertexList {
         }
     }
 
-    /// Adds those vertices of the triangles `prims`, one to eight, that are not among the last ones.
+    /// Adds those vertices of the one to eight triangles `prims` that are not among the last ones.
     #[inline(always)]
     pub(crate) fn add(&mut self, triangles: &[Triangle], prims: &[PrimId]) -> BlockVertices {
         let window = self.vertices.len().saturating_sub(WINDOW);
@@ -82,8 +86,8 @@ impl VertexList {
         }
     }
 
-    /// The place of a vertex, which is at or behind `first`; adds it if it is not there. The bits are
-    /// compared: zeros of different signs are two vertices.
+    /// The place of a vertex at or behind `first`, where it is added if it is not there. The bits
+    /// are compared: zeros of different signs are two vertices.
     #[inline(always)]
     fn place_of(&mut self, vertex: Vec3, first: usize) -> usize {
         let vertex = vertex.to_array();

@@ -7,7 +7,6 @@ use crate::kernels::simd_box_test::Key;
 use crate::kernels::simd_box_test::{SimdBoxTest, range_end};
 use crate::kernels::triangle_filter::TriangleFilter;
 use crate::kernels::woop::{self, Decision, Vertices};
-use crate::layout::prefetch::prefetch;
 use crate::layout::sphere_block::SphereBlock;
 use crate::one_ray::stack::StackMemory;
 use crate::rounding::at_least;
@@ -15,10 +14,6 @@ use crate::wide::WideBvh;
 use fearless_simd::Simd;
 use kit::{PrimId, Ray, TriangleHit};
 use std::hint::select_unpredictable;
-
-/// How much of a block's exact vertices is loaded ahead: five cache lines. Eight neighbours of a
-/// mesh have 9 or 10 vertices of 24 bytes, but some of them are farther away.
-const VERTEX_BYTES: usize = 320;
 
 /// The traversal of the tree by one ray. With `ANY` it ends at the first hit.
 pub(crate) struct Traversal<'a, 'e, S: Simd, const ANY: bool> {
@@ -162,9 +157,7 @@ impl<'a, 'e, S: Simd, const ANY: bool> Traversal<'a, 'e, S, ANY> {
         let block = &self.tree.blocks[index];
         if !ANY {
             // A hit needs them, and waiting for memory costs more than the rest of the test.
-            let first = self.tree.block_vertices[index].first as usize;
-            let vertices = self.tree.vertices.as_ptr().wrapping_add(first);
-            prefetch::<VERTEX_BYTES>(vertices.cast());
+            self.tree.prefetch_block_vertices(index);
         }
         if self.filter.is_none() {
             self.filter = Some(TriangleFilter::new(&self.in_tree));

@@ -1,6 +1,5 @@
-//! Tests which errors the statistical tests always detect. Each case with such a test tells
-//! students the smallest error. The statement is true of the reference's answers, and answers with
-//! this error fail.
+//! Tests the smallest error that a statistical test always detects. The text of each case with
+//! such a test states this error: the reference's answers pass, and answers with this error fail.
 
 use crate::shared::moved_back;
 use judge::Tier;

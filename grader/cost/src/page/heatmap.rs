@@ -43,22 +43,24 @@ pub(crate) fn figure(family: &KernelFamily) -> Result<Figure, GraderError> {
     let drawing = for_both_widths(broad, narrow, &label, |canvas, size, is_narrow| {
         let layout = match is_narrow {
             false => Layout {
+                is_narrow,
                 left: NAMES,
                 head: HEAD,
                 row: ROW,
                 cell: (WIDTH - NAMES) / headings.len().max(1) as f64,
             },
             true => Layout {
+                is_narrow,
                 left: 0.0,
                 head: NARROW_HEAD,
                 row: NAME_LINE + ROW,
                 cell: NARROW_WIDTH / headings.len().max(1) as f64,
             },
         };
-        draw_headings(canvas, &layout, &headings, is_narrow)?;
+        draw_headings(canvas, &layout, &headings)?;
         for (i, row) in family.rows.iter().enumerate() {
             let top = layout.head + layout.row * i as f64;
-            draw_row(canvas, &layout, top, row, &headings, is_narrow)?;
+            draw_row(canvas, &layout, top, row, &headings)?;
         }
         let corner = match is_narrow {
             false => (12.0, size[1] - 0.4 * KEY),
@@ -85,6 +87,8 @@ pub(crate) fn figure(family: &KernelFamily) -> Result<Figure, GraderError> {
 
 /// Where names and cells are.
 struct Layout {
+    /// Whether the drawing is for a telephone.
+    is_narrow: bool,
     /// Left end of the first cell.
     left: f64,
     /// Top of the first row.
@@ -102,15 +106,10 @@ impl Layout {
 }
 
 /// Writes the names of the families above their columns.
-fn draw_headings(
-    canvas: &Canvas,
-    layout: &Layout,
-    headings: &[&str],
-    is_narrow: bool,
-) -> DrawResult {
+fn draw_headings(canvas: &Canvas, layout: &Layout, headings: &[&str]) -> DrawResult {
     for (column, head) in headings.iter().enumerate() {
         let x = layout.middle(column);
-        if is_narrow {
+        if layout.is_narrow {
             let upright = Label {
                 upright: true,
                 ..Label::left(NAME)
@@ -134,10 +133,9 @@ fn draw_row(
     top: f64,
     row: &KernelRow,
     headings: &[&str],
-    is_narrow: bool,
 ) -> DrawResult {
     let bottom = top + layout.row;
-    let (position, label) = match is_narrow {
+    let (position, label) = match layout.is_narrow {
         false => ((layout.left - 6.0, bottom - 0.5 * ROW), Label::right(NAME)),
         true => ((2.0, bottom - ROW - 0.4 * NAME_LINE), Label::left(NAME)),
     };
@@ -151,7 +149,10 @@ fn draw_row(
         ];
         canvas.rectangle(corners[0], corners[1], cell.color)?;
         let label = Label::centered(9.0).in_color(text_color_on(cell.color));
-        let text = if is_narrow { &cell.short } else { &cell.text };
+        let text = match layout.is_narrow {
+            false => &cell.text,
+            true => &cell.short,
+        };
         canvas.text(text, (layout.middle(column), bottom - 0.5 * ROW), label)?;
         let tip = format!("{}, {}: {}", name(row), headings[column], cell.tip);
         canvas.tip_over(corners[0], corners[1], &tip);

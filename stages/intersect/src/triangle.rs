@@ -133,9 +133,19 @@ impl Weights {
     fn agreement(&self) -> f64 {
         // A product instead of a chain of comparisons: which weight is negative is unpredictable,
         // and branch mispredictions would cost more than the rest of the test.
+        let [smallest, largest] = self.extremes();
+        smallest * largest
+    }
+
+    /// The smallest and the largest weight.
+    #[inline]
+    fn extremes(&self) -> [f64; 2] {
         let smaller = |a: f64, b: f64| if a < b { a } else { b };
         let larger = |a: f64, b: f64| if a > b { a } else { b };
-        smaller(self.u, smaller(self.v, self.w)) * larger(self.u, larger(self.v, self.w))
+        [
+            smaller(self.u, smaller(self.v, self.w)),
+            larger(self.u, larger(self.v, self.w)),
+        ]
     }
 
     #[inline]
@@ -215,7 +225,9 @@ fn robust_test(tri: &Triangle, ray: &Ray) -> Option<TriangleHit> {
         w: difference_of_products(b_xy.x, a_xy.y, b_xy.y, a_xy.x),
     };
     let det = weights.sum();
-    if weights.agreement() < 0.0 || det == 0.0 {
+    // No product of weights: for a ray that is almost in the plane it underflows.
+    let [smallest, largest] = weights.extremes();
+    if (smallest < 0.0 && largest > 0.0) || det == 0.0 {
         return None;
     }
     let t = space.restore(weights.of(a.z, b.z, c.z) / det / d.z, speed);

@@ -103,6 +103,29 @@ fn all_scales_of_scene_and_direction() {
     }
 }
 
+/// Hard case 35. The origin is in the plane of the triangles, and the direction is out of it by
+/// less than the product of two weights can express. Only the triangle with the origin is hit.
+#[test]
+fn ray_that_is_almost_in_the_plane_hits_one_triangle() {
+    let at = |x: i32, z: i32| Vec3::new(f64::from(x), 0.0, f64::from(z));
+    let triangle = |x: i32, z: i32| Triangle::flat(at(x, z), at(x + 1, z), at(x, z + 1));
+    for out_of_plane in [1e-100, 1e-150, 1e-200, 1e-300] {
+        let ray = Ray::new(
+            Vec3::new(0.25, 0.0, 0.25),
+            Vec3::new(0.0, out_of_plane, -1.0),
+        );
+        for (x, z) in (-3..4).flat_map(|x| (-3..4).map(move |z| (x, z))) {
+            let hit = test_triangle(&triangle(x, z), &ray);
+            let expected = (x, z) == (0, 0);
+            assert_eq!(
+                hit.is_some(),
+                expected,
+                "{out_of_plane:e}, ({x}, {z}): {hit:?}"
+            );
+        }
+    }
+}
+
 /// Tolerance for normals: a plain cross product is accepted if at most ten of its 53 bits cancel.
 const NORMAL_TOLERANCE: f64 = 4096.0 * f64::EPSILON;
 

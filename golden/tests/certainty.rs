@@ -4,7 +4,7 @@
 use crate::shared::moved_back;
 use judge::Tier;
 use judge::cases::{self, Spec};
-use judge::tally::{Aspect, Finding};
+use judge::findings::{Aspect, Finding};
 use std::f64::consts::{SQRT_2, TAU};
 use wire::global::SpecularAnswer;
 use wire::work::Xyz;

@@ -6,7 +6,7 @@
 use crate::shared::{SPECS, reference, spec};
 use judge::Tier;
 use judge::cases::Spec;
-use judge::tally::Aspect;
+use judge::findings::Aspect;
 use judge::whole::{Verdict, Whole, judge_whole};
 use wire::answer::{Hit, TriangleAnswer};
 use wire::work::{NodeKind, Ray, TriangleWork};

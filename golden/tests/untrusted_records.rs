@@ -6,7 +6,7 @@ use grader::workers::records;
 use grader::workers::runner::Ending;
 use judge::Tier;
 use judge::cases::Spec;
-use judge::tally::Finding;
+use judge::findings::Finding;
 use std::collections::BTreeMap;
 use std::io::Cursor;
 use wire::answer::{HitsAnswer, VisitsAnswer};

@@ -39,7 +39,7 @@ use crate::tools::shown::{ShownCall, ShownRay};
 use crate::tools::snapshot::lines::each;
 use crate::tools::snapshot::{Content, Fields, forms, number};
 use crate::tools::spec::Spec;
-use crate::tools::tally::{Aspect, Tally};
+use crate::tools::findings::{Aspect, Findings};
 use crate::tools::{Tier, plural};
 use kit::{Aabb, Ray, Vec3};
 use wire::kind;
@@ -67,12 +67,12 @@ impl Check for kind::Doubling {
         one_each(numbers.len(), answers)
     }
 
-    fn judge(tally: &mut Tally, _: &CaseContext<'_>, _: Tier, numbers: &Vec<f64>, answers: &Vec<f64>) {
+    fn judge(findings: &mut Findings, _: &CaseContext<'_>, _: Tier, numbers: &Vec<f64>, answers: &Vec<f64>) {
         for (call, (x, answer)) in numbers.iter().zip(answers).enumerate() {
-            tally.expect(Aspect::T);
+            findings.expect(Aspect::T);
             let right = 2.0 * x;
             let off = (answer - right).abs();
-            tally.judge(Aspect::T, call, off == 0.0, off, || {
+            findings.judge(Aspect::T, call, off == 0.0, off, || {
                 format!("your result: {answer}; expected: {right}")
             });
         }

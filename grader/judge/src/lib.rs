@@ -25,5 +25,5 @@ pub use tasks::part3_task1::diffuse_density;
 pub use tasks::part4_task1::right_reflectance;
 pub use tools::simple::variations;
 pub use tools::truth::{self, expected, scene};
-pub use tools::{Tier, convert, errors, plural, shown, tally};
+pub use tools::{Tier, convert, errors, findings, plural, shown};
 pub use tools::{compressed, packed_truth};

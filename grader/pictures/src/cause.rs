@@ -2,8 +2,8 @@
 
 use crate::image::Rgb;
 use crate::palette;
+use judge::findings::Aspect;
 use judge::snapshot::Line;
-use judge::tally::Aspect;
 use serde::Serialize;
 
 /// The first difference of a call's answer from the golden, in this order. "False" means different

@@ -4,8 +4,8 @@ use super::delta;
 use super::picture::Pixels;
 use ::pictures::cause::Cause;
 use judge::cases::Spec;
+use judge::findings::Aspect;
 use judge::snapshot::{Changes, Fields, Line, Snapshot};
-use judge::tally::Aspect;
 use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
 

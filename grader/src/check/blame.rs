@@ -7,7 +7,7 @@
 use crate::course::Task;
 use crate::course::sources::{self, SourceFile};
 use crate::score::CaseResult;
-use judge::tally::{Aspect, Fault, Finding};
+use judge::findings::{Aspect, Fault, Finding};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// What a function that makes the record of a hit decides.
@@ -179,7 +179,7 @@ fn judges(findings: &[Finding], function: &str) -> bool {
 mod tests {
     use super::*;
     use crate::course::Course;
-    use judge::tally::Tally;
+    use judge::findings::Findings;
 
     const CALLER: &str = "pub fn intersect_triangle(r: &mut Ray) -> Option<Hit> {\n    let hit = test_triangle(r)?;\n    Some(record_triangle(r, hit))\n}\n";
     const ALONE: &str = "pub fn intersect_triangle(r: &mut Ray) -> Option<Hit> {\n    r.max_t = 1.0;\n    None\n}\n";
@@ -191,19 +191,19 @@ mod tests {
         let course = Course::parse(text).expect("it is valid");
         let mut tasks = course.tasks();
         let task = tasks.find(|task| task.key == "part1.task3");
-        let mut tally = Tally::default();
+        let mut findings = Findings::default();
         for function in ["test_triangle", "intersect_triangle"] {
-            tally.count_for(function);
-            tally.judge(Aspect::HitOrMiss, 9, true, 0.0, String::new);
+            findings.count_for(function);
+            findings.judge(Aspect::HitOrMiss, 9, true, 0.0, String::new);
         }
         for (function, call, aspect) in wrong {
-            tally.count_for(function);
-            tally.judge(*aspect, *call, false, 1.0, String::new);
+            findings.count_for(function);
+            findings.judge(*aspect, *call, false, 1.0, String::new);
         }
-        let mut list = Tally::default();
+        let mut list = Findings::default();
         list.count_for("intersect_triangle");
         list.judge(Aspect::HitOrMiss, 0, !in_list, 1.0, String::new);
-        let cases = [tally, list].map(|tally| CaseResult::failed("", tally.into_findings()));
+        let cases = [findings, list].map(|found| CaseResult::failed("", found.into_vec()));
         let files = [SourceFile {
             path: "a.rs".into(),
             text: code.into(),

@@ -11,8 +11,8 @@ use crate::score::{CaseResult, Status, TaskResult, order};
 use crate::workers::crash::CrashKind;
 use base::GraderError;
 use judge::cases::checked;
+use judge::findings::Finding as Counted;
 use judge::plural;
-use judge::tally::Finding as Counted;
 use serde::{Deserialize, Serialize};
 
 /// What is wrong in a function of a task. It is stored until a file that it depends on changes.

@@ -13,9 +13,9 @@ use crate::workers::worker_set::WorkerSet;
 use base::program::Exit;
 use base::{GraderError, Workspace, out, outln};
 use judge::cases::Spec;
+use judge::findings::WrongAnswer;
 use judge::repro;
 use judge::snapshot::{self, Line, Snapshot};
-use judge::tally::WrongAnswer;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use wire::Answer;
@@ -352,7 +352,7 @@ fn row(spec: &Spec, answer: &Answer, call: u32) -> Option<Line> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use judge::tally::Aspect;
+    use judge::findings::Aspect;
 
     #[test]
     fn what_is_expected_is_not_cut_off() {

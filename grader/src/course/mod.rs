@@ -11,7 +11,7 @@ pub mod term;
 use base::{GraderError, Workspace};
 use judge::Tier;
 use judge::examples;
-use judge::tally::Aspect;
+use judge::findings::Aspect;
 use serde::Deserialize;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};

@@ -11,7 +11,7 @@ pub mod simplest;
 use crate::score::{CaseResult, Status};
 use crate::signature::{Agreement, Signature, stored};
 use base::{GraderError, Workspace, write_whole};
-use judge::tally::Aspect;
+use judge::findings::Aspect;
 use serde::Serialize;
 use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};

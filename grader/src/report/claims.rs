@@ -11,7 +11,7 @@ use crate::signature::Signature;
 use crate::workers::crash::CrashKind;
 use judge::Tier;
 use judge::cases::Spec;
-use judge::tally::{Aspect, Class, Fault, Finding};
+use judge::findings::{Aspect, Class, Fault, Finding};
 
 /// A sentence that is true but for few wrong answers is true of at least this share of them.
 const NEARLY_ALL: f64 = 0.95;

@@ -12,8 +12,8 @@ use comfy_table::{Cell, CellAlignment, Table, presets};
 use judge::Tier;
 use judge::cases::checked;
 use judge::errors::ErrorSpread;
+use judge::findings::{Aspect, Finding};
 use judge::plural;
-use judge::tally::{Aspect, Finding};
 use std::fmt::Write;
 
 /// Columns of the drawing in a long report.

@@ -3,7 +3,7 @@
 use super::{CaseResult, Status, WITHOUT_IDEA};
 use crate::course::{Idea, Task};
 use judge::Tier;
-use judge::tally::Finding;
+use judge::findings::Finding;
 use serde::Serialize;
 use std::collections::{BTreeMap, BTreeSet};
 use wire::record::HoleCall;
@@ -211,7 +211,7 @@ mod tests {
     use super::*;
     use crate::course::Course;
     use crate::score::TaskResult;
-    use judge::tally::{Aspect, Tally};
+    use judge::findings::{Aspect, Findings};
 
     /// A task of two functions and 20 core points; `shows` shows its idea.
     const COURSE: &str = r#"
@@ -244,19 +244,19 @@ cases = [
     /// The findings about ten calls of both functions: hit or miss, which is main, and `t`. The
     /// numbers of wrong hits and of wrong `t` of each function.
     fn findings(test: [u32; 2], record: [u32; 2]) -> Vec<Finding> {
-        let mut tally = Tally::default();
+        let mut findings = Findings::default();
         for call in 0..10 {
             for (name, [misses, wrong_t]) in [("test", test), ("record", record)] {
-                tally.count_for(name);
+                findings.count_for(name);
                 let aspects = [(Aspect::HitOrMiss, misses), (Aspect::T, wrong_t)];
                 for (aspect, wrong) in aspects {
-                    tally.judge(aspect, call as usize, call >= wrong, 1.0, String::new);
+                    findings.judge(aspect, call as usize, call >= wrong, 1.0, String::new);
                 }
             }
         }
-        let mut findings = tally.into_findings();
-        findings[0].main = true;
-        findings
+        let mut list = findings.into_vec();
+        list[0].main = true;
+        list
     }
 
     const RIGHT: [u32; 2] = [0, 0];
@@ -366,9 +366,9 @@ cases = [
             finding.functions.retain(|count| count.function == "test");
         }
         let lost: Vec<Finding> = {
-            let mut tally = Tally::without(&["record".to_string()]);
-            let _ = tally.is_written("record", &[Aspect::HitOrMiss]);
-            tally.into_findings()
+            let mut findings = Findings::without(&["record".to_string()]);
+            let _ = findings.is_written("record", &[Aspect::HitOrMiss]);
+            findings.into_vec()
         };
         only_test[0].functions.extend(lost[0].functions.clone());
         let hole = HoleCall {

@@ -14,7 +14,7 @@ use crate::course::{CaseEntry, Task, YOUR_EXAMPLES};
 use crate::workers::crash::Crash;
 use functions::{FunctionResult, FunctionShare};
 use judge::Tier;
-use judge::tally::{Finding, Worst};
+use judge::findings::{Finding, Worst};
 use serde::Serialize;
 use std::collections::BTreeSet;
 use wire::record::HoleCall;

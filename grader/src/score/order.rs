@@ -2,7 +2,7 @@
 
 use crate::score::{CaseResult, Status, TaskResult};
 use judge::Tier;
-use judge::tally::{Aspect, Class, Fault};
+use judge::findings::{Aspect, Class, Fault};
 use std::collections::BTreeSet;
 
 /// A kind of fault that a case shows.
@@ -69,15 +69,15 @@ fn named(class: Class) -> Option<Class> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use judge::tally::Tally;
+    use judge::findings::Findings;
 
     /// A failed case with one fault of each class.
     fn case(name: &str, faults: &[(Aspect, Class)]) -> CaseResult {
-        let mut tally = Tally::default();
+        let mut findings = Findings::default();
         for (aspect, class) in faults {
-            tally.judge_class(*aspect, 0, Some(*class), 1.0, String::new);
+            findings.judge_class(*aspect, 0, Some(*class), 1.0, String::new);
         }
-        CaseResult::failed(name, tally.into_findings())
+        CaseResult::failed(name, findings.into_vec())
     }
 
     fn order(cases: &[CaseResult]) -> Vec<&str> {

@@ -4,7 +4,7 @@
 use crate::score::CaseResult;
 use judge::Tier;
 use judge::cases::Spec;
-use judge::tally::{Aspect, Class, Fault, Finding};
+use judge::findings::{Aspect, Class, Fault, Finding};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// This share of the wrong answers must be wrong in the same way to be said to be.
@@ -335,7 +335,7 @@ pub(crate) fn is_refuted(sentence: &str, circumstances: &[&str]) -> bool {
 mod tests {
     use super::*;
     use crate::workers::crash::{Crash, CrashKind};
-    use judge::tally::Tally;
+    use judge::findings::Findings;
 
     const TASK: &str = "part1.task4";
 
@@ -348,13 +348,13 @@ mod tests {
     }
 
     fn case(spec: &Spec, wrong: impl Fn(&[&str]) -> Vec<(Aspect, Class)>) -> CaseResult {
-        let mut tally = Tally::default();
+        let mut findings = Findings::default();
         let calls = (0..).map(|call| spec.circumstances(call));
         for (call, here) in calls.take_while(|here| !here.is_empty()).enumerate() {
             let wrong = wrong(&here);
             for aspect in [Aspect::HitOrMiss, Aspect::T, Aspect::Normal] {
                 let class = wrong.iter().find(|(other, _)| *other == aspect);
-                tally.judge_class(
+                findings.judge_class(
                     aspect,
                     call,
                     class.map(|(_, class)| *class),
@@ -363,7 +363,7 @@ mod tests {
                 );
             }
         }
-        CaseResult::failed(spec.name, tally.into_findings())
+        CaseResult::failed(spec.name, findings.into_vec())
     }
 
     #[test]
@@ -395,14 +395,14 @@ mod tests {
 
     #[test]
     fn one_field_whose_name_is_a_plural_has_the_verb_of_a_plural() {
-        let mut tally = Tally::default();
+        let mut findings = Findings::default();
         for (aspect, class) in [
             (Aspect::Bounds, Some(Class::Wrong)),
             (Aspect::LeafSize, None),
         ] {
-            tally.judge_class(aspect, 0, class, 1.0, String::new);
+            findings.judge_class(aspect, 0, class, 1.0, String::new);
         }
-        let case = CaseResult::failed("boxes", tally.into_findings());
+        let case = CaseResult::failed("boxes", findings.into_vec());
         let says = fields(&[&case], std::slice::from_ref(&case));
         let expected = "bounding boxes are wrong, all other fields are right";
         assert_eq!(says.as_deref(), Some(expected));
@@ -428,15 +428,15 @@ mod tests {
     #[test]
     fn after_a_crash_no_field_is_called_right() {
         let wrong = |name: &str, tier| {
-            let mut tally = Tally::default();
+            let mut findings = Findings::default();
             for call in 0..9 {
-                tally.judge_class(Aspect::T, call, Some(Class::Rounded), 1.0, String::new);
-                tally.judge_class(Aspect::HitOrMiss, call, None, 0.0, String::new);
-                tally.judge_class(Aspect::Normal, call, None, 0.0, String::new);
+                findings.judge_class(Aspect::T, call, Some(Class::Rounded), 1.0, String::new);
+                findings.judge_class(Aspect::HitOrMiss, call, None, 0.0, String::new);
+                findings.judge_class(Aspect::Normal, call, None, 0.0, String::new);
             }
             CaseResult {
                 tier,
-                ..CaseResult::failed(name, tally.into_findings())
+                ..CaseResult::failed(name, findings.into_vec())
             }
         };
         let crashed = CaseResult {
@@ -470,13 +470,13 @@ mod tests {
             _ => None,
         });
         let cases = pixels.map(|(spec, ns_aa, calls)| {
-            let mut tally = Tally::default();
-            tally.answers_of(if ns_aa == 1 { "ns_aa=1" } else { "ns_aa>1" });
+            let mut findings = Findings::default();
+            findings.answers_of(if ns_aa == 1 { "ns_aa=1" } else { "ns_aa>1" });
             for call in 0..calls {
                 let class = (ns_aa == 1).then_some(Class::Named("off"));
-                tally.judge_class(Aspect::Placement, call, class, 1.0, String::new);
+                findings.judge_class(Aspect::Placement, call, class, 1.0, String::new);
             }
-            CaseResult::failed(spec.name, tally.into_findings())
+            CaseResult::failed(spec.name, findings.into_vec())
         });
         let cases: Vec<CaseResult> = cases.collect();
         let sentences = of(TASK, &cases, &specs);

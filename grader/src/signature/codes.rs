@@ -3,7 +3,7 @@
 use super::key::{Side, SignatureKey};
 use crate::score::{CaseResult, Status};
 use crate::workers::crash::CrashKind;
-use judge::tally::{BLACK_CHANNEL, Class, Fault};
+use judge::findings::{BLACK_CHANNEL, Class, Fault};
 use std::collections::{BTreeMap, HashSet};
 use std::fmt;
 use std::sync::LazyLock;

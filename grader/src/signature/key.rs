@@ -1,6 +1,6 @@
 //! Keys: which side of which case a list of codes describes.
 
-use judge::tally::Aspect;
+use judge::findings::Aspect;
 use serde_json::Value;
 use std::fmt;
 

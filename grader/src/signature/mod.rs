@@ -18,7 +18,7 @@ pub use together::{Alone, Together};
 
 use crate::score::CaseResult;
 use judge::Tier;
-use judge::tally::Aspect;
+use judge::findings::Aspect;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// For each side of each case a code for each call: 0 where the answer is right, else a digest of
@@ -346,7 +346,7 @@ impl Agreement {
 pub(crate) mod tests {
     use super::*;
     use codes::digest;
-    use judge::tally::Class;
+    use judge::findings::Class;
 
     fn key(text: &str) -> SignatureKey {
         SignatureKey::parse(text).expect("it is a key")

@@ -160,7 +160,7 @@ fn is_answered(case: &CaseResult) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use judge::tally::{Aspect, Finding};
+    use judge::findings::{Aspect, Finding};
 
     /// A case of 60 calls, `wrong` of which are wrong.
     fn case(name: &str, wrong: u32) -> CaseResult {

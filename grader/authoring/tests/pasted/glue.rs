@@ -19,7 +19,6 @@ fn meaning(of: &str) -> Meaning {
     match plain.as_str() {
         "Xyz" | "Vec3" | "DVec3" | "Spectrum" | "[f64;3]" => Meaning::Triple,
         "Vec2" | "[f64;2]" => Meaning::Pair,
-        "SampleTally" => Meaning::Other("Tally".into()),
         _ => Meaning::Other(plain),
     }
 }
@@ -298,7 +297,6 @@ pub(super) fn qualified(of: &str) -> String {
 /// What a pasted function finds around it.
 pub(super) const PRELUDE: &str = "
     use kit::*;
-    use kit::Tally as SampleTally;
     use kit::camera::*;
     use kit::warp::*;
     use std::collections::*;

@@ -108,7 +108,7 @@ pub struct Case {
 #[derive(Clone, Debug, Deserialize)]
 pub struct Finding {
     /// The aspect, such as `decision`.
-    pub aspect: judge::tally::Aspect,
+    pub aspect: judge::findings::Aspect,
     /// How many answers were judged.
     pub judged: u64,
     /// How many of them are wrong.
@@ -130,7 +130,7 @@ pub struct Simplest {
     /// The case.
     pub case: String,
     /// What is wrong; `None` if the code crashes, and says so in its own words.
-    pub aspect: Option<judge::tally::Aspect>,
+    pub aspect: Option<judge::findings::Aspect>,
     /// What the function is called with.
     pub input: Untrusted,
     /// Its result and the expected one.

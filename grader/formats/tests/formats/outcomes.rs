@@ -8,7 +8,7 @@ use grader::course::Course;
 use grader::course::sources::SourceFile;
 use grader::report::{HintLevel, Report, Reveal, TaskReport, json};
 use grader::score::{CaseResult, Status, TaskResult};
-use judge::tally::{Aspect, Finding, Tally};
+use judge::findings::{Aspect, Finding, Findings};
 use std::collections::BTreeMap;
 
 const COURSE: &str = r#"
@@ -50,15 +50,15 @@ pub(crate) fn settings() -> Settings {
 
 /// Ten calls, the first `wrong` of which are wrong; `message` describes them.
 fn finding(wrong: u32, message: &str) -> Finding {
-    let mut tally = Tally::default();
+    let mut findings = Findings::default();
     for call in 0..10 {
-        tally.judge(Aspect::HitOrMiss, call as usize, call >= wrong, 1.0, || {
+        findings.judge(Aspect::HitOrMiss, call as usize, call >= wrong, 1.0, || {
             message.to_owned()
         });
     }
-    let mut findings = tally.into_findings();
-    findings[0].main = true;
-    findings.remove(0)
+    let mut finding = findings.into_vec().remove(0);
+    finding.main = true;
+    finding
 }
 
 fn graded(statuses: [Status; 4], wrong: [u32; 4], said: &str) -> Outcome {

@@ -3,8 +3,8 @@
 use super::order;
 use crate::tasks::check_of;
 use crate::tools::Tier;
+use crate::tools::findings::{Aspect, Finding, Findings, WrongAnswer};
 use crate::tools::spec::Spec;
-use crate::tools::tally::{Aspect, Finding, Tally, WrongAnswer};
 use wire::{Answer, Work};
 
 /// Checks that `answer`, which comes from an untrusted worker, has the form that `work` requires:
@@ -37,7 +37,7 @@ pub fn judge_written(
     answer: &Answer,
     not_written: &[String],
 ) -> Vec<Finding> {
-    judge_in(Tally::without(not_written), spec, tier, answer).0
+    judge_in(Findings::without(not_written), spec, tier, answer).0
 }
 
 /// As [`judge_written`], with every wrong answer: one for each wrong aspect of each call, in the
@@ -49,28 +49,28 @@ pub fn judge_each(
     answer: &Answer,
     not_written: &[String],
 ) -> (Vec<Finding>, Vec<WrongAnswer>) {
-    let tally = Tally::without(not_written).with_messages();
-    let (findings, mut wrong) = judge_in(tally, spec, tier, answer);
+    let empty = Findings::without(not_written).with_messages();
+    let (findings, mut wrong) = judge_in(empty, spec, tier, answer);
     wrong.retain(|wrong| is_about(spec, wrong.aspect));
     wrong.sort_by_key(|wrong| wrong.call);
     (findings, wrong)
 }
 
 fn judge_in(
-    mut tally: Tally,
+    mut findings: Findings,
     spec: &Spec,
     tier: Tier,
     answer: &Answer,
 ) -> (Vec<Finding>, Vec<WrongAnswer>) {
     spec.check
-        .judge(&mut tally, &spec.context(), tier, &spec.work, answer);
-    let wrong = tally.take_wrong_answers();
-    let mut findings = tally.into_findings();
-    findings.retain(|finding| is_about(spec, finding.aspect));
-    for finding in &mut findings {
+        .judge(&mut findings, &spec.context(), tier, &spec.work, answer);
+    let wrong = findings.take_wrong_answers();
+    let mut list = findings.into_vec();
+    list.retain(|finding| is_about(spec, finding.aspect));
+    for finding in &mut list {
         finding.main = spec.is_main(finding.aspect);
     }
-    (order::by_explanation(findings), wrong)
+    (order::by_explanation(list), wrong)
 }
 
 /// Whether the case is about `aspect`.

@@ -1,6 +1,6 @@
 //! Orders the findings about a case: those that explain the most come first.
 
-use crate::tools::tally::{Class, Finding};
+use crate::tools::findings::{Class, Finding};
 use std::collections::BTreeSet;
 
 /// Orders the findings of a case by how much they explain: each next one is wrong on the most calls
@@ -28,7 +28,7 @@ pub(crate) fn by_explanation(findings: Vec<Finding>) -> Vec<Finding> {
 fn rank(finding: &Finding, explained: &BTreeSet<u32>) -> impl Ord + use<> {
     let calls: BTreeSet<u32> = finding.faults.iter().map(|fault| fault.call).collect();
     let new = calls.difference(explained).count();
-    let is_named = |fault: &crate::tools::tally::Fault| matches!(fault.class, Class::Named(_));
+    let is_named = |fault: &crate::tools::findings::Fault| matches!(fault.class, Class::Named(_));
     (
         std::cmp::Reverse(new),
         !finding.aspect.is_decision(),
@@ -39,13 +39,13 @@ fn rank(finding: &Finding, explained: &BTreeSet<u32>) -> impl Ord + use<> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::tools::tally::Aspect::{self, *};
-    use crate::tools::tally::Tally;
+    use crate::tools::findings::Aspect::{self, *};
+    use crate::tools::findings::Findings;
 
     /// The aspects in order, of findings that are wrong in these calls of 10; `named` aspects have
     /// named faults.
     fn order(wrong: &[(Aspect, &[usize])], named: &[Aspect]) -> Vec<Aspect> {
-        let mut tally = Tally::default();
+        let mut findings = Findings::default();
         for (aspect, calls) in wrong {
             for call in 0..10 {
                 let class = calls
@@ -54,11 +54,11 @@ mod tests {
                         true => Class::Named("max_t as before"),
                         false => Class::Wrong,
                     });
-                tally.judge_class(*aspect, call, class, 1.0, String::new);
+                findings.judge_class(*aspect, call, class, 1.0, String::new);
             }
         }
-        let findings = by_explanation(tally.into_findings());
-        findings.iter().map(|finding| finding.aspect).collect()
+        let ordered = by_explanation(findings.into_vec());
+        ordered.iter().map(|finding| finding.aspect).collect()
     }
 
     #[test]

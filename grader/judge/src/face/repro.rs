@@ -6,8 +6,8 @@
 
 use crate::tasks::check_of;
 use crate::tools::Tier;
+use crate::tools::findings::Finding;
 use crate::tools::spec::Spec;
-use crate::tools::tally::Finding;
 use std::fmt::Write;
 use wire::Work;
 

@@ -9,8 +9,8 @@
 //! The goldens' test, `grader bless`, `grader review` and `grader mutants` all ask this module.
 
 use crate::tools::Tier;
+use crate::tools::findings::{Aspect, Finding, Findings, NotJudged};
 use crate::tools::spec::Spec;
-use crate::tools::tally::{Aspect, Finding, NotJudged, Tally};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 use wire::Answer;
@@ -53,19 +53,19 @@ pub struct Counts {
 /// Judges every aspect of `answer`, which [`crate::fits`], to the case `spec`, with the bounds of
 /// `tier`: the robust ones for goldens.
 pub fn judge_whole(spec: &Spec, tier: Tier, answer: &Answer) -> Whole {
-    let mut tally = Tally::default();
+    let mut findings = Findings::default();
     let case = spec.context();
     spec.check
-        .judge(&mut tally, &case, tier, &spec.work, answer);
+        .judge(&mut findings, &case, tier, &spec.work, answer);
     spec.check
-        .judge_rest(&mut tally, &case, tier, &spec.work, answer);
-    Whole::of(tally)
+        .judge_rest(&mut findings, &case, tier, &spec.work, answer);
+    Whole::of(findings)
 }
 
 impl Whole {
-    fn of(mut tally: Tally) -> Whole {
+    fn of(mut findings: Findings) -> Whole {
         let mut whole = Whole::default();
-        let open: BTreeSet<NotJudged> = tally.take_not_judged().into_iter().collect();
+        let open: BTreeSet<NotJudged> = findings.take_not_judged().into_iter().collect();
         for open in open {
             whole.not_judged.push(open);
             match open.call {
@@ -73,7 +73,7 @@ impl Whole {
                 None => whole.open_in_all.push(open),
             }
         }
-        whole.wrong = tally.into_findings();
+        whole.wrong = findings.into_vec();
         whole.wrong.retain(|finding| !finding.passed());
         for finding in &whole.wrong {
             let aspect = finding.aspect;

@@ -2,10 +2,10 @@
 
 use crate::tools::Tier;
 use crate::tools::check::{CaseContext, Check, LARGE_LIMIT_MS, in_range, same_length};
+use crate::tools::findings::Findings;
 use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::Content;
 use crate::tools::snapshot::Fields;
-use crate::tools::tally::Tally;
 use wire::answer::{TimingAnswer, VisitsAnswer};
 use wire::kind;
 use wire::work::{TestTiming, TimingWork, VisitsWork};
@@ -30,7 +30,7 @@ impl Check for kind::Timing {
         Ok(())
     }
 
-    fn judge(_: &mut Tally, _: &CaseContext<'_>, _: Tier, _: &TimingWork, _: &TimingAnswer) {}
+    fn judge(_: &mut Findings, _: &CaseContext<'_>, _: Tier, _: &TimingWork, _: &TimingAnswer) {}
 
     fn lines(_: &TimingWork, _: &TimingAnswer) -> Option<Content> {
         None
@@ -72,7 +72,7 @@ impl Check for kind::TimeTest {
         times_fit(work.orders.len(), seconds)
     }
 
-    fn judge(_: &mut Tally, _: &CaseContext<'_>, _: Tier, _: &TestTiming, _: &Vec<f64>) {}
+    fn judge(_: &mut Findings, _: &CaseContext<'_>, _: Tier, _: &TestTiming, _: &Vec<f64>) {}
 
     fn lines(_: &TestTiming, _: &Vec<f64>) -> Option<Content> {
         None
@@ -122,7 +122,7 @@ impl Check for kind::Visits {
         Ok(())
     }
 
-    fn judge(_: &mut Tally, _: &CaseContext<'_>, _: Tier, _: &VisitsWork, _: &VisitsAnswer) {}
+    fn judge(_: &mut Findings, _: &CaseContext<'_>, _: Tier, _: &VisitsWork, _: &VisitsAnswer) {}
 
     fn lines(_: &VisitsWork, _: &VisitsAnswer) -> Option<Content> {
         None

@@ -1,12 +1,12 @@
 //! Cases of emission, and of direct light by uniform hemisphere sampling.
 
+use crate::tools::findings::Aspect::{Direction, Mean, Origin, Radiance, Range, Rays, Spread};
 use crate::tools::kinds::direct_light::worlds::{
     ceiling, floor, floor_of, lamp, lamps_and_floor, of_panels, random_lamp, random_point, room,
     smooth_point, wall, with_dark_ones, work,
 };
 use crate::tools::questions::probes::ProbeRng;
 use crate::tools::spec::Spec;
-use crate::tools::tally::Aspect::{Direction, Mean, Origin, Radiance, Range, Rays, Spread};
 use kit::Vec3;
 use wire::direct::{DirectWork, ShadedPoint, Strategy};
 use wire::kind;

@@ -1,12 +1,12 @@
 //! Cases of direct light by sampling the lights.
 
+use crate::tools::findings::Aspect::{Direction, Mean, Origin, Radiance, Range, Rays, Spread};
 use crate::tools::kinds::direct_light::worlds::{
     ceiling, floor, floor_of, lamp, lamps_and_floor, of_panels, random_lamp, random_point,
     smooth_point, unit, wall, with_dark_ones, with_grazed_ones, work,
 };
 use crate::tools::questions::probes::ProbeRng;
 use crate::tools::spec::Spec;
-use crate::tools::tally::Aspect::{Direction, Mean, Origin, Radiance, Range, Rays, Spread};
 use wire::direct::{DirectWork, ShadedPoint, Strategy};
 use wire::kind;
 use wire::light::{Light, LitWorld, Material, Panel, Surroundings};

@@ -2,10 +2,10 @@
 
 use crate::tools::Tier;
 use crate::tools::check::{CaseContext, Check, same_length};
+use crate::tools::findings::Findings;
 use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::Content;
 use crate::tools::snapshot::Fields;
-use crate::tools::tally::Tally;
 use wire::kind;
 use wire::picture::{PictureAnswer, PictureWork};
 
@@ -32,7 +32,7 @@ impl Check for kind::Picture {
         panels.try_for_each(|panel| same_length("pixels", panel.len(), Self::calls(work)))
     }
 
-    fn judge(_: &mut Tally, _: &CaseContext<'_>, _: Tier, _: &PictureWork, _: &PictureAnswer) {}
+    fn judge(_: &mut Findings, _: &CaseContext<'_>, _: Tier, _: &PictureWork, _: &PictureAnswer) {}
 
     fn lines(_: &PictureWork, _: &PictureAnswer) -> Option<Content> {
         None

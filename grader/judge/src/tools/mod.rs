@@ -1,6 +1,6 @@
 //! What the tasks are made of: nothing here knows a task.
 //!
-//! [`tally`] counts right and wrong answers by aspect, [`errors`] summarises numerical errors.
+//! [`findings`] counts right and wrong answers by aspect, [`errors`] summarises numerical errors.
 //! [`truth`] computes the exact results with the oracle, [`packed_truth`] keeps those of formulas
 //! for handouts, [`compressed`] makes files short. [`aspects`] judges hit records, numbers,
 //! statistics of many samples. [`snapshot`] writes and compares goldens, [`repro`] parts of Rust
@@ -15,6 +15,7 @@ pub(crate) mod colours;
 pub mod compressed;
 pub mod convert;
 pub mod errors;
+pub mod findings;
 pub(crate) mod kinds;
 pub(crate) mod moves;
 pub mod packed_truth;
@@ -26,7 +27,6 @@ pub mod shown;
 pub(crate) mod simple;
 pub(crate) mod snapshot;
 pub(crate) mod spec;
-pub mod tally;
 mod tier;
 pub mod truth;
 

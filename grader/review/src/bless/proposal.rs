@@ -4,9 +4,9 @@ use super::{meaning, not_judged_list, read};
 use base::{GraderError, Workspace};
 use grader::course::{Task, packed};
 use judge::cases::Spec;
+use judge::findings::Finding;
 use judge::pictures::{self as task_pictures, TaskPicture};
 use judge::snapshot::{self, changes, parse};
-use judge::tally::Finding;
 use judge::whole::judge_whole;
 use judge::{Tier, plural};
 use pages::picture::{compose, read_png};
@@ -278,19 +278,19 @@ fn without_header(text: &str) -> &str {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use judge::tally::{Aspect, Tally};
+    use judge::findings::{Aspect, Findings};
 
     #[test]
     fn a_refutation_is_a_line_with_three_numbers_at_most() {
-        let mut tally = Tally::default();
-        tally.expect(Aspect::Normal);
+        let mut findings = Findings::default();
+        findings.expect(Aspect::Normal);
         for call in 0..8 {
             let badness = f64::from(call as u32);
             let right = call < 5;
-            tally.judge(Aspect::T, call, right, badness, || "1.5 ".repeat(100));
-            tally.judge(Aspect::Work, call, right, badness, || "900 tests".into());
+            findings.judge(Aspect::T, call, right, badness, || "1.5 ".repeat(100));
+            findings.judge(Aspect::Work, call, right, badness, || "900 tests".into());
         }
-        let lines: Vec<String> = tally.into_findings().iter().map(refutation).collect();
+        let lines: Vec<String> = findings.into_vec().iter().map(refutation).collect();
         assert_eq!(
             lines,
             [

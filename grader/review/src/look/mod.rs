@@ -19,8 +19,8 @@ use grader::signature::Signature;
 use grader::workers::worker_set::WorkerSet;
 use judge::Tier;
 use judge::cases::Spec;
+use judge::findings::Finding;
 use judge::shown::ShownCall;
-use judge::tally::Finding;
 use wire::Answer;
 
 /// What a student sees of one task.

@@ -12,8 +12,8 @@ use grader::report::table::status_text;
 use grader::score::{CaseResult, Status};
 use grader::sketch::Sketch;
 use judge::cases::{PITFALL, checked};
+use judge::findings::Aspect;
 use judge::pictures::Differences;
-use judge::tally::Aspect;
 use judge::{Tier, plural};
 use pages::html::{escape, png_data_uri};
 use std::fmt::Write;
@@ -312,7 +312,7 @@ mod tests {
     use grader::course::Course;
     use grader::grade::picture;
     use grader::score::TaskResult;
-    use judge::tally::{Aspect, Finding, Worst};
+    use judge::findings::{Aspect, Finding, Worst};
     use pictures::Image;
     use pictures::difference::compare;
     use std::path::Path;

@@ -3,8 +3,8 @@
 use super::words::Words;
 use crate::calls::Row;
 use crate::delta;
+use judge::findings::Aspect;
 use judge::snapshot::{Line, Value};
-use judge::tally::Aspect;
 use judge::whole::Verdict;
 use pages::html::escape;
 use std::fmt::Write;

@@ -2,7 +2,7 @@
 
 use crate::{BOXES, FACES, FALSE_HIT, FALSE_MISS, LATER_EXIT, MESH};
 use grader::diagnosis::{Certainty, Diagnosis};
-use judge::tally::Aspect;
+use judge::findings::Aspect;
 use pictures::Image;
 use pictures::cause::Cause;
 use review::case::{Case, ROWS, State};

@@ -17,7 +17,7 @@ use crate::sketch::Sketch;
 use crate::workers::printed;
 use judge::Tier;
 use judge::cases::checked;
-use judge::tally::{Finding, Worst};
+use judge::findings::{Finding, Worst};
 
 /// The most lines of each kind of text.
 const NAMES: usize = 2;

@@ -5,7 +5,7 @@ use crate::report::wrap::columns;
 use crate::score::CaseResult;
 use crate::score::functions::FunctionShare;
 use crate::workers::printed::Printed;
-use judge::tally::{Aspect, Class, Tally};
+use judge::findings::{Aspect, Class, Findings};
 use std::path::PathBuf;
 
 /// Text of words of every length, such as nobody would write.
@@ -23,14 +23,14 @@ fn nasty(length: usize) -> String {
 
 /// A failed case with a wrong answer whose message is `message`.
 fn case(name: &str, tier: Tier, message: &str) -> CaseResult {
-    let mut tally = Tally::default();
+    let mut findings = Findings::default();
     let class = Some(Class::FalseMiss);
-    tally.judge_class(Aspect::HitOrMiss, 3, class, 1.0, || message.to_owned());
+    findings.judge_class(Aspect::HitOrMiss, 3, class, 1.0, || message.to_owned());
     CaseResult {
         tier,
         max_score: 2.0,
         about: format!("Rays beside it. {} Pitfall: an epsilon.", nasty(30)),
-        ..CaseResult::failed(name, tally.into_findings())
+        ..CaseResult::failed(name, findings.into_vec())
     }
 }
 
@@ -460,14 +460,14 @@ fn only_the_status_is_coloured() {
 /// The status is cut where it does not fit, and the cause of the few points has a line of its own.
 #[test]
 fn missing_ideas_are_told_at_any_width() {
-    let mut tally = Tally::default();
-    tally.judge(Aspect::Placement, 0, true, 0.0, String::new);
+    let mut findings = Findings::default();
+    findings.judge(Aspect::Placement, 0, true, 0.0, String::new);
     let why = "counts a quarter, because of what is wrong in the case middle: sample positions";
     let right = |name: &str| CaseResult {
         tier: Tier::Core,
         status: Status::Failed,
         reductions: vec![why.into()],
-        ..CaseResult::failed(name, tally.clone().into_findings())
+        ..CaseResult::failed(name, findings.clone().into_vec())
     };
     let wrong = case("middle", Tier::Core, "your result: miss");
     let cases = vec![wrong, right("edge"), right("corner")];
@@ -501,8 +501,8 @@ fn missing_ideas_are_told_at_any_width() {
 
 #[test]
 fn a_right_case_with_an_unwritten_function_does_not_lack_the_idea() {
-    let mut tally = Tally::default();
-    tally.judge(Aspect::HitOrMiss, 0, true, 0.0, String::new);
+    let mut findings = Findings::default();
+    findings.judge(Aspect::HitOrMiss, 0, true, 0.0, String::new);
     let share = FunctionShare {
         function: "record_triangle".into(),
         fraction: 0.0,
@@ -512,7 +512,7 @@ fn a_right_case_with_an_unwritten_function_does_not_lack_the_idea() {
         status: Status::Failed,
         reductions: share.reduction().into_iter().collect(),
         shares: vec![share],
-        ..CaseResult::failed("edge", tally.into_findings())
+        ..CaseResult::failed("edge", findings.into_vec())
     };
     let wrong = case("middle", Tier::Core, "your result: miss");
     let half_written = task("part1.task3", "", 1.0, vec![wrong, half]);

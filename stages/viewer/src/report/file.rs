@@ -1,7 +1,7 @@
 //! Reads `report.json`, as far as the window shows it.
 
 use judge::cases::{self, Spec};
-use judge::tally::Aspect;
+use judge::findings::Aspect;
 use judge::{Tier, repro};
 use serde::Deserialize;
 use std::fs;

@@ -8,7 +8,7 @@ use crate::orbit::Orbit;
 use crate::picture_pair::{PairDisplay, PicturePair};
 use crate::task::{StageFailure, Task, Wake};
 use crate::tree_walk::TreeWalk;
-use judge::tally::Finding;
+use judge::findings::Finding;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;

@@ -18,8 +18,8 @@ pub use rays::{Expectation, RayExample, Shape};
 pub use specular::{SpecularExample, SpecularFunction};
 
 use crate::face::cases;
+use crate::tools::findings::Aspect;
 use crate::tools::spec::Spec;
-use crate::tools::tally::Aspect;
 
 /// An example of a task.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,7 +1,7 @@
 //! Cases of the sample loop of a pixel.
 
+use crate::tools::findings::Aspect::{Calls, Independence, Placement, Radiance, Spread};
 use crate::tools::spec::Spec;
-use crate::tools::tally::Aspect::{Calls, Independence, Placement, Radiance, Spread};
 use wire::kind;
 use wire::work::{PixelWork, PixelWorld};
 

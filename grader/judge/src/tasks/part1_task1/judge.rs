@@ -4,7 +4,7 @@
 //! correct sampler passes: independent, jittered or low-discrepancy samples, in any order.
 
 use crate::tools::aspects::independence::{self, PixelSamples};
-use crate::tools::tally::{Aspect, Class, Tally};
+use crate::tools::findings::{Aspect, Class, Findings};
 use std::collections::{HashMap, HashSet};
 use wire::answer::PixelAnswer;
 use wire::work::{PixelWork, PixelWorld};
@@ -27,24 +27,24 @@ const BOUND_PER_SAMPLE: f64 = 2.3e-16;
 pub(super) const SIGMAS: f64 = 6.5;
 
 /// Judges `raytrace_pixel`.
-pub(crate) fn pixels(tally: &mut Tally, work: &PixelWork, answers: &[PixelAnswer]) {
+pub(crate) fn pixels(findings: &mut Findings, work: &PixelWork, answers: &[PixelAnswer]) {
     // Students often write a path of its own for a single sample, with mistakes of its own.
-    tally.answers_of(match work.ns_aa {
+    findings.answers_of(match work.ns_aa {
         1 => "ns_aa=1",
         _ => "ns_aa>1",
     });
     for (call, ((pixel, _), answer)) in work.calls().zip(answers).enumerate() {
-        calls(tally, call, pixel, work.ns_aa, answer);
-        placement(tally, call, pixel, work, answer);
-        radiance(tally, call, pixel, answer);
+        calls(findings, call, pixel, work.ns_aa, answer);
+        placement(findings, call, pixel, work, answer);
+        radiance(findings, call, pixel, answer);
     }
     if work.ns_aa > 1 {
         let samples = samples(work, answers);
-        spread(tally, work, answers, &samples);
-        independence::judge(tally, &samples);
+        spread(findings, work, answers, &samples);
+        independence::judge(findings, &samples);
     }
     if work.world == PixelWorld::Numbers {
-        numbers(tally, work, answers);
+        numbers(findings, work, answers);
     }
 }
 
@@ -65,8 +65,8 @@ fn samples(work: &PixelWork, answers: &[PixelAnswer]) -> Vec<PixelSamples> {
 }
 
 /// Each sample is one call of `camera_ray` and one of `trace_ray`, and is counted once.
-fn calls(tally: &mut Tally, call: usize, [x, y]: [u32; 2], ns_aa: u32, answer: &PixelAnswer) {
-    tally.expect(Aspect::Calls);
+fn calls(findings: &mut Findings, call: usize, [x, y]: [u32; 2], ns_aa: u32, answer: &PixelAnswer) {
+    findings.expect(Aspect::Calls);
     let input = format!("Pixel ({x}, {y}), ns_aa = {ns_aa}");
     let (points, traced) = (answer.points.len(), answer.traced.len());
     let right = points == ns_aa as usize && traced == ns_aa as usize && answer.samples == ns_aa;
@@ -77,35 +77,35 @@ fn calls(tally: &mut Tally, call: usize, [x, y]: [u32; 2], ns_aa: u32, answer: &
         (least, _) if least < ns_aa as usize => Class::Named("too few"),
         _ => Class::Named("count"),
     });
-    tally.judge_class(Aspect::Calls, call, class, off as f64, || {
+    findings.judge_class(Aspect::Calls, call, class, off as f64, || {
         format!(
             "your result: {points} calls of camera_ray, {traced} of trace_ray, and {} samples in the estimate; expected: {ns_aa} each. {input}",
             answer.samples
         )
     });
     let foreign = answer.traced.iter().filter(|from| from.is_none()).count();
-    tally.judge(Aspect::Calls, call, foreign == 0, foreign as f64, || {
+    findings.judge(Aspect::Calls, call, foreign == 0, foreign as f64, || {
         format!(
             "trace_ray got {foreign} rays that camera_ray did not return: pass each ray on unchanged. {input}"
         )
     });
     let distinct: HashSet<u32> = answer.traced.iter().flatten().copied().collect();
     let repeated = traced - foreign - distinct.len();
-    tally.judge(Aspect::Calls, call, repeated == 0, repeated as f64, || {
+    findings.judge(Aspect::Calls, call, repeated == 0, repeated as f64, || {
         format!("{repeated} of {traced} traced rays went through a point that was traced before. {input}")
     });
 }
 
 /// A single sample goes through the centre of the pixel; several lie inside it.
 fn placement(
-    tally: &mut Tally,
+    findings: &mut Findings,
     call: usize,
     pixel: [u32; 2],
     work: &PixelWork,
     answer: &PixelAnswer,
 ) {
     if work.ns_aa > 0 {
-        tally.expect(Aspect::Placement);
+        findings.expect(Aspect::Placement);
     }
     for &[u, v] in &answer.points {
         let offset = offset(work.film, pixel, [u, v]);
@@ -117,7 +117,7 @@ fn placement(
             1 => lone_place(offset),
             _ => Class::of_size(off),
         });
-        tally.judge_class(Aspect::Placement, call, class, off, || {
+        findings.judge_class(Aspect::Placement, call, class, off, || {
             let [x, y] = pixel;
             let [w, h] = work.film;
             let (left, bottom) = (f64::from(x), f64::from(y));
@@ -164,8 +164,8 @@ fn lone_place(offset: [f64; 2]) -> Class {
 }
 
 /// The pixel's radiance is the mean of the radiances of its samples.
-fn radiance(tally: &mut Tally, call: usize, [x, y]: [u32; 2], answer: &PixelAnswer) {
-    tally.expect(Aspect::Radiance);
+fn radiance(findings: &mut Findings, call: usize, [x, y]: [u32; 2], answer: &PixelAnswer) {
+    findings.expect(Aspect::Radiance);
     let samples = answer.traced_radiance.len() as f64;
     let mean = [0, 1, 2].map(|channel| {
         let channels = answer.traced_radiance.iter().map(|l| l[channel]);
@@ -189,7 +189,7 @@ fn radiance(tally: &mut Tally, call: usize, [x, y]: [u32; 2], answer: &PixelAnsw
             false => Class::of_number(answer.radiance[channel], mean[channel]),
         }
     });
-    tally.judge_class(Aspect::Radiance, call, class, worst, || {
+    findings.judge_class(Aspect::Radiance, call, class, worst, || {
         format!(
             "your result: radiance {:?}; expected: {mean:?}, the mean of the {samples} radiances that trace_ray returned. Pixel ({x}, {y})",
             answer.radiance
@@ -199,17 +199,17 @@ fn radiance(tally: &mut Tally, call: usize, [x, y]: [u32; 2], answer: &PixelAnsw
 
 /// Each traced ray draws a random number that no other ray of the case draws: the sampler of a
 /// pixel never returns the same number again.
-fn numbers(tally: &mut Tally, work: &PixelWork, answers: &[PixelAnswer]) {
+fn numbers(findings: &mut Findings, work: &PixelWork, answers: &[PixelAnswer]) {
     let mut drawn_in: HashMap<u64, [u32; 2]> = HashMap::new();
     for (call, ((pixel, _), answer)) in work.calls().zip(answers).enumerate() {
-        tally.expect(Aspect::Independence);
+        findings.expect(Aspect::Independence);
         let mut repeated = None;
         for [number, ..] in &answer.traced_radiance {
             let before = drawn_in.insert(number.to_bits(), pixel);
             repeated = repeated.or(before.map(|before| (*number, before)));
         }
         let class = repeated.map(|_| Class::Named("numbers of another ray"));
-        tally.judge_class(Aspect::Independence, call, class, 1.0, || {
+        findings.judge_class(Aspect::Independence, call, class, 1.0, || {
             let [x, y] = pixel;
             let (number, [other_x, other_y]) = repeated.unwrap_or_default();
             format!(
@@ -225,13 +225,18 @@ fn offset(film: [u32; 2], pixel: [u32; 2], point: [f64; 2]) -> [f64; 2] {
 }
 
 /// The samples of a pixel differ, and those of all pixels are distributed uniformly.
-fn spread(tally: &mut Tally, work: &PixelWork, answers: &[PixelAnswer], samples: &[PixelSamples]) {
-    tally.expect(Aspect::Spread);
+fn spread(
+    findings: &mut Findings,
+    work: &PixelWork,
+    answers: &[PixelAnswer],
+    samples: &[PixelSamples],
+) {
+    findings.expect(Aspect::Spread);
     for (call, ((pixel, _), answer)) in work.calls().zip(answers).enumerate() {
         let distinct: HashSet<_> = answer.points.iter().map(|p| p.map(f64::to_bits)).collect();
         let (all, distinct) = (answer.points.len(), distinct.len());
         let repeated = all - distinct;
-        tally.judge(Aspect::Spread, call, repeated == 0, 1e3, || {
+        findings.judge(Aspect::Spread, call, repeated == 0, 1e3, || {
             format!(
                 "only {distinct} of the {all} points of pixel {pixel:?} differ: each sample needs a random point of its own"
             )
@@ -250,7 +255,7 @@ fn spread(tally: &mut Tally, work: &PixelWork, answers: &[PixelAnswer], samples:
         // NaN fails.
         let is_right = off <= allowed;
         let class = (!is_right).then_some(Class::Named(fault));
-        tally.judge_class(Aspect::Spread, 0, class, off / allowed, || {
+        findings.judge_class(Aspect::Spread, 0, class, off / allowed, || {
             format!(
                 "your result: {name} is {mean:.4} over {} samples; expected: {right:.4} (allowed error {allowed:.4})",
                 offsets.len()
@@ -326,11 +331,9 @@ mod tests {
             answer
         };
         let answers: Vec<PixelAnswer> = work.pixels.iter().map(answer).collect();
-        let mut tally = Tally::default();
-        pixels(&mut tally, &work, &answers);
-        let findings = tally.into_findings().into_iter();
-        let failed = findings.filter(|finding| !finding.passed());
-        failed.map(|finding| finding.aspect).collect()
+        let mut findings = Findings::default();
+        pixels(&mut findings, &work, &answers);
+        findings.wrong_aspects()
     }
 
     fn unchanged(_: &mut PixelAnswer) {}
@@ -404,12 +407,9 @@ mod tests {
                     samples: 2,
                 })
                 .collect();
-            let mut tally = Tally::default();
-            super::numbers(&mut tally, &work, &answers);
-            tally
-                .into_findings()
-                .iter()
-                .any(|finding| !finding.passed())
+            let mut findings = Findings::default();
+            super::numbers(&mut findings, &work, &answers);
+            findings.into_vec().iter().any(|finding| !finding.passed())
         };
         assert!(!failed(&|pixel, ray| f64::from(2 * pixel + ray)));
         assert!(

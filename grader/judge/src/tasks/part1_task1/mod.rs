@@ -10,12 +10,12 @@ mod simple;
 
 use crate::tools::Tier;
 use crate::tools::check::{CaseContext, Check, in_range, one_each};
+use crate::tools::findings::{Aspect, Findings};
 use crate::tools::moves::{LightMoves, Move, Symmetries};
 use crate::tools::plural;
 use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::Content;
 use crate::tools::snapshot::Fields;
-use crate::tools::tally::{Aspect, Tally};
 use wire::answer::PixelAnswer;
 use wire::kind;
 use wire::work::{PixelWork, PixelWorld, Xyz};
@@ -85,23 +85,23 @@ impl Check for kind::Pixels {
     }
 
     fn judge(
-        tally: &mut Tally,
+        findings: &mut Findings,
         _: &CaseContext<'_>,
         _: Tier,
         work: &PixelWork,
         answers: &Vec<PixelAnswer>,
     ) {
-        judge::pixels(tally, work, answers);
+        judge::pixels(findings, work, answers);
     }
 
     fn judge_rest(
-        tally: &mut Tally,
+        findings: &mut Findings,
         _: &CaseContext<'_>,
         _: Tier,
         work: &PixelWork,
         answers: &Vec<PixelAnswer>,
     ) {
-        rest::pixels(tally, work, answers);
+        rest::pixels(findings, work, answers);
     }
 
     fn lines(work: &PixelWork, answers: &Vec<PixelAnswer>) -> Option<Content> {

@@ -2,7 +2,7 @@
 
 use super::judge::SIGMAS;
 use crate::tools::aspects::chance;
-use crate::tools::tally::{Aspect, Tally};
+use crate::tools::findings::{Aspect, Findings};
 use wire::answer::PixelAnswer;
 use wire::work::PixelWork;
 
@@ -11,7 +11,7 @@ use wire::work::PixelWork;
 const JUDGED_WITHIN: f64 = (1.0 - 0.75 * 0.75) / 12.0;
 
 /// Records the pixels whose random samples are too few to test their distribution.
-pub(super) fn pixels(tally: &mut Tally, work: &PixelWork, answers: &[PixelAnswer]) {
+pub(super) fn pixels(findings: &mut Findings, work: &PixelWork, answers: &[PixelAnswer]) {
     let samples: usize = answers.iter().map(|answer| answer.points.len()).sum();
     // The bound of the test: the variance of (u - 1/2)² is 1/180.
     let allowed = 1.0 / f64::from(work.ns_aa.max(1)) + SIGMAS / (180.0 * samples as f64).sqrt();
@@ -21,7 +21,7 @@ pub(super) fn pixels(tally: &mut Tally, work: &PixelWork, answers: &[PixelAnswer
     }
     for (call, answer) in answers.iter().enumerate() {
         if !answer.points.is_empty() {
-            tally.not_judged(Aspect::Spread, call, chance::TOO_FEW);
+            findings.not_judged(Aspect::Spread, call, chance::TOO_FEW);
         }
     }
 }

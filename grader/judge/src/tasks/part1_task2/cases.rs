@@ -1,8 +1,8 @@
 //! Cases of camera rays.
 
+use crate::tools::findings::Aspect::{Direction, Origin, Range, UnitLength};
 use crate::tools::questions::probes::ProbeRng;
 use crate::tools::spec::Spec;
-use crate::tools::tally::Aspect::{Direction, Origin, Range, UnitLength};
 use kit::{Mat3, Vec3};
 use wire::kind;
 use wire::work::{Camera, CameraWork};

@@ -3,7 +3,7 @@
 use super::truth::direction;
 use crate::tools::Tier;
 use crate::tools::aspects::hits::{TOO_WIDE, WIDE, show};
-use crate::tools::tally::{Aspect, Class, Tally};
+use crate::tools::findings::{Aspect, Class, Findings};
 use kit::Vec3;
 use kit::camera::half_tan;
 use wire::work::{Camera, Ray, Xyz};
@@ -25,7 +25,7 @@ const ORIGIN_BOUND: f64 = 1e-12;
 
 /// Judges `generate_ray`, called for every camera and for each of them with every sensor point.
 pub(crate) fn rays(
-    tally: &mut Tally,
+    findings: &mut Findings,
     tier: Tier,
     cameras: &[Camera],
     sensor: &[[f64; 2]],
@@ -35,18 +35,25 @@ pub(crate) fn rays(
         .iter()
         .flat_map(|camera| sensor.iter().map(move |point| (camera, *point)));
     for (call, ((camera, point), ray)) in calls.zip(answers).enumerate() {
-        one(tally, tier, call, camera, point, ray);
+        one(findings, tier, call, camera, point, ray);
     }
 }
 
-fn one(tally: &mut Tally, tier: Tier, call: usize, camera: &Camera, point: [f64; 2], ray: &Ray) {
+fn one(
+    findings: &mut Findings,
+    tier: Tier,
+    call: usize,
+    camera: &Camera,
+    point: [f64; 2],
+    ray: &Ray,
+) {
     for aspect in [
         Aspect::Origin,
         Aspect::Direction,
         Aspect::UnitLength,
         Aspect::Range,
     ] {
-        tally.expect(aspect);
+        findings.expect(aspect);
     }
     let input = || {
         format!(
@@ -61,7 +68,7 @@ fn one(tally: &mut Tally, tier: Tier, call: usize, camera: &Camera, point: [f64;
     let (o, pos) = (Vec3::from(ray.o), Vec3::from(camera.pos));
     let off = (o - pos).length();
     let bound = ORIGIN_BOUND * pos.length();
-    tally.judge(Aspect::Origin, call, off <= bound, off, || {
+    findings.judge(Aspect::Origin, call, off <= bound, off, || {
         format!(
             "your result: o = {}; expected: the camera's pos. {}",
             show(o),
@@ -78,11 +85,11 @@ fn one(tally: &mut Tally, tier: Tier, call: usize, camera: &Camera, point: [f64;
     } + angle_rounding(camera.h_fov)
         + angle_rounding(camera.v_fov);
     if bound > WIDE {
-        tally.not_judged(Aspect::Direction, call, TOO_WIDE);
+        findings.not_judged(Aspect::Direction, call, TOO_WIDE);
     }
     let is_right = off <= bound;
     let class = (!is_right).then(|| Class::of_certain_direction(d, right));
-    tally.judge_class(Aspect::Direction, call, class, off, || {
+    findings.judge_class(Aspect::Direction, call, class, off, || {
         let columns = columns(&camera.c2w);
         format!(
             "your result: d = {}; expected: {} (angle between them {:.3} degrees). {}, {columns}",
@@ -93,7 +100,7 @@ fn one(tally: &mut Tally, tier: Tier, call: usize, camera: &Camera, point: [f64;
         )
     });
     let off = (length - 1.0).abs();
-    tally.judge(Aspect::UnitLength, call, off <= UNIT_BOUND, off, || {
+    findings.judge(Aspect::UnitLength, call, off <= UNIT_BOUND, off, || {
         format!(
             "your result: d = {} of length {length}; expected: length 1. {}",
             show(d),
@@ -106,7 +113,7 @@ fn one(tally: &mut Tally, tier: Tier, call: usize, camera: &Camera, point: [f64;
     ] {
         let is_right = given.to_bits() == right.to_bits();
         let class = (!is_right).then_some(Class::Named(name));
-        tally.judge_class(Aspect::Range, call, class, 1.0, || {
+        findings.judge_class(Aspect::Range, call, class, 1.0, || {
             format!(
                 "your result: t in [{}, {}]; expected: n_clip to f_clip, [{}, {}]. {}",
                 ray.min_t,
@@ -160,11 +167,9 @@ mod tests {
             max_t: camera.f_clip,
         };
         spoil(&mut ray);
-        let mut tally = Tally::default();
-        rays(&mut tally, Tier::Core, &[camera], &[point], &[ray]);
-        let findings = tally.into_findings().into_iter();
-        let failed = findings.filter(|finding| !finding.passed());
-        failed.map(|finding| finding.aspect).collect()
+        let mut findings = Findings::default();
+        rays(&mut findings, Tier::Core, &[camera], &[point], &[ray]);
+        findings.wrong_aspects()
     }
 
     #[test]

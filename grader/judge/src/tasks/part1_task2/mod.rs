@@ -11,11 +11,11 @@ mod truth;
 use crate::tools::Tier;
 use crate::tools::check::{CaseContext, Check, one_each};
 use crate::tools::colours;
+use crate::tools::findings::{Aspect, Findings};
 use crate::tools::moves::{AxisMoves, Move, Symmetries, most_if_ordinary};
 use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::Content;
 use crate::tools::snapshot::Fields;
-use crate::tools::tally::{Aspect, Tally};
 use wire::kind;
 use wire::work::{Camera, CameraWork, Ray, Xyz};
 
@@ -93,13 +93,13 @@ impl Check for kind::CameraRays {
     }
 
     fn judge(
-        tally: &mut Tally,
+        findings: &mut Findings,
         _: &CaseContext<'_>,
         tier: Tier,
         work: &CameraWork,
         answers: &Vec<Ray>,
     ) {
-        judge::rays(tally, tier, &work.cameras, &work.sensor, answers);
+        judge::rays(findings, tier, &work.cameras, &work.sensor, answers);
     }
 
     fn lines(work: &CameraWork, answers: &Vec<Ray>) -> Option<Content> {

@@ -1,15 +1,15 @@
 //! Judges probes of single triangles.
 
 use crate::tools::aspects::hits::{self, Call, expect, record};
-use crate::tools::tally::Aspect::*;
-use crate::tools::tally::Tally;
+use crate::tools::findings::Aspect::*;
+use crate::tools::findings::Findings;
 use crate::tools::truth::expected::Expected;
 use wire::answer::TriangleAnswer;
 use wire::work::Probe;
 
 /// Judges `test_triangle` and `intersect_triangle`.
 pub(crate) fn triangles(
-    tally: &mut Tally,
+    findings: &mut Findings,
     probes: &[Probe],
     expected: &[Expected],
     answers: &[TriangleAnswer],
@@ -17,18 +17,18 @@ pub(crate) fn triangles(
     let [test, intersect] = ["test_triangle", "intersect_triangle"];
     let calls = probes.iter().zip(expected).zip(answers);
     for (number, ((probe, expected), answer)) in calls.enumerate() {
-        expect(tally, expected, true);
-        let is_tested = tally.is_written(test, &[HitOrMiss, T, Barycentrics]);
-        let is_intersected = tally.is_written(intersect, &hits::OF_A_RECORD);
+        expect(findings, expected, true);
+        let is_tested = findings.is_written(test, &[HitOrMiss, T, Barycentrics]);
+        let is_intersected = findings.is_written(intersect, &hits::OF_A_RECORD);
         let mut call = Call {
-            tally: &mut *tally,
+            findings: &mut *findings,
             number,
             function: test,
             ray: &probe.ray,
         };
         let tested = answer.test.map(|[t, ..]| t);
         if is_tested {
-            call.tally.count_for(test);
+            call.findings.count_for(test);
             call.decision(expected, tested);
             if let Some([t, b1, b2]) = answer.test
                 && let Some(right) = expected.closest_to(probe.shape, t)
@@ -42,7 +42,7 @@ pub(crate) fn triangles(
         }
         let hit = answer.hit.as_ref();
         call.function = intersect;
-        call.tally.count_for(intersect);
+        call.findings.count_for(intersect);
         record(&mut call, expected, hit);
         if let Some(hit) = hit
             && let Some(right) = expected.closest_to(probe.shape, hit.t)
@@ -63,7 +63,7 @@ pub(crate) fn triangles(
 mod tests {
     use super::*;
     use crate::tools::Tier;
-    use crate::tools::tally::Aspect;
+    use crate::tools::findings::Aspect;
     use crate::tools::truth::expected::Expected;
     use crate::tools::{convert, truth};
     use kit::Vec3;
@@ -118,12 +118,10 @@ mod tests {
     fn wrong(ray: Ray, spoil: impl Fn(&mut TriangleAnswer)) -> Vec<Aspect> {
         let mut answer = answer(&ray);
         spoil(&mut answer);
-        let mut tally = Tally::default();
+        let mut findings = Findings::default();
         let probe = Probe { shape: 0, ray };
-        triangles(&mut tally, &[probe], &[expected(&ray)], &[answer]);
-        let findings = tally.into_findings().into_iter();
-        let failed = findings.filter(|finding| finding.wrong > 0);
-        failed.map(|finding| finding.aspect).collect()
+        triangles(&mut findings, &[probe], &[expected(&ray)], &[answer]);
+        findings.wrong_aspects()
     }
 
     /// Changes the hit record.

@@ -1,15 +1,15 @@
 //! Judges probes of single spheres.
 
 use crate::tools::aspects::hits::{self, Call, expect, record};
-use crate::tools::tally::Aspect::*;
-use crate::tools::tally::Tally;
+use crate::tools::findings::Aspect::*;
+use crate::tools::findings::Findings;
 use crate::tools::truth::expected::{Expected, HitOrMiss as Decision};
 use wire::answer::SphereAnswer;
 use wire::work::Probe;
 
 /// Judges `test_sphere` and `intersect_sphere`.
 pub(crate) fn spheres(
-    tally: &mut Tally,
+    findings: &mut Findings,
     probes: &[Probe],
     expected: &[Expected],
     answers: &[SphereAnswer],
@@ -17,21 +17,21 @@ pub(crate) fn spheres(
     let [test, intersect] = ["test_sphere", "intersect_sphere"];
     let calls = probes.iter().zip(expected).zip(answers);
     for (number, ((probe, expected), answer)) in calls.enumerate() {
-        expect(tally, expected, false);
+        expect(findings, expected, false);
         if expected.decision() == Decision::Hit {
-            tally.expect(Parameters);
+            findings.expect(Parameters);
         }
-        let is_tested = tally.is_written(test, &[HitOrMiss, T]);
-        let is_intersected = tally.is_written(intersect, &hits::OF_A_RECORD)
-            && tally.is_written(intersect, &[Parameters]);
+        let is_tested = findings.is_written(test, &[HitOrMiss, T]);
+        let is_intersected = findings.is_written(intersect, &hits::OF_A_RECORD)
+            && findings.is_written(intersect, &[Parameters]);
         let mut call = Call {
-            tally: &mut *tally,
+            findings: &mut *findings,
             number,
             function: test,
             ray: &probe.ray,
         };
         if is_tested {
-            call.tally.count_for(test);
+            call.findings.count_for(test);
             call.decision(expected, answer.test);
             if let Some(t) = answer.test
                 && let Some(right) = expected.closest_to(probe.shape, t)
@@ -44,7 +44,7 @@ pub(crate) fn spheres(
         }
         let hit = answer.hit.as_ref();
         call.function = intersect;
-        call.tally.count_for(intersect);
+        call.findings.count_for(intersect);
         record(&mut call, expected, hit);
         if let Some(hit) = hit {
             call.no_parameters(hit.uv);

@@ -7,6 +7,7 @@ mod repro;
 mod simple;
 
 use crate::tools::check::{CaseContext, Check, one_each};
+use crate::tools::findings::{Aspect, Findings};
 use crate::tools::moves::{Move, Symmetries};
 use crate::tools::plural;
 use crate::tools::shown::ShownCall;
@@ -14,7 +15,6 @@ use crate::tools::simple::numbers::{self, Number};
 use crate::tools::snapshot::Content;
 use crate::tools::snapshot::Fields;
 use crate::tools::snapshot::lines::{self, each};
-use crate::tools::tally::{Aspect, Tally};
 use crate::tools::truth::expected::Expected;
 use crate::tools::{Tier, colours, convert, truth};
 use kit::Sphere;
@@ -72,14 +72,14 @@ impl Check for kind::Spheres {
     }
 
     fn judge(
-        tally: &mut Tally,
+        findings: &mut Findings,
         case: &CaseContext<'_>,
         tier: Tier,
         work: &SphereWork,
         answers: &Vec<SphereAnswer>,
     ) {
         let expected = case.expected(tier, || Self::expected(work, tier, case.enclosed));
-        judge::spheres(tally, &work.probes, expected, answers);
+        judge::spheres(findings, &work.probes, expected, answers);
     }
 
     fn lines(work: &SphereWork, answers: &Vec<SphereAnswer>) -> Option<Content> {

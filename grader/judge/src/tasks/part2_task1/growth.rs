@@ -7,11 +7,11 @@
 
 use crate::tools::Tier;
 use crate::tools::check::{CaseContext, Check};
+use crate::tools::findings::{Aspect, Class, Findings};
 use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::Content;
 use crate::tools::snapshot::Fields;
 use crate::tools::snapshot::{forms, number};
-use crate::tools::tally::{Aspect, Class, Tally};
 use wire::answer::BuildGrowthAnswer;
 use wire::kind;
 use wire::work::BuildGrowthWork;
@@ -67,13 +67,13 @@ impl Check for kind::BuildGrowth {
     }
 
     fn judge(
-        tally: &mut Tally,
+        findings: &mut Findings,
         _: &CaseContext<'_>,
         _: Tier,
         work: &BuildGrowthWork,
         answer: &BuildGrowthAnswer,
     ) {
-        judge(tally, work, answer);
+        judge(findings, work, answer);
     }
 
     /// The nodes of the trees that are always built. Times differ between runs.
@@ -111,8 +111,8 @@ impl Check for kind::BuildGrowth {
 }
 
 /// Judges the growth between the two sizes that are compared.
-fn judge(tally: &mut Tally, work: &BuildGrowthWork, answer: &BuildGrowthAnswer) {
-    tally.expect(Aspect::BuildTime);
+fn judge(findings: &mut Findings, work: &BuildGrowthWork, answer: &BuildGrowthAnswer) {
+    findings.expect(Aspect::BuildTime);
     let built: Vec<(f64, f64)> = work
         .sizes
         .iter()
@@ -132,7 +132,7 @@ fn judge(tally: &mut Tally, work: &BuildGrowthWork, answer: &BuildGrowthAnswer) 
     let exponent = times.ln() / (large / small).ln();
     let right = slow < ALWAYS_FAST || exponent <= MAX_EXPONENT;
     let class = (!right).then_some(Class::Named("quadratic"));
-    tally.judge_class(Aspect::BuildTime, 0, class, exponent, || {
+    findings.judge_class(Aspect::BuildTime, 0, class, exponent, || {
         let linearithmic = large * large.ln() / (small * small.ln());
         format!(
             "your result: a tree over {large} primitives takes {slow:.2} s, {times:.0} times as long as one over {small}: the time grows as n^{exponent:.1}; expected: about {linearithmic:.0} times as long, since each level of the tree looks at each primitive once. Is a list searched with `contains`, or shifted with `remove(0)` or `insert(0, ...)`, once for each primitive?"
@@ -171,9 +171,9 @@ mod tests {
             }
         }
         kind::BuildGrowth::fits(&work, &answer).expect("it fits");
-        let mut tally = Tally::default();
-        judge(&mut tally, &work, &answer);
-        tally.into_findings()[0].passed()
+        let mut findings = Findings::default();
+        judge(&mut findings, &work, &answer);
+        findings.into_vec()[0].passed()
     }
 
     /// From a fast machine to a slow one, or code that is not optimised: nanoseconds for each
@@ -208,9 +208,9 @@ mod tests {
             nodes: vec![1; work.sizes.len()],
             seconds: vec![1e-3; work.sizes.len()],
         };
-        let mut tally = Tally::default();
-        judge(&mut tally, &work, &answer);
-        assert!(!tally.into_findings()[0].passed());
+        let mut findings = Findings::default();
+        judge(&mut findings, &work, &answer);
+        assert!(!findings.into_vec()[0].passed());
     }
 
     #[test]

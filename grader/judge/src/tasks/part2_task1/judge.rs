@@ -5,9 +5,9 @@
 
 use super::leaves;
 use super::structure::{Walk, walk};
+use crate::tools::findings::{Aspect, Class, Findings};
 use crate::tools::plural;
 use crate::tools::recorded::TreeWork;
-use crate::tools::tally::{Aspect, Class, Tally};
 use kit::{Aabb, Vec3};
 use std::ops::Range;
 use wire::answer::BuildAnswer;
@@ -28,7 +28,7 @@ const DEPTH_FACTOR: u32 = 4;
 
 /// Judges the tree that `construct_bvh` built over `bounds`; its cost only if one is `recorded`.
 pub(crate) fn build(
-    tally: &mut Tally,
+    findings: &mut Findings,
     bounds: &[[Xyz; 2]],
     max_leaf_size: u32,
     answer: &BuildAnswer,
@@ -40,13 +40,13 @@ pub(crate) fn build(
         Aspect::LeafSize,
         Aspect::Repeatable,
     ] {
-        tally.expect(aspect);
+        findings.expect(aspect);
     }
     if recorded.is_some() {
-        tally.expect(Aspect::Work);
+        findings.expect(Aspect::Work);
     }
     let repeatable = answer.repeatable;
-    tally.judge(Aspect::Repeatable, 0, repeatable, 1.0, || {
+    findings.judge(Aspect::Repeatable, 0, repeatable, 1.0, || {
         "your results: two different trees from the same boxes; expected: the same tree. Does it depend on the order of a hash map or on a random number?".into()
     });
     let tree = &answer.tree;
@@ -54,16 +54,16 @@ pub(crate) fn build(
         Ok(walk) => walk,
         Err(fault) => {
             let class = Some(Class::Named(fault.name));
-            tally.judge_class(Aspect::Structure, 0, class, 1.0, || fault.message);
+            findings.judge_class(Aspect::Structure, 0, class, 1.0, || fault.message);
             return;
         }
     };
-    tally.judge(Aspect::Structure, 0, true, 0.0, String::new);
+    findings.judge(Aspect::Structure, 0, true, 0.0, String::new);
     let tight = tight_boxes(tree, &walk, bounds);
-    judge_bounds(tally, tree, &tight, bounds);
-    leaves::judge(tally, tree, bounds, max_leaf_size);
+    judge_bounds(findings, tree, &tight, bounds);
+    leaves::judge(findings, tree, bounds, max_leaf_size);
     if let Some(recorded) = recorded {
-        judge_work(tally, tree, &walk, &tight, recorded);
+        judge_work(findings, tree, &walk, &tight, recorded);
     }
 }
 
@@ -91,7 +91,7 @@ pub(super) fn aabb(&[min, max]: &[Xyz; 2]) -> Aabb {
     }
 }
 
-fn judge_bounds(tally: &mut Tally, tree: &Tree, tight: &[Aabb], bounds: &[[Xyz; 2]]) {
+fn judge_bounds(findings: &mut Findings, tree: &Tree, tight: &[Aabb], bounds: &[[Xyz; 2]]) {
     for (at, (node, tight)) in tree.nodes.iter().zip(tight).enumerate() {
         let given = aabb(&node.bounds);
         let right = given.contains(tight);
@@ -106,7 +106,7 @@ fn judge_bounds(tally: &mut Tally, tree: &Tree, tight: &[Aabb], bounds: &[[Xyz; 
                 class_of_leaf_box(&given, held, &tree.order, bounds)
             }
         });
-        tally.judge_class(Aspect::Bounds, 0, class, missing, || {
+        findings.judge_class(Aspect::Bounds, 0, class, missing, || {
             format!(
                 "node {at}: your result: the box {}; expected: a box that contains the primitives below it, {}",
                 show(&given),
@@ -115,7 +115,7 @@ fn judge_bounds(tally: &mut Tally, tree: &Tree, tight: &[Aabb], bounds: &[[Xyz; 
         });
     }
     if tree.nodes.is_empty() {
-        tally.judge(Aspect::Bounds, 0, true, 0.0, String::new);
+        findings.judge(Aspect::Bounds, 0, true, 0.0, String::new);
     }
 }
 
@@ -170,7 +170,13 @@ pub(super) fn cost(tree: &Tree, tight: &[Aabb]) -> f64 {
 ///
 /// The areas are those of the nodes' boxes relative to the tight box of the scene, so that loose
 /// boxes increase the cost.
-fn judge_work(tally: &mut Tally, tree: &Tree, walk: &Walk, tight: &[Aabb], recorded: TreeWork) {
+fn judge_work(
+    findings: &mut Findings,
+    tree: &Tree,
+    walk: &Walk,
+    tight: &[Aabb],
+    recorded: TreeWork,
+) {
     let cost = cost(tree, tight);
     let cheap = cost <= COST_FACTOR * recorded.cost;
     let ratio = cost / recorded.cost;
@@ -185,13 +191,13 @@ fn judge_work(tally: &mut Tally, tree: &Tree, walk: &Walk, tight: &[Aabb], recor
             question(tree, tight)
         )
     };
-    tally.judge_class(Aspect::Work, 0, class, ratio, message);
+    findings.judge_class(Aspect::Work, 0, class, ratio, message);
     let all = tree.order.len() as f64;
     // Where a tree that passes may save less, nothing is judged.
     if COST_FACTOR * recorded.cost <= MAX_COST_SHARE * all {
-        tally.expect(Aspect::Savings);
+        findings.expect(Aspect::Savings);
         let saves = cost <= MAX_COST_SHARE * all;
-        tally.judge(Aspect::Savings, 0, saves, cost / all, || {
+        findings.judge(Aspect::Savings, 0, saves, cost / all, || {
             format!(
                 "your result: {cost:.1} tests per random line; without a tree: {all}. A tree saves most of them"
             )
@@ -200,12 +206,12 @@ fn judge_work(tally: &mut Tally, tree: &Tree, walk: &Walk, tight: &[Aabb], recor
     if !cheap && why == COSTLY_SPLITS {
         // The cost distinguishes mistakes.
         let class = Class::of_size(ratio);
-        tally.judge_class(Aspect::Work, 0, Some(class), ratio, message);
+        findings.judge_class(Aspect::Work, 0, Some(class), ratio, message);
     }
     let depth = walk.depth.iter().copied().max().unwrap_or(0);
     let flat = depth <= DEPTH_FACTOR * recorded.depth;
     let class = (!flat).then_some(Class::Named("deep"));
-    tally.judge_class(Aspect::Work, 0, class, f64::from(depth) / f64::from(recorded.depth), || {
+    findings.judge_class(Aspect::Work, 0, class, f64::from(depth) / f64::from(recorded.depth), || {
         format!(
             "your result: a depth of {depth} levels; the reference: {} (up to {DEPTH_FACTOR} times that passes). Does each split leave several primitives on both sides?",
             recorded.depth
@@ -291,11 +297,9 @@ mod tests {
             tree,
             repeatable: true,
         };
-        let mut tally = Tally::default();
-        build(&mut tally, &ROW, 2, &answer, Some(COST));
-        let findings = tally.into_findings();
-        let failed = findings.iter().filter(|finding| !finding.passed());
-        failed.map(|finding| finding.aspect).collect()
+        let mut findings = Findings::default();
+        build(&mut findings, &ROW, 2, &answer, Some(COST));
+        findings.wrong_aspects()
     }
 
     #[test]
@@ -387,11 +391,11 @@ mod tests {
             tree,
             repeatable: true,
         };
-        let mut tally = Tally::default();
+        let mut findings = Findings::default();
         let recorded = simple::recorded(&work);
-        build(&mut tally, &work.bounds, 1, &answer, recorded);
-        let findings = tally.into_findings();
-        let mut failed = findings.into_iter().filter(|finding| finding.wrong > 0);
+        build(&mut findings, &work.bounds, 1, &answer, recorded);
+        let list = findings.into_vec();
+        let mut failed = list.into_iter().filter(|finding| finding.wrong > 0);
         let worst = failed.next().map(|finding| (finding.aspect, finding.worst));
         assert!(failed.next().is_none());
         let (aspect, worst) = worst?;

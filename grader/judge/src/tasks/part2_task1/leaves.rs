@@ -1,16 +1,16 @@
 //! Judges the leaves of a tree: how many primitives each holds.
 
 use super::judge::aabb;
-use crate::tools::tally::{Aspect, Class, Tally};
+use crate::tools::findings::{Aspect, Class, Findings};
 use kit::{Aabb, Vec3};
 use wire::work::{NodeKind, Tree, Xyz};
 
 /// Judges that no leaf is empty, and that none holds more than `max_leaf_size` primitives.
-pub(super) fn judge(tally: &mut Tally, tree: &Tree, bounds: &[[Xyz; 2]], max_leaf_size: u32) {
+pub(super) fn judge(findings: &mut Findings, tree: &Tree, bounds: &[[Xyz; 2]], max_leaf_size: u32) {
     // 0 counts as 1.
     let max_leaf_size = max_leaf_size.max(1);
     if tree.nodes.is_empty() {
-        tally.judge(Aspect::LeafSize, 0, true, 0.0, String::new);
+        findings.judge(Aspect::LeafSize, 0, true, 0.0, String::new);
     }
     for (at, node) in tree.nodes.iter().enumerate() {
         let NodeKind::Leaf { first, count } = node.kind else {
@@ -24,7 +24,7 @@ pub(super) fn judge(tally: &mut Tally, tree: &Tree, bounds: &[[Xyz; 2]], max_lea
             _ => None,
         };
         let badness = f64::from(count);
-        tally.judge_class(Aspect::LeafSize, 0, class, badness, || {
+        findings.judge_class(Aspect::LeafSize, 0, class, badness, || {
             if is_empty && bounds.is_empty() {
                 return format!(
                     "leaf {at} is empty: expected a tree without nodes, since there are no primitives"
@@ -79,13 +79,10 @@ mod tests {
             nodes: vec![leaf],
             order: (0..count).collect(),
         };
-        let mut tally = Tally::default();
-        judge(&mut tally, &tree, &bounds, max_leaf_size);
-        let findings = tally.into_findings();
-        findings[0]
-            .worst
-            .as_ref()
-            .map(|worst| worst.message.clone())
+        let mut findings = Findings::default();
+        judge(&mut findings, &tree, &bounds, max_leaf_size);
+        let list = findings.into_vec();
+        list[0].worst.as_ref().map(|worst| worst.message.clone())
     }
 
     #[test]

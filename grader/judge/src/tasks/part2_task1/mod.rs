@@ -14,6 +14,7 @@ mod structure;
 use crate::tools::Tier;
 use crate::tools::call_text::{few, point};
 use crate::tools::check::{CaseContext, Check};
+use crate::tools::findings::{Aspect, Findings};
 use crate::tools::moves::{Move, Symmetries, most_if_ordinary};
 use crate::tools::plural;
 use crate::tools::recorded;
@@ -21,7 +22,6 @@ use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::Content;
 use crate::tools::snapshot::Fields;
 use crate::tools::snapshot::number;
-use crate::tools::tally::{Aspect, Tally};
 use kit::Aabb;
 use wire::answer::BuildAnswer;
 use wire::kind;
@@ -84,7 +84,7 @@ impl Check for kind::Build {
     }
 
     fn judge(
-        tally: &mut Tally,
+        findings: &mut Findings,
         case: &CaseContext<'_>,
         _: Tier,
         work: &BuildWork,
@@ -94,17 +94,17 @@ impl Check for kind::Build {
             true => simple::recorded(work),
             false => recorded::tree(case.name),
         };
-        judge::build(tally, &work.bounds, work.max_leaf_size, answer, recorded);
+        judge::build(findings, &work.bounds, work.max_leaf_size, answer, recorded);
     }
 
     fn judge_rest(
-        tally: &mut Tally,
+        findings: &mut Findings,
         case: &CaseContext<'_>,
         _: Tier,
         work: &BuildWork,
         answer: &BuildAnswer,
     ) {
-        rest::build(tally, work, answer, recorded::tree(case.name));
+        rest::build(findings, work, answer, recorded::tree(case.name));
     }
 
     fn lines(_: &BuildWork, answer: &BuildAnswer) -> Option<Content> {

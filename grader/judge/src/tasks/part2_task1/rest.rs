@@ -3,8 +3,8 @@
 
 use super::judge::{aabb, cost, tight_boxes};
 use super::structure::walk;
+use crate::tools::findings::{Aspect, Findings};
 use crate::tools::recorded::TreeWork;
-use crate::tools::tally::{Aspect, Tally};
 use wire::answer::BuildAnswer;
 use wire::work::BuildWork;
 
@@ -22,7 +22,7 @@ const MORE_COST: &str = "the tree costs more than the recorded one, which is all
 
 /// Confirms tight boxes and a cost that is not above the recorded one.
 pub(super) fn build(
-    tally: &mut Tally,
+    findings: &mut Findings,
     work: &BuildWork,
     answer: &BuildAnswer,
     recorded: Option<TreeWork>,
@@ -34,12 +34,12 @@ pub(super) fn build(
     let tight = tight_boxes(tree, &walk, &work.bounds);
     let mut boxes = tree.nodes.iter().zip(&tight);
     if boxes.any(|(node, tight)| aabb(&node.bounds) != *tight) {
-        tally.never_judged(Aspect::Bounds, LOOSE);
+        findings.never_judged(Aspect::Bounds, LOOSE);
     }
     match recorded {
-        None => tally.never_judged(Aspect::Work, NO_RECORD),
+        None => findings.never_judged(Aspect::Work, NO_RECORD),
         Some(recorded) if cost(tree, &tight) > COST_ROUNDING * recorded.cost => {
-            tally.never_judged(Aspect::Work, MORE_COST);
+            findings.never_judged(Aspect::Work, MORE_COST);
         }
         Some(_) => {}
     }

@@ -3,7 +3,7 @@
 use crate::tools::Tier;
 use crate::tools::aspects::hits;
 use crate::tools::convert;
-use crate::tools::tally::{Aspect, Class, Tally};
+use crate::tools::findings::{Aspect, Class, Findings};
 use kit::{Aabb, Interval, Vec3};
 use oracle::{self, BoxJudgement, KernelClass};
 use wire::work::{Probe, Xyz};
@@ -13,7 +13,7 @@ use wire::work::{Probe, Xyz};
 /// In a tree, a false miss of a box is a hole in the picture, a false hit only costs time. So a
 /// false miss is always wrong, and a false hit only if the ray misses by more than rounding errors.
 pub(crate) fn boxes(
-    tally: &mut Tally,
+    findings: &mut Findings,
     tier: Tier,
     boxes: &[[Xyz; 2]],
     probes: &[Probe],
@@ -28,12 +28,12 @@ pub(crate) fn boxes(
         let b = Aabb { min, max };
         let verdict = oracle::bbox(&b, &convert::ray(&probe.ray));
         let judgement = verdict.judge(kernel, answer.map(|[min, max]| Interval { min, max }));
-        tally.expect(Aspect::HitOrMiss);
+        findings.expect(Aspect::HitOrMiss);
         if verdict.hits() && !verdict.undecidable(kernel) {
-            tally.expect(Aspect::Interval);
+            findings.expect(Aspect::Interval);
         }
         if verdict.undecidable(kernel) {
-            tally.not_judged(Aspect::HitOrMiss, call, hits::ROUNDING_DECIDES);
+            findings.not_judged(Aspect::HitOrMiss, call, hits::ROUNDING_DECIDES);
         }
         let decided = !matches!(judgement, BoxJudgement::FalseHit | BoxJudgement::FalseMiss);
         let about = || {
@@ -52,7 +52,7 @@ pub(crate) fn boxes(
                 class
             }
         });
-        tally.judge_class(Aspect::HitOrMiss, call, class, 1.0, || match *answer {
+        findings.judge_class(Aspect::HitOrMiss, call, class, 1.0, || match *answer {
             None => {
                 let [from, to] = verdict
                     .ends
@@ -83,7 +83,7 @@ pub(crate) fn boxes(
             _ => None,
         };
         let off = end.map_or(0.0, |(_, given, right)| (given - right).abs());
-        tally.judge(Aspect::Interval, call, end.is_none(), off, || {
+        findings.judge(Aspect::Interval, call, end.is_none(), off, || {
             let (which, given, right) = end.unwrap_or(("", from, from));
             format!(
                 "your result: the interval {which}s at t = {given}; expected: t = {right}. {}",
@@ -101,12 +101,10 @@ mod tests {
     const UNIT: [[Xyz; 2]; 1] = [[[0.0; 3], [1.0; 3]]];
 
     fn failed(ray: Ray, answer: Option<[f64; 2]>) -> Vec<Aspect> {
-        let mut tally = Tally::default();
+        let mut findings = Findings::default();
         let probe = Probe { shape: 0, ray };
-        boxes(&mut tally, Tier::Robust, &UNIT, &[probe], &[answer]);
-        let findings = tally.into_findings();
-        let failed = findings.iter().filter(|finding| !finding.passed());
-        failed.map(|finding| finding.aspect).collect()
+        boxes(&mut findings, Tier::Robust, &UNIT, &[probe], &[answer]);
+        findings.wrong_aspects()
     }
 
     /// Enters the unit box at t = 2, leaves it at t = 3.
@@ -147,9 +145,15 @@ mod tests {
                 shape: 0,
                 ray: beside,
             };
-            let mut tally = Tally::default();
-            boxes(&mut tally, Tier::Robust, &UNIT, &[probe], &[Some(answer)]);
-            tally.into_findings()[0].faults[0].class
+            let mut findings = Findings::default();
+            boxes(
+                &mut findings,
+                Tier::Robust,
+                &UNIT,
+                &[probe],
+                &[Some(answer)],
+            );
+            findings.into_vec()[0].faults[0].class
         };
         assert_eq!(class([2.0, 3.0]), Class::FalseHit);
         assert_eq!(class([3.0, 2.0]), Class::Named("ends before it starts"));

@@ -7,6 +7,7 @@ mod repro;
 mod simple;
 
 use crate::tools::check::{CaseContext, Check, one_each};
+use crate::tools::findings::{Aspect, Findings};
 use crate::tools::moves::{AxisMoves, Move, Symmetries, most_if_ordinary, ray_numbers};
 use crate::tools::plural;
 use crate::tools::shown::ShownCall;
@@ -14,7 +15,6 @@ use crate::tools::simple::numbers::{self, Number};
 use crate::tools::snapshot::Content;
 use crate::tools::snapshot::lines::{each, ray_at};
 use crate::tools::snapshot::{Fields, Value, field, forms};
-use crate::tools::tally::{Aspect, Tally};
 use crate::tools::{Tier, colours};
 use wire::kind;
 use wire::work::{BoxWork, Ray, Xyz};
@@ -75,13 +75,13 @@ impl Check for kind::Boxes {
     }
 
     fn judge(
-        tally: &mut Tally,
+        findings: &mut Findings,
         _: &CaseContext<'_>,
         tier: Tier,
         work: &BoxWork,
         answers: &Vec<Option<[f64; 2]>>,
     ) {
-        judge::boxes(tally, tier, &work.boxes, &work.probes, answers);
+        judge::boxes(findings, tier, &work.boxes, &work.probes, answers);
     }
 
     fn lines(work: &BoxWork, answers: &Vec<Option<[f64; 2]>>) -> Option<Content> {

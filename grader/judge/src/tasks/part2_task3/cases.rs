@@ -1,9 +1,9 @@
 //! Cases of traversing the tree.
 
+use crate::tools::findings::Aspect;
 use crate::tools::questions::crosses::{Cross, CrossScene, along};
 use crate::tools::questions::tree_plan::TreePlan;
 use crate::tools::spec::Spec;
-use crate::tools::tally::Aspect;
 use kit::{PixelSampler, Ray, Vec3};
 use wire::kind;
 use wire::work::{NodeKind, ScriptedWorld};

@@ -1,7 +1,7 @@
 //! Judges a traversal of a tree in a scripted world, whose test results are given.
 
 use crate::tools::aspects::hits;
-use crate::tools::tally::{Aspect, Class, Tally};
+use crate::tools::findings::{Aspect, Class, Findings};
 use crate::tools::truth::tree_tests::{ANY_HIT_WORK_FACTOR, Tests, TracedRay, WORK_FACTOR};
 use std::collections::BTreeMap;
 use wire::answer::TraverseAnswer;
@@ -22,33 +22,33 @@ const BOX_FACTOR_OF_ONE_RAY: f64 = 2.0;
 /// Judges the results of `intersect_bvh` or `occludes_bvh`; with `counts_work` also the number of
 /// tests, else whether the boxes save tests. Tests that repeat others are always judged.
 pub(crate) fn traverse(
-    tally: &mut Tally,
+    findings: &mut Findings,
     world: &ScriptedWorld,
     answers: &[TraverseAnswer],
     counts_work: bool,
 ) {
-    tally.count_for(function(world));
+    findings.count_for(function(world));
     for (call, (scripted, answer)) in world.rays.iter().zip(answers).enumerate() {
         if world.any_hit {
-            any(tally, call, scripted, answer);
+            any(findings, call, scripted, answer);
         } else {
-            closest(tally, call, scripted, answer);
+            closest(findings, call, scripted, answer);
         }
     }
     if counts_work {
-        tally.expect(Aspect::Work);
+        findings.expect(Aspect::Work);
     } else {
-        savings(tally, world, answers);
+        savings(findings, world, answers);
     }
     if is_leaf(&world.tree) {
-        beside_the_root(tally, world, answers);
+        beside_the_root(findings, world, answers);
     }
     if answers.iter().any(|answer| answer.repeated_prims > 0) {
         // The repeated tests explain the number of tests, which is not judged again.
-        repeated(tally, world, answers);
-    } else if counts_work && tally.is_right(Aspect::HitOrMiss) {
+        repeated(findings, world, answers);
+    } else if counts_work && findings.is_right(Aspect::HitOrMiss) {
         // A traversal that misses hits makes fewer tests, so its number is not judged.
-        work(tally, world, answers);
+        work(findings, world, answers);
     }
 }
 
@@ -60,14 +60,14 @@ fn is_leaf(tree: &Tree) -> bool {
 
 /// Judges that the box of a root that is a leaf is tested before its primitives: a ray that misses
 /// this box tests no primitive.
-fn beside_the_root(tally: &mut Tally, world: &ScriptedWorld, answers: &[TraverseAnswer]) {
-    tally.expect(Aspect::Work);
+fn beside_the_root(findings: &mut Findings, world: &ScriptedWorld, answers: &[TraverseAnswer]) {
+    findings.expect(Aspect::Work);
     let function = function(world);
     for (call, (scripted, answer)) in world.rays.iter().zip(answers).enumerate() {
         let met = traced(world, scripted, |ray| ray.all_met());
         let tests = answer.prim_tests;
         let saves = met.prims > 0 || tests == 0;
-        tally.judge(Aspect::Work, call, saves, f64::from(tests), || {
+        findings.judge(Aspect::Work, call, saves, f64::from(tests), || {
             format!(
                 "your result: {function} makes {tests} primitive tests; expected: none, since the ray misses the box of the root. Is it tested, too? {}",
                 hits::show_ray(&scripted.ray)
@@ -79,7 +79,7 @@ fn beside_the_root(tally: &mut Tally, world: &ScriptedWorld, answers: &[Traverse
 /// Judges whether the boxes save tests: the traversal makes at most [`SAVINGS_FACTOR`] times the
 /// tests of a traversal that enters every box that the ray meets. In a world where even that
 /// traversal saves little, nothing is judged.
-fn savings(tally: &mut Tally, world: &ScriptedWorld, answers: &[TraverseAnswer]) {
+fn savings(findings: &mut Findings, world: &ScriptedWorld, answers: &[TraverseAnswer]) {
     let mut met = Tests::default();
     let mut made = Tests::default();
     let mut all = 0;
@@ -94,14 +94,14 @@ fn savings(tally: &mut Tally, world: &ScriptedWorld, answers: &[TraverseAnswer])
     if met.prims * MIN_SAVINGS >= all {
         return;
     }
-    tally.expect(Aspect::Savings);
+    findings.expect(Aspect::Savings);
     let function = function(world);
     for (what, made, met) in [
         ("box", made.boxes, met.boxes),
         ("primitive", made.prims, met.prims),
     ] {
         let saves = made as f64 <= SAVINGS_FACTOR * met as f64;
-        tally.judge(Aspect::Savings, 0, saves, made as f64, || {
+        findings.judge(Aspect::Savings, 0, saves, made as f64, || {
             format!(
                 "your result: {function} makes {made} {what} tests; entering only boxes that the ray meets makes {met}. Without a tree there are {all} primitive tests"
             )
@@ -111,7 +111,7 @@ fn savings(tally: &mut Tally, world: &ScriptedWorld, answers: &[TraverseAnswer])
 
 /// Judges that no primitive is tested twice with the same ray; some of `answers` have such tests.
 /// No tree of the cases holds a primitive twice.
-fn repeated(tally: &mut Tally, world: &ScriptedWorld, answers: &[TraverseAnswer]) {
+fn repeated(findings: &mut Findings, world: &ScriptedWorld, answers: &[TraverseAnswer]) {
     let function = function(world);
     for (call, (scripted, answer)) in world.rays.iter().zip(answers).enumerate() {
         let (tests, repeated) = (answer.prim_tests, answer.repeated_prims);
@@ -122,7 +122,7 @@ fn repeated(tally: &mut Tally, world: &ScriptedWorld, answers: &[TraverseAnswer]
             true => Class::Named("all primitives in each leaf"),
             false => Class::Named("primitives tested again"),
         });
-        tally.judge_class(Aspect::Work, call, class, f64::from(repeated), || {
+        findings.judge_class(Aspect::Work, call, class, f64::from(repeated), || {
             let ray = hits::show_ray(&scripted.ray);
             if is_whole_list {
                 return format!(
@@ -154,17 +154,17 @@ pub(super) fn in_range(scripted: &ScriptedRay) -> impl Iterator<Item = (u32, f64
         .filter(move |&(_, t)| min_t <= t && t <= max_t)
 }
 
-fn closest(tally: &mut Tally, call: usize, scripted: &ScriptedRay, answer: &TraverseAnswer) {
+fn closest(findings: &mut Findings, call: usize, scripted: &ScriptedRay, answer: &TraverseAnswer) {
     let right = in_range(scripted).min_by(|a, b| a.1.total_cmp(&b.1));
-    tally.expect(Aspect::HitOrMiss);
-    tally.expect(Aspect::RayAfter);
+    findings.expect(Aspect::HitOrMiss);
+    findings.expect(Aspect::RayAfter);
     if right.is_some() {
-        tally.expect(Aspect::T);
-        tally.expect(Aspect::Primitive);
+        findings.expect(Aspect::T);
+        findings.expect(Aspect::Primitive);
     }
     let decided = right.is_some() == answer.hit.is_some();
     let class = hits::decision_class(decided, answer.hit.is_some());
-    tally.judge_class(Aspect::HitOrMiss, call, class, 1.0, || {
+    findings.judge_class(Aspect::HitOrMiss, call, class, 1.0, || {
         let results = match right {
             Some((id, t)) => format!("your result: miss; expected: primitive {id} at t = {t}"),
             None => "your result: hit; expected: miss".into(),
@@ -182,7 +182,7 @@ fn closest(tally: &mut Tally, call: usize, scripted: &ScriptedRay, answer: &Trav
             true => Class::Named("max_t is right"),
             false => Class::of_size(off),
         });
-        tally.judge_class(Aspect::T, call, class, off, || {
+        findings.judge_class(Aspect::T, call, class, off, || {
             let hint = if max_t_is_right {
                 " ray.max_t is right: is the hit returned that shortened the ray last?"
             } else {
@@ -195,7 +195,7 @@ fn closest(tally: &mut Tally, call: usize, scripted: &ScriptedRay, answer: &Trav
             )
         });
         let is_there = in_range(scripted).any(|(id, at)| id == given && at == t);
-        tally.judge(Aspect::Primitive, call, is_there, 1.0, || {
+        findings.judge(Aspect::Primitive, call, is_there, 1.0, || {
             format!(
                 "your result: primitive {given}; expected: primitive {id} at t = {t}. {}",
                 hits::show_ray(&scripted.ray)
@@ -204,7 +204,7 @@ fn closest(tally: &mut Tally, call: usize, scripted: &ScriptedRay, answer: &Trav
     }
     let hit_t = answer.hit.map(|(t, _)| t);
     let mut call = hits::Call {
-        tally,
+        findings,
         number: call,
         function: "intersect_bvh",
         ray: &scripted.ray,
@@ -215,12 +215,12 @@ fn closest(tally: &mut Tally, call: usize, scripted: &ScriptedRay, answer: &Trav
     });
 }
 
-fn any(tally: &mut Tally, call: usize, scripted: &ScriptedRay, answer: &TraverseAnswer) {
+fn any(findings: &mut Findings, call: usize, scripted: &ScriptedRay, answer: &TraverseAnswer) {
     let blocker = in_range(scripted).next();
-    tally.expect(Aspect::HitOrMiss);
+    findings.expect(Aspect::HitOrMiss);
     let decided = blocker.is_some() == answer.hit.is_some();
     let class = hits::decision_class(decided, answer.hit.is_some());
-    tally.judge_class(Aspect::HitOrMiss, call, class, 1.0, || {
+    findings.judge_class(Aspect::HitOrMiss, call, class, 1.0, || {
         let results = match blocker {
             Some((id, t)) => {
                 format!(
@@ -249,7 +249,7 @@ fn odd_tests(answer: &TraverseAnswer) -> String {
 }
 
 /// Judges the number of tests, separately for the rays along each axis.
-fn work(tally: &mut Tally, world: &ScriptedWorld, answers: &[TraverseAnswer]) {
+fn work(findings: &mut Findings, world: &ScriptedWorld, answers: &[TraverseAnswer]) {
     let function = function(world);
     let mut by_axis: BTreeMap<usize, AxisTotal> = BTreeMap::new();
     for (call, (scripted, answer)) in world.rays.iter().zip(answers).enumerate() {
@@ -285,7 +285,7 @@ fn work(tally: &mut Tally, world: &ScriptedWorld, answers: &[TraverseAnswer]) {
                 Class::Off(_) if what == "primitive" => Class::Named("too many primitive tests"),
                 class => class,
             });
-            tally.judge_class(Aspect::Work, call, class, times, || {
+            findings.judge_class(Aspect::Work, call, class, times, || {
                 format!(
                     "your result: {function} makes {tests} {what} tests{of_rays}; always the left child first makes {left}, always the right one {right}; expected: at most {most} times their mean, {}. {}",
                     most * plain,
@@ -300,7 +300,7 @@ fn work(tally: &mut Tally, world: &ScriptedWorld, answers: &[TraverseAnswer]) {
         count("box", most_boxes, |tests| tests.boxes);
         count("primitive", most, |tests| tests.prims);
         let tests_boxes = tests.boxes > 0 || world.tree.nodes.is_empty();
-        tally.judge(Aspect::Work, call, tests_boxes, f64::INFINITY, || {
+        findings.judge(Aspect::Work, call, tests_boxes, f64::INFINITY, || {
             format!(
                 "{function} makes no box test: call world.hit_box before visiting the children of a node"
             )
@@ -375,7 +375,6 @@ pub(super) fn traced<T>(
 mod tests {
     use super::*;
     use crate::cases;
-    use crate::tools::tally::Finding;
     use wire::Work;
 
     fn script(name: &str) -> ScriptedWorld {
@@ -411,11 +410,9 @@ mod tests {
     }
 
     fn failed(world: &ScriptedWorld, answers: &[TraverseAnswer], counts_work: bool) -> Vec<Aspect> {
-        let mut tally = Tally::default();
-        traverse(&mut tally, world, answers, counts_work);
-        let findings = tally.into_findings();
-        let failed = findings.iter().filter(|finding| !finding.passed());
-        failed.map(|finding: &Finding| finding.aspect).collect()
+        let mut findings = Findings::default();
+        traverse(&mut findings, world, answers, counts_work);
+        findings.wrong_aspects()
     }
 
     #[test]
@@ -453,10 +450,10 @@ mod tests {
         let mut answers = right(&world, 9, 9);
         let farthest = in_range(&world.rays[0]).max_by(|a, b| a.1.total_cmp(&b.1));
         answers[0].hit = farthest.map(|(id, t)| (t, id));
-        let mut tally = Tally::default();
-        traverse(&mut tally, &world, &answers, false);
-        let findings = tally.into_findings();
-        let wrong = findings.iter().filter(|finding| !finding.passed());
+        let mut findings = Findings::default();
+        traverse(&mut findings, &world, &answers, false);
+        let list = findings.into_vec();
+        let wrong = list.iter().filter(|finding| !finding.passed());
         let classes: Vec<_> = wrong
             .map(|finding| (finding.aspect, finding.faults[0].class))
             .collect();
@@ -544,10 +541,10 @@ mod tests {
         let class = |prim_tests: u32, repeated_prims: u32| {
             let mut answers = right(&world, 9, prim_tests);
             answers[0].repeated_prims = repeated_prims;
-            let mut tally = Tally::default();
-            traverse(&mut tally, &world, &answers, false);
-            let findings = tally.into_findings();
-            let work = findings.iter().find(|finding| !finding.passed());
+            let mut findings = Findings::default();
+            traverse(&mut findings, &world, &answers, false);
+            let list = findings.into_vec();
+            let work = list.iter().find(|finding| !finding.passed());
             work.map(|finding| (finding.wrong, finding.faults[0].class))
         };
         let whole = Class::Named("all primitives in each leaf");
@@ -579,10 +576,10 @@ mod tests {
             for answer in &mut answers {
                 answer.prim_hits = prim_hits;
             }
-            let mut tally = Tally::default();
-            traverse(&mut tally, &world, &answers, true);
-            let findings = tally.into_findings();
-            let work = findings.iter().find(|finding| !finding.passed());
+            let mut findings = Findings::default();
+            traverse(&mut findings, &world, &answers, true);
+            let list = findings.into_vec();
+            let work = list.iter().find(|finding| !finding.passed());
             work.map(|finding| finding.faults[0].class)
         };
         assert_eq!(class(256), Some(Class::Named("finds all that is hit")));

@@ -10,12 +10,12 @@ mod simple;
 
 use crate::tools::Tier;
 use crate::tools::check::{CaseContext, Check, one_each};
+use crate::tools::findings::{Aspect, Findings};
 use crate::tools::moves::{Move, Symmetries, most_if_ordinary, ray_numbers};
 use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::Content;
 use crate::tools::snapshot::lines::{each, ray_at};
 use crate::tools::snapshot::{Fields, forms, number};
-use crate::tools::tally::{Aspect, Tally};
 use wire::answer::TraverseAnswer;
 use wire::kind;
 use wire::work::{ScriptedRay, ScriptedWorld, Tree};
@@ -84,24 +84,24 @@ impl Check for kind::Traverse {
     }
 
     fn judge(
-        tally: &mut Tally,
+        findings: &mut Findings,
         case: &CaseContext<'_>,
         _: Tier,
         world: &ScriptedWorld,
         answers: &Vec<TraverseAnswer>,
     ) {
         let counts_work = cases::counts_work(case.name);
-        judge::traverse(tally, world, answers, counts_work);
+        judge::traverse(findings, world, answers, counts_work);
     }
 
     fn judge_rest(
-        tally: &mut Tally,
+        findings: &mut Findings,
         _: &CaseContext<'_>,
         _: Tier,
         world: &ScriptedWorld,
         answers: &Vec<TraverseAnswer>,
     ) {
-        rest::traverse(tally, world, answers);
+        rest::traverse(findings, world, answers);
     }
 
     fn lines(world: &ScriptedWorld, answers: &Vec<TraverseAnswer>) -> Option<Content> {

@@ -1,11 +1,11 @@
 //! Cases of diffuse surfaces: value, density and samples of the BSDF.
 
 use super::turns;
-use crate::tools::questions::probes::ProbeRng;
-use crate::tools::spec::Spec;
-use crate::tools::tally::Aspect::{
+use crate::tools::findings::Aspect::{
     Bsdf, Pdf, SampleOrNone, SampleRecord, SampledDirection, Spread,
 };
+use crate::tools::questions::probes::ProbeRng;
+use crate::tools::spec::Spec;
 use kit::Vec3;
 use wire::direct::LambertProbe;
 use wire::kind;

@@ -5,7 +5,7 @@ use super::turns;
 use crate::tools::aspects::chance::{self, MIN_ESTIMATES};
 use crate::tools::aspects::hits::show;
 use crate::tools::aspects::numbers::{self, same_colour};
-use crate::tools::tally::{Aspect, Class, Tally};
+use crate::tools::findings::{Aspect, Class, Findings};
 use kit::Vec3;
 use wire::direct::{LambertAnswer, LambertProbe};
 use wire::work::Xyz;
@@ -14,16 +14,16 @@ use wire::work::Xyz;
 pub(crate) const BOUND: f64 = 1e-9;
 
 /// Judges `lambert_f`, `lambert_pdf` and `lambert_sample`.
-pub(crate) fn lambert(tally: &mut Tally, probes: &[LambertProbe], answers: &[LambertAnswer]) {
+pub(crate) fn lambert(findings: &mut Findings, probes: &[LambertProbe], answers: &[LambertAnswer]) {
     for (call, (probe, answer)) in probes.iter().zip(answers).enumerate() {
-        one(tally, call, probe, answer);
+        one(findings, call, probe, answer);
     }
-    if probes.len() < MIN_ESTIMATES || !tally.is_written("lambert_sample", &[Aspect::Spread]) {
+    if probes.len() < MIN_ESTIMATES || !findings.is_written("lambert_sample", &[Aspect::Spread]) {
         return;
     }
     let mut random = probes.len();
     if let Some(begin) = turns::begin(probes) {
-        turns::judge(tally, &probes[begin..], &answers[begin..]);
+        turns::judge(findings, &probes[begin..], &answers[begin..]);
         random = begin;
     }
     for side in [1.0, -1.0] {
@@ -35,13 +35,17 @@ pub(crate) fn lambert(tally: &mut Tally, probes: &[LambertProbe], answers: &[Lam
         if directions.len() >= MIN_ESTIMATES {
             let density = density();
             let pdf = |w: Vec3| density((w.z * side).max(0.0));
-            chance::spread(tally, &directions, pdf, "by the cosine to the normal");
+            chance::spread(findings, &directions, pdf, "by the cosine to the normal");
         }
     }
 }
 
 /// Records the sampled directions whose distribution is not tested.
-pub(crate) fn untested(tally: &mut Tally, probes: &[LambertProbe], answers: &[LambertAnswer]) {
+pub(crate) fn untested(
+    findings: &mut Findings,
+    probes: &[LambertProbe],
+    answers: &[LambertAnswer],
+) {
     let on_side = |side: f64| {
         probes
             .iter()
@@ -52,14 +56,14 @@ pub(crate) fn untested(tally: &mut Tally, probes: &[LambertProbe], answers: &[La
     for (call, (probe, answer)) in probes.iter().zip(answers).enumerate() {
         let is_tested = tested[usize::from(probe.wo[2] < 0.0)];
         if answer.sample.is_some() && !is_tested {
-            tally.not_judged(Aspect::SampledDirection, call, chance::TOO_FEW);
+            findings.not_judged(Aspect::SampledDirection, call, chance::TOO_FEW);
         }
     }
 }
 
-fn one(tally: &mut Tally, call: usize, probe: &LambertProbe, answer: &LambertAnswer) {
+fn one(findings: &mut Findings, call: usize, probe: &LambertProbe, answer: &LambertAnswer) {
     for aspect in [Aspect::Bsdf, Aspect::Pdf, Aspect::SampleOrNone] {
-        tally.expect(aspect);
+        findings.expect(aspect);
     }
     let (wo, wi) = (Vec3::from(probe.wo), Vec3::from(probe.wi));
     let input = || format!("wo = {}, wi = {}", show(wo), show(wi));
@@ -68,22 +72,30 @@ fn one(tally: &mut Tally, call: usize, probe: &LambertProbe, answer: &LambertAns
     // surface.
     let cosine_of = |wi: Vec3| if wo.z * wi.z > 0.0 { wi.z.abs() } else { 0.0 };
     let (right_f, right_pdf) = right(probe);
-    if tally.is_written("lambert_f", &[Aspect::Bsdf]) {
-        tally.count_for("lambert_f");
-        tally.answers_of("lambert_f");
-        numbers::colour(tally, Aspect::Bsdf, call, answer.f, right_f, BOUND, || {
-            format!(
-                "lambert_f: reflectance = {:?}, {}",
-                probe.reflectance,
-                input()
-            )
-        });
+    if findings.is_written("lambert_f", &[Aspect::Bsdf]) {
+        findings.count_for("lambert_f");
+        findings.answers_of("lambert_f");
+        numbers::colour(
+            findings,
+            Aspect::Bsdf,
+            call,
+            answer.f,
+            right_f,
+            BOUND,
+            || {
+                format!(
+                    "lambert_f: reflectance = {:?}, {}",
+                    probe.reflectance,
+                    input()
+                )
+            },
+        );
     }
-    if tally.is_written("lambert_pdf", &[Aspect::Pdf]) {
-        tally.count_for("lambert_pdf");
-        tally.answers_of("lambert_pdf");
+    if findings.is_written("lambert_pdf", &[Aspect::Pdf]) {
+        findings.count_for("lambert_pdf");
+        findings.answers_of("lambert_pdf");
         let (aspect, pdf) = (Aspect::Pdf, answer.pdf);
-        numbers::number(tally, aspect, call, pdf, right_pdf, BOUND, || {
+        numbers::number(findings, aspect, call, pdf, right_pdf, BOUND, || {
             format!("lambert_pdf: {}", input())
         });
     }
@@ -92,21 +104,21 @@ fn one(tally: &mut Tally, call: usize, probe: &LambertProbe, answer: &LambertAns
         Aspect::SampledDirection,
         Aspect::SampleRecord,
     ];
-    if !tally.is_written("lambert_sample", &of_a_sample) {
+    if !findings.is_written("lambert_sample", &of_a_sample) {
         return;
     }
-    tally.count_for("lambert_sample");
-    tally.answers_of("lambert_sample");
+    findings.count_for("lambert_sample");
+    findings.answers_of("lambert_sample");
     let sample_input = || format!("lambert_sample: wo = {}, u = {:?}", show(wo), probe.u);
     let Some(sample) = answer.sample else {
         let class = (wo.z != 0.0).then_some(Class::FalseMiss);
-        tally.judge_class(Aspect::SampleOrNone, call, class, 1.0, || {
+        findings.judge_class(Aspect::SampleOrNone, call, class, 1.0, || {
             format!("your result: None; expected: a sample. {}", sample_input())
         });
         return;
     };
     let class = (wo.z == 0.0).then_some(Class::FalseHit);
-    tally.judge_class(Aspect::SampleOrNone, call, class, 1.0, || {
+    findings.judge_class(Aspect::SampleOrNone, call, class, 1.0, || {
         format!(
             "your result: a sample; expected: None, since wo lies in the plane of the surface. {}",
             sample_input()
@@ -115,8 +127,8 @@ fn one(tally: &mut Tally, call: usize, probe: &LambertProbe, answer: &LambertAns
     if wo.z == 0.0 {
         return;
     }
-    tally.expect(Aspect::SampledDirection);
-    tally.expect(Aspect::SampleRecord);
+    findings.expect(Aspect::SampledDirection);
+    findings.expect(Aspect::SampleRecord);
     let drawn_wi = Vec3::from(sample.wi);
     let off = (drawn_wi.length() - 1.0).abs();
     let class = if off.is_nan() || off > BOUND {
@@ -124,7 +136,7 @@ fn one(tally: &mut Tally, call: usize, probe: &LambertProbe, answer: &LambertAns
     } else {
         (cosine_of(drawn_wi) == 0.0).then_some(Class::OtherSide)
     };
-    tally.judge_class(Aspect::SampledDirection, call, class, off, || {
+    findings.judge_class(Aspect::SampledDirection, call, class, off, || {
         format!(
             "your result: wi = {} of length {}; expected: a unit vector on the side of wo. {}",
             show(drawn_wi),
@@ -149,16 +161,22 @@ fn one(tally: &mut Tally, call: usize, probe: &LambertProbe, answer: &LambertAns
         .find(|(_, wrong)| is(*wrong) && !is(share))
         .map(|(name, _)| Class::Named(name));
     if named.is_some() {
-        tally.judge_class(Aspect::SampleRecord, call, named, 1.0, || {
+        findings.judge_class(Aspect::SampleRecord, call, named, 1.0, || {
             format!(
                 "your result: f = {f:?}; expected: {share:?}. {}",
                 sample_input()
             )
         });
     } else {
-        numbers::colour(tally, Aspect::SampleRecord, call, f, share, BOUND, || {
-            format!("f of {}", sample_input())
-        });
+        numbers::colour(
+            findings,
+            Aspect::SampleRecord,
+            call,
+            f,
+            share,
+            BOUND,
+            || format!("f of {}", sample_input()),
+        );
     }
     let density = density();
     let right = density(cosine);
@@ -180,7 +198,7 @@ fn one(tally: &mut Tally, call: usize, probe: &LambertProbe, answer: &LambertAns
         .find(|(_, wrong)| (pdf - wrong).abs() <= BOUND && (right - wrong).abs() > bound)
         .map(|(name, _)| Class::Named(name));
     if named.is_some() {
-        tally.judge_class(Aspect::SampleRecord, call, named, 1.0, || {
+        findings.judge_class(Aspect::SampleRecord, call, named, 1.0, || {
             format!(
                 "your result: pdf = {pdf:?} for wi = {}; expected: {right:?}. {}",
                 show(drawn_wi),
@@ -188,12 +206,18 @@ fn one(tally: &mut Tally, call: usize, probe: &LambertProbe, answer: &LambertAns
             )
         });
     } else {
-        numbers::number(tally, Aspect::SampleRecord, call, pdf, right, bound, || {
-            format!("pdf of {}", sample_input())
-        });
+        numbers::number(
+            findings,
+            Aspect::SampleRecord,
+            call,
+            pdf,
+            right,
+            bound,
+            || format!("pdf of {}", sample_input()),
+        );
     }
     let usable = sample.pdf > 0.0 && !sample.delta;
-    tally.judge(Aspect::SampleRecord, call, usable, 1.0, || {
+    findings.judge(Aspect::SampleRecord, call, usable, 1.0, || {
         format!(
             "your result: pdf = {}, delta = {}; expected: a pdf above 0, and delta = false for a diffuse surface. {}",
             sample.pdf,

@@ -11,13 +11,13 @@ mod turns;
 
 use crate::tools::Tier;
 use crate::tools::check::{CaseContext, Check, one_each};
+use crate::tools::findings::{Aspect, Findings};
 use crate::tools::moves::{AxisMoves, LightMoves, Move, Symmetries};
 use crate::tools::plural;
 use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::Content;
 use crate::tools::snapshot::Fields;
 use crate::tools::snapshot::lines::each;
-use crate::tools::tally::{Aspect, Tally};
 use wire::direct::{LambertAnswer, LambertProbe};
 use wire::kind;
 use wire::light::BsdfSample;
@@ -88,23 +88,23 @@ impl Check for kind::Lambert {
     }
 
     fn judge(
-        tally: &mut Tally,
+        findings: &mut Findings,
         _: &CaseContext<'_>,
         _: Tier,
         probes: &Vec<LambertProbe>,
         answers: &Vec<LambertAnswer>,
     ) {
-        judge::lambert(tally, probes, answers);
+        judge::lambert(findings, probes, answers);
     }
 
     fn judge_rest(
-        tally: &mut Tally,
+        findings: &mut Findings,
         _: &CaseContext<'_>,
         _: Tier,
         probes: &Vec<LambertProbe>,
         answers: &Vec<LambertAnswer>,
     ) {
-        judge::untested(tally, probes, answers);
+        judge::untested(findings, probes, answers);
     }
 
     fn lines(probes: &Vec<LambertProbe>, answers: &Vec<LambertAnswer>) -> Option<Content> {

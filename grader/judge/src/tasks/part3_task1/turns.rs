@@ -10,7 +10,7 @@
 //! have no such line, or jump on it.
 
 use crate::tools::aspects::hits::show;
-use crate::tools::tally::{Aspect, Class, Tally};
+use crate::tools::findings::{Aspect, Class, Findings};
 use kit::Vec3;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use wire::direct::{LambertAnswer, LambertProbe};
@@ -59,7 +59,7 @@ pub(super) fn begin(probes: &[LambertProbe]) -> Option<usize> {
 }
 
 /// Judges the answers to [`lines`].
-pub(super) fn judge(tally: &mut Tally, probes: &[LambertProbe], answers: &[LambertAnswer]) {
+pub(super) fn judge(findings: &mut Findings, probes: &[LambertProbe], answers: &[LambertAnswer]) {
     let points = POINTS as usize;
     for (axis, (probes, answers)) in probes
         .chunks(points)
@@ -76,7 +76,7 @@ pub(super) fn judge(tally: &mut Tally, probes: &[LambertProbe], answers: &[Lambe
             true => PART_OF_A_TURN,
             false => Class::Rounded,
         });
-        tally.judge_class(Aspect::Spread, 0, class, off, || {
+        findings.judge_class(Aspect::Spread, 0, class, off, || {
             let axis = ["x", "y"][axis];
             format!(
                 "your directions go round the normal {} times while u.{axis} goes from 0 to 1; \

@@ -1,8 +1,8 @@
 //! Cases of mirrors, refraction and glass.
 
+use crate::tools::findings::Aspect::{Bsdf, Fresnel, Mean, Pdf, SampleOrNone, SampledDirection};
 use crate::tools::questions::probes::ProbeRng;
 use crate::tools::spec::Spec;
-use crate::tools::tally::Aspect::{Bsdf, Fresnel, Mean, Pdf, SampleOrNone, SampledDirection};
 use kit::Vec3;
 use wire::global::SpecularCall::{
     self, Fresnel as Share, Glass, Mirror, Reflect, Refract, Refraction,

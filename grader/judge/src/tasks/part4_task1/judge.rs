@@ -5,24 +5,24 @@ use crate::tools::Tier;
 use crate::tools::aspects::chance::{self, MIN_ESTIMATES};
 use crate::tools::aspects::hits::{TOO_WIDE, WIDE, show};
 use crate::tools::aspects::numbers;
-use crate::tools::tally::{Aspect, Class, Tally};
-use kit::{Tally as SampleTally, Vec3};
+use crate::tools::findings::{Aspect, Class, Findings};
+use kit::{Tally, Vec3};
 use wire::global::{SpecularAnswer, SpecularCall};
 use wire::light::BsdfSample;
 use wire::work::Xyz;
 
 /// Judges calls of all functions of the task.
 pub(crate) fn specular(
-    tally: &mut Tally,
+    findings: &mut Findings,
     tier: Tier,
     calls: &[SpecularCall],
     answers: &[SpecularAnswer],
 ) {
     for (call, (input, answer)) in calls.iter().zip(answers).enumerate() {
-        one(tally, tier, call, input, answer);
+        one(findings, tier, call, input, answer);
     }
-    if calls.len() >= MIN_ESTIMATES && tally.is_written("glass_sample", &[Aspect::Mean]) {
-        frequency(tally, calls, answers);
+    if calls.len() >= MIN_ESTIMATES && findings.is_written("glass_sample", &[Aspect::Mean]) {
+        frequency(findings, calls, answers);
     }
 }
 
@@ -66,12 +66,18 @@ fn aspects(answer: &SpecularAnswer) -> &'static [Aspect] {
     }
 }
 
-fn one(tally: &mut Tally, tier: Tier, call: usize, input: &SpecularCall, answer: &SpecularAnswer) {
-    if !tally.is_written(function(input), aspects(answer)) {
+fn one(
+    findings: &mut Findings,
+    tier: Tier,
+    call: usize,
+    input: &SpecularCall,
+    answer: &SpecularAnswer,
+) {
+    if !findings.is_written(function(input), aspects(answer)) {
         return;
     }
-    tally.answers_of(function(input));
-    tally.count_for(function(input));
+    findings.answers_of(function(input));
+    findings.count_for(function(input));
     let (_, bound) = right(tier, input);
     if bound > WIDE {
         let aspect = match answer {
@@ -79,23 +85,23 @@ fn one(tally: &mut Tally, tier: Tier, call: usize, input: &SpecularCall, answer:
             SpecularAnswer::Direction(_) => Aspect::SampledDirection,
             SpecularAnswer::Sample(_) => Aspect::Pdf,
         };
-        tally.not_judged(aspect, call, TOO_WIDE);
+        findings.not_judged(aspect, call, TOO_WIDE);
     }
     match (right(tier, input), answer) {
         ((Right::Share(right), bound), SpecularAnswer::Share(share)) => {
-            tally.expect(Aspect::Fresnel);
+            findings.expect(Aspect::Fresnel);
             let off = (share - right).abs();
             let class =
                 (off.is_nan() || off > bound).then(|| Class::of_signed_number(*share, right));
-            tally.judge_class(Aspect::Fresnel, call, class, off, || {
+            findings.judge_class(Aspect::Fresnel, call, class, off, || {
                 format!("your result: {share:?}; expected: {right:?}. {input:?}")
             });
         }
         ((Right::Direction(right), bound), SpecularAnswer::Direction(wi)) => {
-            optional_direction(tally, call, input, *wi, right.map(Vec3::from), bound);
+            optional_direction(findings, call, input, *wi, right.map(Vec3::from), bound);
         }
         ((Right::Sample(right), bound), SpecularAnswer::Sample(sample)) => {
-            record(tally, call, input, sample.as_ref(), right, bound);
+            record(findings, call, input, sample.as_ref(), right, bound);
         }
         _ => debug_assert!(false, "`fits` accepted {answer:?} for {input:?}"),
     }
@@ -103,28 +109,28 @@ fn one(tally: &mut Tally, tier: Tier, call: usize, input: &SpecularCall, answer:
 
 /// Judges a direction, which may be `None`.
 fn optional_direction(
-    tally: &mut Tally,
+    findings: &mut Findings,
     call: usize,
     input: &SpecularCall,
     answered: Option<Xyz>,
     right: Option<Vec3>,
     bound: f64,
 ) {
-    tally.expect(Aspect::SampleOrNone);
+    findings.expect(Aspect::SampleOrNone);
     let class = match (answered, right) {
         (Some(_), None) => Some(Class::FalseHit),
         (None, Some(_)) => Some(Class::FalseMiss),
         _ => None,
     };
-    tally.judge_class(Aspect::SampleOrNone, call, class, 1.0, || {
+    findings.judge_class(Aspect::SampleOrNone, call, class, 1.0, || {
         let right = right.map_or("no direction".into(), show);
         format!("your result: {answered:?}; expected: {right}. {input:?}")
     });
     if let Some(right) = right {
-        tally.expect(Aspect::SampledDirection);
+        findings.expect(Aspect::SampledDirection);
         if let Some(answered) = answered {
             let aspect = Aspect::SampledDirection;
-            numbers::direction(tally, aspect, call, answered, right, bound, || {
+            numbers::direction(findings, aspect, call, answered, right, bound, || {
                 format!("{input:?}")
             });
         }
@@ -133,7 +139,7 @@ fn optional_direction(
 
 /// Judges a sample, which may be `None`: its direction, its probability and its weight.
 fn record(
-    tally: &mut Tally,
+    findings: &mut Findings,
     call: usize,
     input: &SpecularCall,
     answered: Option<&BsdfSample>,
@@ -142,16 +148,23 @@ fn record(
 ) {
     let direction = |sample: &BsdfSample| Vec3::from(sample.wi);
     let wi = answered.map(|sample| sample.wi);
-    optional_direction(tally, call, input, wi, right.as_ref().map(direction), bound);
+    optional_direction(
+        findings,
+        call,
+        input,
+        wi,
+        right.as_ref().map(direction),
+        bound,
+    );
     let Some(right) = right else { return };
-    tally.expect(Aspect::Pdf);
-    tally.expect(Aspect::Bsdf);
+    findings.expect(Aspect::Pdf);
+    findings.expect(Aspect::Bsdf);
     let Some(answered) = answered else { return };
     let off = (answered.pdf - right.pdf).abs();
     let class =
         (off.is_nan() || off > bound).then(|| Class::of_signed_number(answered.pdf, right.pdf));
     let class = class.or((!answered.delta).then_some(Class::Wrong));
-    tally.judge_class(Aspect::Pdf, call, class, off, || {
+    findings.judge_class(Aspect::Pdf, call, class, off, || {
         format!(
             "your result: pdf = {:?}, delta = {}; expected: pdf = {:?}, delta = true. {input:?}",
             answered.pdf, answered.delta, right.pdf
@@ -161,7 +174,7 @@ fn record(
     let arrives = |sample: &BsdfSample| sample.f.map(|f| f * sample.wi[2].abs() / sample.pdf);
     let (right, bound) = (arrives(&right), weight_bound(bound, right.pdf));
     numbers::colour(
-        tally,
+        findings,
         Aspect::Bsdf,
         call,
         arrives(answered),
@@ -177,11 +190,11 @@ pub(crate) fn weight_bound(bound: f64, pdf: f64) -> f64 {
 }
 
 /// Tests how often glass reflects, over many choices for the same direction.
-fn frequency(tally: &mut Tally, calls: &[SpecularCall], answers: &[SpecularAnswer]) {
+fn frequency(findings: &mut Findings, calls: &[SpecularCall], answers: &[SpecularAnswer]) {
     let Some(&SpecularCall::Glass { ior, wo, .. }) = calls.first() else {
         return;
     };
-    let reflected: SampleTally = answers
+    let reflected: Tally = answers
         .iter()
         .map(|answer| match answer {
             SpecularAnswer::Sample(Some(sample)) if sample.wi[2] * wo[2] > 0.0 => 1.0,
@@ -189,5 +202,5 @@ fn frequency(tally: &mut Tally, calls: &[SpecularCall], answers: &[SpecularAnswe
         })
         .collect();
     let share = reflected_share(wo, ior);
-    chance::mean(tally, "choices to reflect", &reflected, share);
+    chance::mean(findings, "choices to reflect", &reflected, share);
 }

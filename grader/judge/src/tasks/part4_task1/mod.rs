@@ -12,12 +12,12 @@ mod truth;
 
 use crate::tools::Tier;
 use crate::tools::check::{CaseContext, Check, one_each};
+use crate::tools::findings::{Aspect, Findings};
 use crate::tools::moves::{Move, Symmetries};
 use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::Content;
 use crate::tools::snapshot::Fields;
 use crate::tools::snapshot::lines::each;
-use crate::tools::tally::{Aspect, Tally};
 use wire::global::{SpecularAnswer, SpecularCall};
 use wire::kind;
 
@@ -82,13 +82,13 @@ impl Check for kind::Specular {
     }
 
     fn judge(
-        tally: &mut Tally,
+        findings: &mut Findings,
         _: &CaseContext<'_>,
         tier: Tier,
         calls: &Vec<SpecularCall>,
         answers: &Vec<SpecularAnswer>,
     ) {
-        judge::specular(tally, tier, calls, answers);
+        judge::specular(findings, tier, calls, answers);
     }
 
     fn lines(calls: &Vec<SpecularCall>, answers: &Vec<SpecularAnswer>) -> Option<Content> {

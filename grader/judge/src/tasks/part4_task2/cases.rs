@@ -1,10 +1,10 @@
 //! Cases of scripted paths, whose surfaces and samples are given.
 
-use crate::tools::questions::probes::ProbeRng;
-use crate::tools::spec::Spec;
-use crate::tools::tally::Aspect::{
+use crate::tools::findings::Aspect::{
     Direction, Origin, Questions, Radiance, Rays, SampledDirection, Spread, Throughput,
 };
+use crate::tools::questions::probes::ProbeRng;
+use crate::tools::spec::Spec;
 use kit::{Frame, Vec3};
 use wire::global::{ScriptedPath, Step};
 use wire::kind;

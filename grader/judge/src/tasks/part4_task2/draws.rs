@@ -3,7 +3,7 @@
 use super::judge::PLACE_BOUND;
 use super::truth::Right;
 use crate::tools::aspects::numbers;
-use crate::tools::tally::{Aspect, Class, Tally};
+use crate::tools::findings::{Aspect, Class, Findings};
 use kit::{Frame, PixelSampler, Vec3};
 use std::collections::{BTreeSet, HashSet};
 use wire::global::{PathAnswer, ScriptedPath};
@@ -11,7 +11,7 @@ use wire::global::{PathAnswer, ScriptedPath};
 /// Judges the calls of `sample`: `wo` is in local space, and each random number comes from the
 /// path's sampler and is used once.
 pub(super) fn judge(
-    tally: &mut Tally,
+    findings: &mut Findings,
     call: usize,
     path: &ScriptedPath,
     answer: &PathAnswer,
@@ -21,18 +21,18 @@ pub(super) fn judge(
     if answer.samples.is_empty() {
         return;
     }
-    tally.expect(Aspect::SampledDirection);
+    findings.expect(Aspect::SampledDirection);
     for (i, wo, _) in &answer.samples {
         let Some(d) = right.directions.get(*i as usize) else {
             continue;
         };
         let frame = Frame::around(path.steps[*i as usize].n.into());
         let (local, aspect) = (frame.to_local(-Vec3::from(*d)), Aspect::SampledDirection);
-        numbers::direction(tally, aspect, call, *wo, local, PLACE_BOUND, || {
+        numbers::direction(findings, aspect, call, *wo, local, PLACE_BOUND, || {
             format!("wo of surface {i} in its local space. {}", about())
         });
     }
-    tally.expect(Aspect::Spread);
+    findings.expect(Aspect::Spread);
     let drawn = answer.samples.iter().flat_map(|(_, _, numbers)| *numbers);
     let roulette = answer.roulette_calls.iter().map(|(_, _, u)| *u);
     let all: Vec<u64> = drawn.chain(roulette).map(f64::to_bits).collect();
@@ -44,7 +44,7 @@ pub(super) fn judge(
     } else {
         (different != all.len()).then_some(Class::of_size(1.0))
     };
-    tally.judge_class(Aspect::Spread, call, class, 1.0, || {
+    findings.judge_class(Aspect::Spread, call, class, 1.0, || {
         let numbers = all.len();
         if !is_of_sampler {
             return format!(
@@ -103,11 +103,11 @@ mod tests {
             let u = if repeat { choice } else { sampler.next_1d() };
             answer.roulette_calls.push((wo, surface, u));
         }
-        let mut tally = Tally::default();
+        let mut findings = Findings::default();
         let right = Right::of(path);
-        judge(&mut tally, 3, path, &answer, &right, &String::new);
-        let findings = tally.into_findings();
-        let spread = findings.iter().find(|one| one.aspect == Aspect::Spread);
+        judge(&mut findings, 3, path, &answer, &right, &String::new);
+        let list = findings.into_vec();
+        let spread = list.iter().find(|one| one.aspect == Aspect::Spread);
         spread?.faults.first().map(|fault| fault.class)
     }
 

@@ -5,7 +5,7 @@ use super::throughput;
 use super::truth::Right;
 use crate::tools::aspects::hits::show;
 use crate::tools::aspects::numbers;
-use crate::tools::tally::{Aspect, Class, Tally};
+use crate::tools::findings::{Aspect, Class, Findings};
 use kit::Vec3;
 use wire::global::{PathAnswer, ScriptedPath, Step};
 use wire::work::Ray;
@@ -17,7 +17,7 @@ pub(crate) const SUM_BOUND: f64 = 1e-11;
 pub(super) const PLACE_BOUND: f64 = 1e-9;
 
 /// Judges every path.
-pub(crate) fn paths(tally: &mut Tally, paths: &[ScriptedPath], answers: &[PathAnswer]) {
+pub(crate) fn paths(findings: &mut Findings, paths: &[ScriptedPath], answers: &[PathAnswer]) {
     for (call, (path, answer)) in paths.iter().zip(answers).enumerate() {
         let right = Right::of(path);
         let about = || {
@@ -29,42 +29,50 @@ pub(crate) fn paths(tally: &mut Tally, paths: &[ScriptedPath], answers: &[PathAn
                 steps.collect::<Vec<_>>().join(", ")
             )
         };
-        tally.expect(Aspect::Radiance);
+        findings.expect(Aspect::Radiance);
         let (sum, aspect) = (right.radiance, Aspect::Radiance);
-        numbers::colour(tally, aspect, call, answer.radiance, sum, SUM_BOUND, about);
-        rays(tally, call, path, answer, &right, &about);
-        direct(tally, call, answer, &right, &about);
-        throughput::judge(tally, call, path, answer, &right, &about);
-        draws::judge(tally, call, path, answer, &right, &about);
+        numbers::colour(
+            findings,
+            aspect,
+            call,
+            answer.radiance,
+            sum,
+            SUM_BOUND,
+            about,
+        );
+        rays(findings, call, path, answer, &right, &about);
+        direct(findings, call, answer, &right, &about);
+        throughput::judge(findings, call, path, answer, &right, &about);
+        draws::judge(findings, call, path, answer, &right, &about);
     }
 }
 
 fn rays(
-    tally: &mut Tally,
+    findings: &mut Findings,
     call: usize,
     path: &ScriptedPath,
     answer: &PathAnswer,
     right: &Right,
     about: &impl Fn() -> String,
 ) {
-    tally.expect(Aspect::Rays);
+    findings.expect(Aspect::Rays);
     let (traced, wanted) = (
         answer.rays.len(),
         right.surfaces + usize::from(right.leaves),
     );
     let class = (traced != wanted).then(|| Class::of_size(traced as f64 - wanted as f64));
     let off = traced.abs_diff(wanted) as f64;
-    tally.judge_class(Aspect::Rays, call, class, off, || {
+    findings.judge_class(Aspect::Rays, call, class, off, || {
         format!(
             "your result: {traced} rays; expected: {wanted}. {}",
             about()
         )
     });
     for (i, ray) in answer.rays.iter().enumerate().take(wanted) {
-        tally.expect(Aspect::Direction);
+        findings.expect(Aspect::Direction);
         let d = Vec3::from(right.directions[i]);
         numbers::direction(
-            tally,
+            findings,
             Aspect::Direction,
             call,
             ray.d,
@@ -72,12 +80,12 @@ fn rays(
             PLACE_BOUND,
             || format!("Ray {i} of {}", about()),
         );
-        tally.expect(Aspect::Origin);
+        findings.expect(Aspect::Origin);
         let class = match i.checked_sub(1) {
             None => (*ray != path.ray).then_some(Class::Wrong),
             Some(before) => leaves(ray, &path.steps[before]),
         };
-        tally.judge_class(Aspect::Origin, call, class, 1.0, || {
+        findings.judge_class(Aspect::Origin, call, class, 1.0, || {
             let from = i
                 .checked_sub(1)
                 .map_or("the first ray, unchanged".into(), |i| {
@@ -108,19 +116,19 @@ fn leaves(ray: &Ray, step: &Step) -> Option<Class> {
 
 /// Judges the calls of `direct`: one at every surface except mirrors and glass.
 fn direct(
-    tally: &mut Tally,
+    findings: &mut Findings,
     call: usize,
     answer: &PathAnswer,
     Right { direct: wanted, .. }: &Right,
     about: &impl Fn() -> String,
 ) {
-    tally.expect(Aspect::Questions);
+    findings.expect(Aspect::Questions);
     let pairs = answer.direct.iter().zip(wanted);
     let same = answer.direct.len() == wanted.len()
         && pairs.into_iter().all(|((i, wo), (j, right))| {
             i == j && (Vec3::from(*wo) - Vec3::from(*right)).length() < PLACE_BOUND
         });
-    tally.judge(Aspect::Questions, call, same, 1.0, || {
+    findings.judge(Aspect::Questions, call, same, 1.0, || {
         let wanted: Vec<(u32, Vec3)> = wanted.iter().map(|(i, wo)| (*i, Vec3::from(*wo))).collect();
         format!(
             "your calls of direct: (surface, wo) {:?}; expected: {wanted:?}. {}",

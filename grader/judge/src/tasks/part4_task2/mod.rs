@@ -12,12 +12,12 @@ mod truth;
 
 use crate::tools::Tier;
 use crate::tools::check::{CaseContext, Check, in_range, one_each};
+use crate::tools::findings::{Aspect, Findings};
 use crate::tools::moves::{LightMoves, Move, Symmetries};
 use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::Content;
 use crate::tools::snapshot::Fields;
 use crate::tools::snapshot::lines::each;
-use crate::tools::tally::{Aspect, Tally};
 use wire::global::{PathAnswer, ScriptedPath};
 use wire::kind;
 
@@ -80,13 +80,13 @@ impl Check for kind::Paths {
     }
 
     fn judge(
-        tally: &mut Tally,
+        findings: &mut Findings,
         _: &CaseContext<'_>,
         _: Tier,
         paths: &Vec<ScriptedPath>,
         answers: &Vec<PathAnswer>,
     ) {
-        judge::paths(tally, paths, answers);
+        judge::paths(findings, paths, answers);
     }
 
     fn lines(paths: &Vec<ScriptedPath>, answers: &Vec<PathAnswer>) -> Option<Content> {

@@ -3,7 +3,7 @@
 use super::judge::SUM_BOUND;
 use super::truth::Right;
 use crate::tools::aspects::numbers::same_colour;
-use crate::tools::tally::{Aspect, Class, Tally};
+use crate::tools::findings::{Aspect, Class, Findings};
 use kit::{Frame, Vec3};
 use wire::global::{PathAnswer, ScriptedPath, Step};
 use wire::light::BsdfSample;
@@ -54,7 +54,7 @@ fn f(bounce: &Bounce<'_>) -> Vec3 {
 
 /// Judges the calls of roulette: each has the throughput after the new bounce.
 pub(crate) fn judge(
-    tally: &mut Tally,
+    findings: &mut Findings,
     call: usize,
     path: &ScriptedPath,
     answer: &PathAnswer,
@@ -78,13 +78,13 @@ pub(crate) fn judge(
         .iter()
         .map(|bounce| bounce.after.into())
         .collect();
-    tally.expect(Aspect::Throughput);
+    findings.expect(Aspect::Throughput);
     let off = answer.roulette_calls.len().abs_diff(wanted.len()) as f64;
     let class = match off == 0.0 {
         true => class_of_calls(path, &answer.roulette_calls, &bounces, &wanted),
         false => Some(Class::of_size(1.0 + off)),
     };
-    tally.judge_class(Aspect::Throughput, call, class, 1.0 + off, || {
+    findings.judge_class(Aspect::Throughput, call, class, 1.0 + off, || {
         format!(
             "your calls of roulette: (throughput, bounces, u) {:?}; expected: the throughputs {wanted:?} after 1, 2, ... bounces. {}",
             answer.roulette_calls,

@@ -1,8 +1,8 @@
 //! Cases of Russian roulette.
 
+use crate::tools::findings::Aspect::{Mean, Survival, Throughput};
 use crate::tools::questions::probes::ProbeRng;
 use crate::tools::spec::Spec;
-use crate::tools::tally::Aspect::{Mean, Survival, Throughput};
 use wire::global::RouletteWork;
 use wire::kind;
 use wire::work::Xyz;

@@ -3,8 +3,8 @@
 use super::truth::survival;
 use crate::tools::aspects::chance::{self, MIN_ESTIMATES};
 use crate::tools::aspects::numbers;
-use crate::tools::tally::{Aspect, Class, Tally};
-use kit::Tally as SampleTally;
+use crate::tools::findings::{Aspect, Class, Findings};
+use kit::Tally;
 use wire::global::RouletteWork;
 use wire::work::Xyz;
 
@@ -15,19 +15,19 @@ pub(super) fn bound(chance: f64) -> f64 {
 }
 
 /// Judges each call, and the mean of many.
-pub(crate) fn roulette(tally: &mut Tally, work: &RouletteWork, answers: &[Option<Xyz>]) {
+pub(crate) fn roulette(findings: &mut Findings, work: &RouletteWork, answers: &[Option<Xyz>]) {
     let by_path = answers.chunks(work.numbers.len().max(1));
     for (path, (&(throughput, bounces), answers)) in work.paths.iter().zip(by_path).enumerate() {
         for (i, (u, answer)) in work.numbers.iter().zip(answers).enumerate() {
             let call = path * work.numbers.len() + i;
-            one(tally, call, throughput, bounces, *u, *answer);
+            one(findings, call, throughput, bounces, *u, *answer);
         }
         let channel = (0..3).find(|&c| throughput[c] > 0.0);
         if let (Some(channel), true) = (channel, answers.len() >= MIN_ESTIMATES) {
             let counts = answers.iter().map(|a| a.map_or(0.0, |t| t[channel]));
-            let numbers: SampleTally = counts.collect();
+            let numbers: Tally = counts.collect();
             chance::mean(
-                tally,
+                findings,
                 "throughputs (0 for paths that end)",
                 &numbers,
                 throughput[channel],
@@ -42,16 +42,23 @@ pub(super) fn right(throughput: Xyz, bounces: u32, u: f64) -> Option<Xyz> {
     (u < chance).then_some(survivor)
 }
 
-fn one(tally: &mut Tally, call: usize, throughput: Xyz, bounces: u32, u: f64, answer: Option<Xyz>) {
+fn one(
+    findings: &mut Findings,
+    call: usize,
+    throughput: Xyz,
+    bounces: u32,
+    u: f64,
+    answer: Option<Xyz>,
+) {
     let right = right(throughput, bounces, u);
     let about = || format!("play_roulette({throughput:?}, {bounces}, {u:?})");
-    tally.expect(Aspect::Survival);
+    findings.expect(Aspect::Survival);
     let class = match (answer, right) {
         (Some(_), None) => Some(Class::FalseHit),
         (None, Some(_)) => Some(Class::FalseMiss),
         _ => None,
     };
-    tally.judge_class(Aspect::Survival, call, class, 1.0, || {
+    findings.judge_class(Aspect::Survival, call, class, 1.0, || {
         format!(
             "{}: your result: {answer:?}; the path continues with the probability {:?}; expected: {}",
             about(),
@@ -64,10 +71,10 @@ fn one(tally: &mut Tally, call: usize, throughput: Xyz, bounces: u32, u: f64, an
         )
     });
     let Some(right) = right else { return };
-    tally.expect(Aspect::Throughput);
+    findings.expect(Aspect::Throughput);
     if let Some(answered) = answer {
         let aspect = Aspect::Throughput;
         let bound = bound(survival(throughput, bounces).0);
-        numbers::colour(tally, aspect, call, answered, right, bound, about);
+        numbers::colour(findings, aspect, call, answered, right, bound, about);
     }
 }

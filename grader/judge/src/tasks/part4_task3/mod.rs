@@ -9,12 +9,12 @@ mod truth;
 use crate::tools::Tier;
 use crate::tools::call_text::point;
 use crate::tools::check::{CaseContext, Check, one_each};
+use crate::tools::findings::{Aspect, Findings};
 use crate::tools::moves::{Move, Symmetries};
 use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::Content;
 use crate::tools::snapshot::lines::each;
 use crate::tools::snapshot::{Fields, field, forms, number, vector};
-use crate::tools::tally::{Aspect, Tally};
 use wire::global::RouletteWork;
 use wire::kind;
 use wire::work::Xyz;
@@ -71,13 +71,13 @@ impl Check for kind::Roulette {
     }
 
     fn judge(
-        tally: &mut Tally,
+        findings: &mut Findings,
         _: &CaseContext<'_>,
         _: Tier,
         work: &RouletteWork,
         answers: &Vec<Option<Xyz>>,
     ) {
-        judge::roulette(tally, work, answers);
+        judge::roulette(findings, work, answers);
     }
 
     fn lines(work: &RouletteWork, answers: &Vec<Option<Xyz>>) -> Option<Content> {

@@ -1,10 +1,10 @@
 //! Cases of the stopping rule, and of pixels that stop by it.
 
 use super::truth::threshold;
+use crate::tools::findings::Aspect::{Calls, Independence, Placement, Questions, Radiance};
 use crate::tools::kinds::stopping::call;
 use crate::tools::questions::probes::ProbeRng;
 use crate::tools::spec::Spec;
-use crate::tools::tally::Aspect::{Calls, Independence, Placement, Questions, Radiance};
 use wire::adaptive::{AdaptivePixel, StopCall, StopRule};
 use wire::kind;
 use wire::work::Xyz;

@@ -4,9 +4,9 @@ use super::placement;
 use super::truth::{converged, right_samples};
 use crate::tools::aspects::independence::{self, PixelSamples};
 use crate::tools::aspects::numbers;
+use crate::tools::findings::{Aspect, Class, Findings};
 use crate::tools::kinds::stopping::verdict;
-use crate::tools::tally::{Aspect, Class, Tally};
-use kit::Tally as SampleTally;
+use kit::Tally;
 use wire::adaptive::{AdaptiveAnswer, AdaptivePixel, StopAnswer, StopCall};
 use wire::work::Xyz;
 
@@ -14,13 +14,13 @@ use wire::work::Xyz;
 const BOUND: f64 = 1e-9;
 
 /// Judges the plain rule.
-pub(crate) fn stop(tally: &mut Tally, calls: &[StopCall], answers: &[StopAnswer]) {
-    if !tally.is_written("has_converged", &[Aspect::Stop]) {
+pub(crate) fn stop(findings: &mut Findings, calls: &[StopCall], answers: &[StopAnswer]) {
+    if !findings.is_written("has_converged", &[Aspect::Stop]) {
         return;
     }
-    tally.count_for("has_converged");
+    findings.count_for("has_converged");
     for (i, (call, answer)) in calls.iter().zip(answers).enumerate() {
-        verdict(tally, i, call, answer, converged(call), "");
+        verdict(findings, i, call, answer, converged(call), "");
     }
 }
 
@@ -34,19 +34,19 @@ const OF_A_PIXEL: [Aspect; 5] = [
 ];
 
 /// Judges pixels that stop by a rule.
-pub(crate) fn pixels(tally: &mut Tally, works: &[AdaptivePixel], answers: &[AdaptiveAnswer]) {
-    if !tally.is_written("raytrace_pixel_adaptive", &OF_A_PIXEL) {
+pub(crate) fn pixels(findings: &mut Findings, works: &[AdaptivePixel], answers: &[AdaptiveAnswer]) {
+    if !findings.is_written("raytrace_pixel_adaptive", &OF_A_PIXEL) {
         return;
     }
-    tally.count_for("raytrace_pixel_adaptive");
+    findings.count_for("raytrace_pixel_adaptive");
     for (call, (work, answer)) in works.iter().zip(answers).enumerate() {
-        pixel(tally, call, work, answer);
+        pixel(findings, call, work, answer);
     }
     let samples = works.iter().zip(answers);
     let samples: Vec<PixelSamples> = samples
         .map(|(work, answer)| placement::samples(work, answer))
         .collect();
-    independence::judge(tally, &samples);
+    independence::judge(findings, &samples);
 }
 
 /// Why the positions of samples are not judged.
@@ -57,20 +57,24 @@ const ANY_PLACE: &str =
 const LAST_CALL: &str = "a call of the rule after the last possible sample is optional";
 
 /// Records what the judgement of pixels leaves open.
-pub(crate) fn untested(tally: &mut Tally, works: &[AdaptivePixel], answers: &[AdaptiveAnswer]) {
+pub(crate) fn untested(
+    findings: &mut Findings,
+    works: &[AdaptivePixel],
+    answers: &[AdaptiveAnswer],
+) {
     for (call, (work, answer)) in works.iter().zip(answers).enumerate() {
         if !answer.points.is_empty() {
-            tally.not_judged(Aspect::Placement, call, ANY_PLACE);
+            findings.not_judged(Aspect::Placement, call, ANY_PLACE);
         }
         let (_, rule_calls) = right_samples(work);
         if last_is_optional(work, &rule_calls) {
-            tally.not_judged(Aspect::Questions, call, LAST_CALL);
+            findings.not_judged(Aspect::Questions, call, LAST_CALL);
         }
     }
 }
 
 /// Whether the last of the right calls of the rule is after the last possible sample.
-fn last_is_optional(work: &AdaptivePixel, rule_calls: &[SampleTally]) -> bool {
+fn last_is_optional(work: &AdaptivePixel, rule_calls: &[Tally]) -> bool {
     let last = rule_calls.last();
     last.is_some_and(|at_call| at_call.count() == u64::from(work.ns_aa))
 }
@@ -82,9 +86,9 @@ pub(crate) fn mean(work: &AdaptivePixel, samples: u32) -> Xyz {
     sum.map(|channel| channel / f64::from(samples.max(1)))
 }
 
-fn pixel(tally: &mut Tally, call: usize, work: &AdaptivePixel, answer: &AdaptiveAnswer) {
+fn pixel(findings: &mut Findings, call: usize, work: &AdaptivePixel, answer: &AdaptiveAnswer) {
     for aspect in [Aspect::Calls, Aspect::Radiance, Aspect::Questions] {
-        tally.expect(aspect);
+        findings.expect(aspect);
     }
     let about = || {
         format!(
@@ -97,16 +101,16 @@ fn pixel(tally: &mut Tally, call: usize, work: &AdaptivePixel, answer: &Adaptive
     let right = counts == [samples; 3] && answer.foreign == 0;
     let class = (!right).then(|| Class::of_number(f64::from(answer.samples), f64::from(samples)));
     let off = f64::from(answer.samples) - f64::from(samples);
-    tally.judge_class(Aspect::Calls, call, class, off.abs(), || {
+    findings.judge_class(Aspect::Calls, call, class, off.abs(), || {
         format!(
             "your result: {} samples in the estimate, {} calls of trace_ray ({} of them with rays that camera_ray did not return), {} of camera_ray; expected: {samples} each. {}",
             answer.samples, answer.traced, answer.foreign, counts[2], about()
         )
     });
     let (aspect, mean) = (Aspect::Radiance, mean(work, samples));
-    numbers::colour(tally, aspect, call, answer.radiance, mean, BOUND, about);
-    questions(tally, call, work, answer, &rule_calls, &about);
-    placement::judge(tally, call, work, answer, &about);
+    numbers::colour(findings, aspect, call, answer.radiance, mean, BOUND, about);
+    questions(findings, call, work, answer, &rule_calls, &about);
+    placement::judge(findings, call, work, answer, &about);
 }
 
 /// What the rule received for each sample instead of the luminance, such as the red channel; `None`
@@ -131,7 +135,7 @@ fn another_number(work: &AdaptivePixel, rule_call: &(u64, f64, f64, f64)) -> Opt
     ];
     let is = |number: &&(&str, Number)| {
         let stream = work.stream.iter().cycle().take(rule_call.0 as usize);
-        let mean = stream.map(number.1).collect::<SampleTally>().mean();
+        let mean = stream.map(number.1).collect::<Tally>().mean();
         (rule_call.1 - mean).abs() <= BOUND * mean.abs()
     };
     NUMBERS.iter().find(is).map(|(name, _)| *name)
@@ -140,17 +144,17 @@ fn another_number(work: &AdaptivePixel, rule_call: &(u64, f64, f64, f64)) -> Opt
 /// Judges the calls of the rule: after each batch, with all luminances so far. A call after the
 /// last possible sample is optional.
 fn questions(
-    tally: &mut Tally,
+    findings: &mut Findings,
     call: usize,
     work: &AdaptivePixel,
     answer: &AdaptiveAnswer,
-    rule_calls: &[SampleTally],
+    rule_calls: &[Tally],
     about: &impl Fn() -> String,
 ) {
     let least = rule_calls.len() - usize::from(last_is_optional(work, rule_calls));
     let enough = (least..=rule_calls.len()).contains(&answer.rule_calls.len());
     let near = |a: f64, b: f64, scale: f64| (a - b).abs() <= BOUND * scale;
-    let same = |(rule_call, right): (&(u64, f64, f64, f64), &SampleTally)| {
+    let same = |(rule_call, right): (&(u64, f64, f64, f64), &Tally)| {
         let square = right.mean() * right.mean() + right.variance();
         rule_call.0 == right.count()
             && near(rule_call.1, right.mean(), right.mean().abs())
@@ -168,8 +172,8 @@ fn questions(
         let number = wrong.and_then(|(rule_call, _)| another_number(work, rule_call));
         number.map_or(Class::of_size(1.0 + off as f64), Class::Named)
     });
-    tally.judge_class(Aspect::Questions, call, class, 1.0 + off as f64, || {
-        let show = |n: &SampleTally| (n.count(), n.mean(), n.variance(), work.tolerance);
+    findings.judge_class(Aspect::Questions, call, class, 1.0 + off as f64, || {
+        let show = |n: &Tally| (n.count(), n.mean(), n.variance(), work.tolerance);
         let wanted: Vec<_> = rule_calls.iter().take(4).map(show).collect();
         let called: Vec<_> = answer.rule_calls.iter().take(4).collect();
         format!(

@@ -11,13 +11,13 @@ mod truth;
 use crate::tools::Tier;
 use crate::tools::call_text::{few, point};
 use crate::tools::check::{CaseContext, Check, one_each};
+use crate::tools::findings::{Aspect, Findings};
 use crate::tools::kinds::stopping;
 use crate::tools::moves::{LightMoves, Move, Symmetries};
 use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::Content;
 use crate::tools::snapshot::Fields;
 use crate::tools::snapshot::lines::each;
-use crate::tools::tally::{Aspect, Tally};
 use wire::adaptive::{AdaptiveAnswer, AdaptivePixel, StopAnswer, StopCall, StopRule};
 use wire::kind;
 
@@ -57,13 +57,13 @@ impl Check for kind::Stop {
     }
 
     fn judge(
-        tally: &mut Tally,
+        findings: &mut Findings,
         _: &CaseContext<'_>,
         _: Tier,
         questions: &Vec<StopCall>,
         answers: &Vec<StopAnswer>,
     ) {
-        judge::stop(tally, questions, answers);
+        judge::stop(findings, questions, answers);
     }
 
     fn lines(questions: &Vec<StopCall>, answers: &Vec<StopAnswer>) -> Option<Content> {
@@ -158,23 +158,23 @@ impl Check for kind::AdaptivePixels {
     }
 
     fn judge(
-        tally: &mut Tally,
+        findings: &mut Findings,
         _: &CaseContext<'_>,
         _: Tier,
         questions: &Vec<AdaptivePixel>,
         answers: &Vec<AdaptiveAnswer>,
     ) {
-        judge::pixels(tally, questions, answers);
+        judge::pixels(findings, questions, answers);
     }
 
     fn judge_rest(
-        tally: &mut Tally,
+        findings: &mut Findings,
         _: &CaseContext<'_>,
         _: Tier,
         questions: &Vec<AdaptivePixel>,
         answers: &Vec<AdaptiveAnswer>,
     ) {
-        judge::untested(tally, questions, answers);
+        judge::untested(findings, questions, answers);
     }
 
     fn lines(questions: &Vec<AdaptivePixel>, answers: &Vec<AdaptiveAnswer>) -> Option<Content> {

@@ -1,7 +1,7 @@
 //! Judges the positions of samples in a pixel.
 
 use crate::tools::aspects::independence::PixelSamples;
-use crate::tools::tally::{Aspect, Class, Tally};
+use crate::tools::findings::{Aspect, Class, Findings};
 use std::collections::HashSet;
 use wire::adaptive::{AdaptiveAnswer, AdaptivePixel};
 
@@ -46,7 +46,7 @@ pub(crate) fn samples(work: &AdaptivePixel, answer: &AdaptiveAnswer) -> PixelSam
 
 /// Judges that samples lie inside the pixel, at different points.
 pub(crate) fn judge(
-    tally: &mut Tally,
+    findings: &mut Findings,
     call: usize,
     work: &AdaptivePixel,
     answer: &AdaptiveAnswer,
@@ -55,7 +55,7 @@ pub(crate) fn judge(
     if answer.points.is_empty() {
         return;
     }
-    tally.expect(Aspect::Placement);
+    findings.expect(Aspect::Placement);
     let [x, y] = work.pixel.map(f64::from);
     let [w, h] = work.film.map(f64::from);
     let inside = |place: Place, [x, y]: [f64; 2], [w, h]: [f64; 2]| {
@@ -81,7 +81,7 @@ pub(crate) fn judge(
         }
     });
     let badness = outside as f64;
-    tally.judge_class(Aspect::Placement, call, class, badness, || {
+    findings.judge_class(Aspect::Placement, call, class, badness, || {
         format!(
             "{outside} of {all} points lie outside the pixel. {}",
             about()
@@ -89,7 +89,7 @@ pub(crate) fn judge(
     });
     let different: HashSet<_> = answer.points.iter().map(|p| p.map(f64::to_bits)).collect();
     let different = different.len();
-    tally.judge(Aspect::Placement, call, different == all, 1e3, || {
+    findings.judge(Aspect::Placement, call, different == all, 1e3, || {
         format!("only {different} of {all} points differ. {}", about())
     });
 }

@@ -1,9 +1,9 @@
 //! Cases of the stopping rule that waits for enough samples.
 
+use crate::tools::findings::Aspect::Stop;
 use crate::tools::kinds::stopping::call;
 use crate::tools::questions::probes::ProbeRng;
 use crate::tools::spec::Spec;
-use crate::tools::tally::Aspect::Stop;
 use wire::adaptive::StopCall;
 use wire::kind;
 

@@ -1,18 +1,18 @@
 //! Judges the stopping rule that waits until the plain rule is reliable.
 
 use super::truth::plain_decides;
+use crate::tools::findings::{Aspect, Class, Findings};
 use crate::tools::kinds::stopping::{samples, verdict};
-use crate::tools::tally::{Aspect, Class, Tally};
 use wire::adaptive::{StopAnswer, StopCall};
 
 /// Judges the waiting rule.
-pub(crate) fn sure_stop(tally: &mut Tally, calls: &[StopCall], answers: &[StopAnswer]) {
+pub(crate) fn sure_stop(findings: &mut Findings, calls: &[StopCall], answers: &[StopAnswer]) {
     for (i, (call, answer)) in calls.iter().zip(answers).enumerate() {
         let (samples, plain_decides) = (samples(call), plain_decides(call));
         let plain = format!("; the plain rule returns {}", call.rule);
         let right = plain_decides && call.rule;
-        verdict(tally, i, call, answer, right, &plain);
-        tally.expect(Aspect::Questions);
+        verdict(findings, i, call, answer, right, &plain);
+        findings.expect(Aspect::Questions);
         let right = (samples.count(), samples.mean(), call.tolerance);
         let known = answer
             .rule_calls
@@ -28,7 +28,7 @@ pub(crate) fn sure_stop(tally: &mut Tally, calls: &[StopCall], answers: &[StopAn
         } else {
             (plain_decides && answer.rule_calls.is_empty()).then_some(Class::Named("not asked"))
         };
-        tally.judge_class(Aspect::Questions, i, class, 1.0, || {
+        findings.judge_class(Aspect::Questions, i, class, 1.0, || {
             format!(
                 "your calls of the plain rule: (count, mean, tolerance) {:?}; expected: only {right:?}",
                 answer.rule_calls
@@ -41,10 +41,10 @@ pub(crate) fn sure_stop(tally: &mut Tally, calls: &[StopCall], answers: &[StopAn
 const REPEATED: &str = "the plain rule may be called again, or where it does not decide";
 
 /// Records the calls of the plain rule that are allowed and not needed.
-pub(crate) fn untested(tally: &mut Tally, calls: &[StopCall], answers: &[StopAnswer]) {
+pub(crate) fn untested(findings: &mut Findings, calls: &[StopCall], answers: &[StopAnswer]) {
     for (i, (call, answer)) in calls.iter().zip(answers).enumerate() {
         if answer.rule_calls.len() != usize::from(plain_decides(call)) {
-            tally.not_judged(Aspect::Questions, i, REPEATED);
+            findings.not_judged(Aspect::Questions, i, REPEATED);
         }
     }
 }

@@ -9,13 +9,13 @@ mod truth;
 
 use crate::tools::Tier;
 use crate::tools::check::{CaseContext, Check, one_each};
+use crate::tools::findings::{Aspect, Findings};
 use crate::tools::kinds::stopping;
 use crate::tools::moves::{Move, Symmetries};
 use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::Content;
 use crate::tools::snapshot::Fields;
 use crate::tools::snapshot::lines::each;
-use crate::tools::tally::{Aspect, Tally};
 use wire::adaptive::{StopAnswer, StopCall};
 use wire::kind;
 
@@ -55,23 +55,23 @@ impl Check for kind::SureStop {
     }
 
     fn judge(
-        tally: &mut Tally,
+        findings: &mut Findings,
         _: &CaseContext<'_>,
         _: Tier,
         questions: &Vec<StopCall>,
         answers: &Vec<StopAnswer>,
     ) {
-        judge::sure_stop(tally, questions, answers);
+        judge::sure_stop(findings, questions, answers);
     }
 
     fn judge_rest(
-        tally: &mut Tally,
+        findings: &mut Findings,
         _: &CaseContext<'_>,
         _: Tier,
         questions: &Vec<StopCall>,
         answers: &Vec<StopAnswer>,
     ) {
-        judge::untested(tally, questions, answers);
+        judge::untested(findings, questions, answers);
     }
 
     fn lines(questions: &Vec<StopCall>, answers: &Vec<StopAnswer>) -> Option<Content> {

@@ -2,7 +2,7 @@
 
 use crate::tools::Tier;
 use crate::tools::aspects::hits;
-use crate::tools::tally::{Aspect, Tally};
+use crate::tools::findings::{Aspect, Findings};
 use kit::PrimId;
 use oracle::closest::{Closest, ClosestJudgement};
 use oracle::verdict::{Judgement, KernelClass};
@@ -11,14 +11,14 @@ use wire::work::{Ray, SceneWork};
 
 /// Judges closest hits, or, if `any_hit`, whether there is a hit.
 pub(crate) fn hits(
-    tally: &mut Tally,
+    findings: &mut Findings,
     tier: Tier,
     truths: &[Closest],
     rays: &[Ray],
     any_hit: bool,
     answer: &HitsAnswer,
 ) {
-    tally.count_for(match any_hit {
+    findings.count_for(match any_hit {
         true => "occludes_bvh",
         false => "intersect_bvh",
     });
@@ -29,13 +29,13 @@ pub(crate) fn hits(
     let answers = answer.hits.iter().zip(&answer.max_t);
     for (call, ((ray, truth), (hit, &max_t))) in rays.iter().zip(truths).zip(answers).enumerate() {
         if any_hit {
-            blocked(tally, call, kernel, truth, hit.is_some(), ray);
+            blocked(findings, call, kernel, truth, hit.is_some(), ray);
         } else {
-            one(tally, call, kernel, truth, hit.as_ref(), ray);
+            one(findings, call, kernel, truth, hit.as_ref(), ray);
             let after = Ray { max_t, ..*ray };
             let hit_t = hit.map(|hit| hit.t);
             let mut call = hits::Call {
-                tally,
+                findings,
                 number: call,
                 function: "intersect_bvh",
                 ray,
@@ -59,16 +59,16 @@ const MIN_PRIMITIVES: u64 = 1000;
 const MIN_SAVINGS: u64 = 6;
 
 /// Judges whether the traversal saves tests.
-pub(crate) fn savings(tally: &mut Tally, work: &SceneWork, answer: &HitsAnswer) {
+pub(crate) fn savings(findings: &mut Findings, work: &SceneWork, answer: &HitsAnswer) {
     let primitives = work.tree.order.len() as u64;
     if primitives < MIN_PRIMITIVES {
         return;
     }
     let made = answer.box_tests + answer.prim_tests;
     let all = primitives * work.rays.len() as u64;
-    tally.expect(Aspect::Savings);
+    findings.expect(Aspect::Savings);
     let saves = made <= all / MIN_SAVINGS;
-    tally.judge(Aspect::Savings, 0, saves, made as f64, || {
+    findings.judge(Aspect::Savings, 0, saves, made as f64, || {
         format!(
             "your result: {} box tests and {} primitive tests; without a tree: {all} primitive tests. A traversal saves most of them",
             answer.box_tests, answer.prim_tests
@@ -86,7 +86,7 @@ fn is_nearest(truth: &Closest, kernel: KernelClass, t: f64) -> bool {
 }
 
 fn one(
-    tally: &mut Tally,
+    findings: &mut Findings,
     call: usize,
     kernel: KernelClass,
     truth: &Closest,
@@ -94,11 +94,11 @@ fn one(
     ray: &Ray,
 ) {
     let answers = truth.answers.get(kernel);
-    tally.expect(Aspect::HitOrMiss);
-    tally.expect(Aspect::RayAfter);
+    findings.expect(Aspect::HitOrMiss);
+    findings.expect(Aspect::RayAfter);
     if !answers.miss {
-        tally.expect(Aspect::Primitive);
-        tally.expect(Aspect::T);
+        findings.expect(Aspect::Primitive);
+        findings.expect(Aspect::T);
     }
     let given = hit.map(|hit| (PrimId(hit.prim), hit.t));
     let judgement = truth.judge(kernel, given);
@@ -111,7 +111,7 @@ fn one(
         None => "miss".to_string(),
     };
     let class = hits::decision_class(decided, given.is_some());
-    tally.judge_class(Aspect::HitOrMiss, call, class, 1.0, || {
+    findings.judge_class(Aspect::HitOrMiss, call, class, 1.0, || {
         let result = match given {
             Some((id, t)) => format!("primitive {} at t = {t}", id.0),
             None => "miss".into(),
@@ -126,7 +126,7 @@ fn one(
         return;
     };
     let is_first = judgement != ClosestJudgement::WrongPrimitive;
-    tally.judge(Aspect::Primitive, call, is_first, 1.0, || {
+    findings.judge(Aspect::Primitive, call, is_first, 1.0, || {
         format!(
             "your result: primitive {} at t = {t}; expected: {}. {}",
             id.0,
@@ -139,7 +139,7 @@ fn one(
             Judgement::WrongT { ulps, .. } => ulps,
             _ => 0.0,
         };
-        tally.judge(Aspect::T, call, judgement.scores(), off, || {
+        findings.judge(Aspect::T, call, judgement.scores(), off, || {
             format!(
                 "your result: t = {t}; expected: {}. {}",
                 right(),
@@ -150,17 +150,17 @@ fn one(
 }
 
 fn blocked(
-    tally: &mut Tally,
+    findings: &mut Findings,
     call: usize,
     kernel: KernelClass,
     truth: &Closest,
     answer: bool,
     ray: &Ray,
 ) {
-    tally.expect(Aspect::HitOrMiss);
+    findings.expect(Aspect::HitOrMiss);
     let right = truth.judge_any(kernel, answer);
     let class = hits::decision_class(right, answer);
-    tally.judge_class(Aspect::HitOrMiss, call, class, 1.0, || {
+    findings.judge_class(Aspect::HitOrMiss, call, class, 1.0, || {
         let (result, right) = match truth.nearest {
             Some((id, t)) => (
                 "not occluded",
@@ -178,7 +178,6 @@ fn blocked(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::tools::tally::Finding;
     use crate::tools::truth::scene::closest_hits;
     use wire::work::SceneSource;
 
@@ -213,12 +212,10 @@ mod tests {
             box_tests: 1,
             prim_tests: 1,
         };
-        let mut tally = Tally::default();
+        let mut findings = Findings::default();
         let truths = closest_hits(&walls(), &[RAY]);
-        hits(&mut tally, Tier::Core, &truths, &[RAY], any_hit, &answer);
-        let findings = tally.into_findings();
-        let failed = findings.iter().filter(|finding| !finding.passed());
-        failed.map(|finding: &Finding| finding.aspect).collect()
+        hits(&mut findings, Tier::Core, &truths, &[RAY], any_hit, &answer);
+        findings.wrong_aspects()
     }
 
     #[test]

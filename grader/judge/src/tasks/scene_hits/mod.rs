@@ -7,12 +7,12 @@ mod rest;
 
 use crate::tools::call_text::ray_circumstances;
 use crate::tools::check::{CaseContext, Check, hits_fit};
+use crate::tools::findings::{Aspect, Findings};
 use crate::tools::moves::{Move, Symmetries, most_if_ordinary, ray_numbers};
 use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::Content;
 use crate::tools::snapshot::lines::{self, each, ray_at};
 use crate::tools::snapshot::{Fields, forms, number};
-use crate::tools::tally::{Aspect, Tally};
 use crate::tools::{Tier, colours};
 use wire::answer::HitsAnswer;
 use wire::kind;
@@ -56,19 +56,19 @@ impl Check for kind::SceneHits {
     }
 
     fn judge(
-        tally: &mut Tally,
+        findings: &mut Findings,
         case: &CaseContext<'_>,
         tier: Tier,
         work: &SceneWork,
         answer: &HitsAnswer,
     ) {
         let truths = case.cache.of_scene(&work.scene, &work.rays);
-        judge::hits(tally, tier, truths, &work.rays, work.any_hit, answer);
-        judge::savings(tally, work, answer);
+        judge::hits(findings, tier, truths, &work.rays, work.any_hit, answer);
+        judge::savings(findings, work, answer);
     }
 
     fn judge_rest(
-        tally: &mut Tally,
+        findings: &mut Findings,
         case: &CaseContext<'_>,
         tier: Tier,
         work: &SceneWork,
@@ -76,13 +76,13 @@ impl Check for kind::SceneHits {
     ) {
         let truths = case.cache.of_scene(&work.scene, &work.rays);
         if work.any_hit {
-            rest::decisions(tally, tier, truths);
+            rest::decisions(findings, tier, truths);
         } else {
             let expected = case.expected(tier, || rest::expected(work, tier));
-            rest::records(tally, &work.rays, expected, truths, answer);
+            rest::records(findings, &work.rays, expected, truths, answer);
         }
         let needed = case.cache.tests(|| rest::needed_tests(work));
-        rest::tests(tally, needed, answer);
+        rest::tests(findings, needed, answer);
     }
 
     fn lines(work: &SceneWork, answer: &HitsAnswer) -> Option<Content> {

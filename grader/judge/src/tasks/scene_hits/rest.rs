@@ -2,7 +2,7 @@
 //! tests.
 
 use crate::tools::aspects::hits::{Call, ROUNDING_DECIDES, SEVERAL_FIRST};
-use crate::tools::tally::{Aspect, Tally};
+use crate::tools::findings::{Aspect, Findings};
 use crate::tools::truth::expected::{Expected, HitOrMiss};
 use crate::tools::truth::scene::{load, of_each_ray};
 use crate::tools::truth::tree_tests::{
@@ -28,7 +28,7 @@ pub(super) fn expected(work: &SceneWork, tier: Tier) -> Vec<Expected> {
 
 /// Judges the hit points, normals and surface parameters of the hits.
 pub(super) fn records(
-    tally: &mut Tally,
+    findings: &mut Findings,
     rays: &[Ray],
     expected: &[Expected],
     truths: &[Closest],
@@ -37,7 +37,7 @@ pub(super) fn records(
     let calls = rays.iter().zip(expected).zip(truths).zip(&answer.hits);
     for (number, (((ray, expected), truth), hit)) in calls.enumerate() {
         if expected.decision() == HitOrMiss::Either {
-            tally.not_judged(Aspect::HitOrMiss, number, ROUNDING_DECIDES);
+            findings.not_judged(Aspect::HitOrMiss, number, ROUNDING_DECIDES);
         }
         let Some(hit) = hit else { continue };
         let Some(right) = expected.closest_to(hit.prim, hit.t) else {
@@ -48,14 +48,14 @@ pub(super) fn records(
         let only_ties = expected.hits.iter().all(|hit| is_tie(hit.prim));
         let first = only_ties.then(|| truth.ties.iter().min()).flatten();
         if first != Some(&PrimId(hit.prim)) {
-            tally.not_judged(Aspect::Primitive, number, SEVERAL_FIRST);
+            findings.not_judged(Aspect::Primitive, number, SEVERAL_FIRST);
         }
         // The hit of another primitive has another point and normal: one mistake.
         if hit.prim != right.prim {
             continue;
         }
         let mut call = Call {
-            tally: &mut *tally,
+            findings: &mut *findings,
             number,
             function: "intersect_bvh",
             ray,
@@ -69,7 +69,7 @@ pub(super) fn records(
 }
 
 /// Records where rounding decides whether a ray is blocked.
-pub(super) fn decisions(tally: &mut Tally, tier: Tier, truths: &[Closest]) {
+pub(super) fn decisions(findings: &mut Findings, tier: Tier, truths: &[Closest]) {
     let kernel = match tier {
         Tier::Core => KernelClass::Textbook,
         Tier::Robust => KernelClass::Robust,
@@ -77,7 +77,7 @@ pub(super) fn decisions(tally: &mut Tally, tier: Tier, truths: &[Closest]) {
     for (call, truth) in truths.iter().enumerate() {
         let answers = truth.answers.get(kernel);
         if answers.miss && !answers.hits.is_empty() {
-            tally.not_judged(Aspect::HitOrMiss, call, ROUNDING_DECIDES);
+            findings.not_judged(Aspect::HitOrMiss, call, ROUNDING_DECIDES);
         }
     }
 }
@@ -132,7 +132,7 @@ fn memoised<K: Copy + Eq + std::hash::Hash, T: Copy>(of: impl Fn(K) -> T) -> imp
 }
 
 /// Judges the number of tests of all rays together.
-pub(super) fn tests(tally: &mut Tally, needed: NeededTests, answer: &HitsAnswer) {
+pub(super) fn tests(findings: &mut Findings, needed: NeededTests, answer: &HitsAnswer) {
     let NeededTests {
         fewest,
         twice_plain,
@@ -142,9 +142,9 @@ pub(super) fn tests(tally: &mut Tally, needed: NeededTests, answer: &HitsAnswer)
         prims: answer.prim_tests,
     };
     if tests.boxes < fewest.boxes || tests.prims < fewest.prims {
-        tally.never_judged(Aspect::Work, TOO_FEW_TESTS);
+        findings.never_judged(Aspect::Work, TOO_FEW_TESTS);
     } else if tests != fewest {
-        tally.never_judged(Aspect::Work, MORE_TESTS);
+        findings.never_judged(Aspect::Work, MORE_TESTS);
     }
     for (what, tests, twice_plain) in [
         ("box", tests.boxes, twice_plain.boxes),
@@ -152,7 +152,7 @@ pub(super) fn tests(tally: &mut Tally, needed: NeededTests, answer: &HitsAnswer)
     ] {
         let plain = twice_plain as f64 / 2.0;
         let right = tests as f64 <= WORK_FACTOR * plain;
-        tally.judge(Aspect::Work, 0, right, tests as f64 / plain, || {
+        findings.judge(Aspect::Work, 0, right, tests as f64 / plain, || {
             format!(
                 "your result: {tests} {what} tests in all; visiting children in a fixed order makes {plain:.0} (up to {WORK_FACTOR} times that passes)"
             )

@@ -5,8 +5,8 @@
 //! that they always detect: each finding has it, each case states it for students ("A bias of 6 %
 //! is always detected"), and a test of the goldens checks that the two agree.
 
-use crate::tools::tally::{Aspect, Class, Tally};
-use kit::{Tally as SampleTally, Vec3};
+use crate::tools::findings::{Aspect, Class, Findings};
+use kit::{Tally, Vec3};
 use statistics::chi_square;
 use statistics::{detectable_bias, sidak, two_sided};
 use std::collections::HashSet;
@@ -31,7 +31,7 @@ pub(crate) fn test_false_alarm() -> f64 {
 }
 
 /// Tests whether the mean of `numbers` is `truth`, by its standard error (a z-test).
-pub(crate) fn mean(tally: &mut Tally, what: &str, numbers: &SampleTally, truth: f64) {
+pub(crate) fn mean(findings: &mut Findings, what: &str, numbers: &Tally, truth: f64) {
     let z = numbers.z_against(truth);
     let wrong = two_sided(z).is_nan() || two_sided(z) < test_false_alarm();
     let all_equal = numbers.count() > 1 && numbers.variance() == 0.0;
@@ -41,9 +41,9 @@ pub(crate) fn mean(tally: &mut Tally, what: &str, numbers: &SampleTally, truth: 
         false => Class::of_number(numbers.mean(), truth),
     });
     let sure = detectable_bias(numbers.standard_error(), test_false_alarm()) / truth.abs();
-    tally.expect(Aspect::Mean);
-    tally.set_detectable(Aspect::Mean, sure);
-    tally.judge_class(Aspect::Mean, 0, class, z.abs(), || {
+    findings.expect(Aspect::Mean);
+    findings.set_detectable(Aspect::Mean, sure);
+    findings.judge_class(Aspect::Mean, 0, class, z.abs(), || {
         if all_equal {
             let random = match numbers.mean() {
                 0.0 => format!("the mean {truth:.5}"),
@@ -69,15 +69,15 @@ pub(crate) fn mean(tally: &mut Tally, what: &str, numbers: &SampleTally, truth: 
 
 /// Tests whether `directions` are distributed with the density `pdf` (a χ² test).
 pub(crate) fn spread(
-    tally: &mut Tally,
+    findings: &mut Findings,
     directions: &[Option<Vec3>],
     pdf: impl Fn(Vec3) -> f64,
     right: &str,
 ) {
-    tally.expect(Aspect::Spread);
+    findings.expect(Aspect::Spread);
     // Fewer directions cannot be tested, and count as wrong.
     if directions.len() < MIN_ESTIMATES {
-        tally.judge(Aspect::Spread, 0, false, f64::INFINITY, || {
+        findings.judge(Aspect::Spread, 0, false, f64::INFINITY, || {
             format!(
                 "only {} directions were sampled; too few to test their distribution",
                 directions.len()
@@ -87,7 +87,7 @@ pub(crate) fn spread(
     }
     let fit = chi_square::fit(directions.iter().copied(), &pdf);
     let sure = fit.detectable_deviation(test_false_alarm());
-    tally.set_detectable(Aspect::Spread, sure);
+    findings.set_detectable(Aspect::Spread, sure);
     let badness = -fit.p.max(1e-300).log10();
     let different = different(directions);
     let repeated = 2 * different < directions.len();
@@ -95,7 +95,7 @@ pub(crate) fn spread(
         true => ALWAYS_THE_SAME,
         false => mean_direction_class(directions),
     });
-    tally.judge_class(Aspect::Spread, 0, class, badness, || {
+    findings.judge_class(Aspect::Spread, 0, class, badness, || {
         if repeated {
             return format!(
                 "only {different} of your {} directions differ. {FROM_THE_SAMPLER}",
@@ -179,15 +179,15 @@ mod tests {
 
     #[test]
     fn results_that_are_always_the_same_have_a_class_of_their_own() {
-        let class = |judge: &dyn Fn(&mut Tally)| {
-            let mut tally = Tally::default();
-            judge(&mut tally);
-            let findings = tally.into_findings();
-            findings[0].faults.first().map(|fault| fault.class)
+        let class = |judge: &dyn Fn(&mut Findings)| {
+            let mut findings = Findings::default();
+            judge(&mut findings);
+            let list = findings.into_vec();
+            list[0].faults.first().map(|fault| fault.class)
         };
         let of_mean = |numbers: &[f64]| {
-            let numbers: SampleTally = numbers.iter().cycle().take(1000).copied().collect();
-            class(&|tally| mean(tally, "estimates", &numbers, 0.5))
+            let numbers: Tally = numbers.iter().cycle().take(1000).copied().collect();
+            class(&|findings| mean(findings, "estimates", &numbers, 0.5))
         };
         assert_eq!(of_mean(&[0.25]), Some(ALWAYS_THE_SAME));
         assert_eq!(of_mean(&[0.5]), None);
@@ -203,7 +203,7 @@ mod tests {
                     0.0
                 }
             };
-            class(&|tally| spread(tally, &directions, pdf, "uniformly"))
+            class(&|findings| spread(findings, &directions, pdf, "uniformly"))
         };
         assert_eq!(of_directions(&[0.3, 0.6]), Some(ALWAYS_THE_SAME));
         let all: Vec<f64> = (0..8000).map(|i| f64::from(i) / 8000.0).collect();
@@ -232,12 +232,12 @@ mod tests {
 
     #[test]
     fn a_detectable_bias_is_detected() {
-        let numbers: SampleTally = (0..10_000).map(|i| f64::from(i % 2)).collect();
+        let numbers: Tally = (0..10_000).map(|i| f64::from(i % 2)).collect();
         let sure = detectable_bias(numbers.standard_error(), test_false_alarm());
         let wrong = |truth: f64| {
-            let mut tally = Tally::default();
-            mean(&mut tally, "numbers", &numbers, truth);
-            !tally.into_findings()[0].passed()
+            let mut findings = Findings::default();
+            mean(&mut findings, "numbers", &numbers, truth);
+            !findings.into_vec()[0].passed()
         };
         assert!(!wrong(0.5));
         assert!(wrong(0.5 + sure) && wrong(0.5 - sure) && wrong(f64::NAN));

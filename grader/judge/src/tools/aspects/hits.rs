@@ -1,7 +1,7 @@
 //! Judges hit records against the exact hit.
 
 use crate::tools::errors::NumberError;
-use crate::tools::tally::{Aspect, Class, SAME, Tally};
+use crate::tools::findings::{Aspect, Class, Findings, SAME};
 use crate::tools::truth::expected::{Expected, ExpectedHit, HitOrMiss};
 use kit::Vec3;
 use wire::answer::Hit;
@@ -31,9 +31,9 @@ pub(crate) const SEVERAL_FIRST: &str =
 const ANY_NORMAL: &str =
     "any unit vector is right: the vertex normals cancel, or the sphere has no size";
 
-/// A call of one of the student's functions, with the tally that collects its findings.
+/// A call of one of the student's functions, with the findings about it.
 pub(crate) struct Call<'a> {
-    pub(crate) tally: &'a mut Tally,
+    pub(crate) findings: &'a mut Findings,
     /// Number of the call in its case, from 0.
     pub(crate) number: usize,
     /// The function that was called.
@@ -55,9 +55,9 @@ pub(crate) const OF_A_RECORD: [Aspect; 8] = [
 ];
 
 /// Counts the aspects that the right answer has.
-pub(crate) fn expect(tally: &mut Tally, expected: &Expected, with_uv: bool) {
-    tally.expect(Aspect::HitOrMiss);
-    tally.expect(Aspect::RayAfter);
+pub(crate) fn expect(findings: &mut Findings, expected: &Expected, with_uv: bool) {
+    findings.expect(Aspect::HitOrMiss);
+    findings.expect(Aspect::RayAfter);
     if expected.decision() != HitOrMiss::Hit {
         return;
     }
@@ -68,9 +68,11 @@ pub(crate) fn expect(tally: &mut Tally, expected: &Expected, with_uv: bool) {
         Aspect::Normal,
         Aspect::GeometricNormal,
     ];
-    aspects.into_iter().for_each(|aspect| tally.expect(aspect));
+    aspects
+        .into_iter()
+        .for_each(|aspect| findings.expect(aspect));
     if with_uv {
-        tally.expect(Aspect::Barycentrics);
+        findings.expect(Aspect::Barycentrics);
     }
 }
 
@@ -100,7 +102,7 @@ impl Call<'_> {
         message: impl FnOnce(&str) -> String,
     ) {
         let (function, ray) = (self.function, self.ray);
-        self.tally
+        self.findings
             .judge_class(aspect, self.number, class, badness, || {
                 format!("{}. {}", message(function), show_ray(ray))
             });
@@ -108,7 +110,7 @@ impl Call<'_> {
 
     /// Records that `aspect` is not judged in this call.
     fn not_judged(&mut self, aspect: Aspect, why: &'static str) {
-        self.tally.not_judged(aspect, self.number, why);
+        self.findings.not_judged(aspect, self.number, why);
     }
 
     /// Records that `aspect` is not judged if numbers of this `size` may be off by too much.
@@ -168,7 +170,7 @@ impl Call<'_> {
             ulps: expected.exact_t.ulps(answered),
             of_bound: off / bound,
         };
-        self.tally.measure(Aspect::T, error);
+        self.findings.measure(Aspect::T, error);
         self.check_width(Aspect::T, bound, right.abs());
         let class = wrong_unless(off <= bound, || Class::of_number(answered, right));
         self.judge_class(Aspect::T, class, off / bound, |function| {

@@ -4,8 +4,8 @@
 //! their random numbers come from the sampler of the pixel.
 
 use crate::tools::aspects::chance;
+use crate::tools::findings::{Aspect, Class, Findings};
 use crate::tools::plural;
-use crate::tools::tally::{Aspect, Class, Tally};
 use statistics::{critical_z, detectable_bias};
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
@@ -38,21 +38,21 @@ pub(crate) const MIN_PAIRS: usize = 200;
 
 /// Judges that no call has the samples of another, and that the samples of calls that follow each
 /// other (neighbouring pixels, consecutive seeds) are not correlated.
-pub(crate) fn judge(tally: &mut Tally, calls: &[PixelSamples]) {
+pub(crate) fn judge(findings: &mut Findings, calls: &[PixelSamples]) {
     for (axis, name) in [(0, "x"), (1, "y")] {
-        correlation(tally, calls, axis, name);
+        correlation(findings, calls, axis, name);
     }
     let twins = twins(calls);
     let repeated = twins.iter().flatten().count();
     for (call, (samples, twin)) in calls.iter().zip(&twins).enumerate() {
-        tally.expect(Aspect::Independence);
+        findings.expect(Aspect::Independence);
         let twin = twin.map(|other| &calls[other]);
         let class = twin.map(|other| match other.pixel == samples.pixel {
             true => Class::Named("as with another seed"),
             false => Class::Named("as in another pixel"),
         });
         // Larger than the badness of any correlation.
-        tally.judge_class(Aspect::Independence, call, class, f64::INFINITY, || {
+        findings.judge_class(Aspect::Independence, call, class, f64::INFINITY, || {
             message(samples, twin, repeated, calls.len())
         });
     }
@@ -114,7 +114,7 @@ fn key(offset: &[f64; 2]) -> [i64; 2] {
 /// The mean offsets m of a correct sampler, measured from the centre of the pixel, are independent,
 /// so the products of n pairs have the mean 0 and the variance E(m²)². The correlation r, their
 /// mean over E(m²), times √n is normally distributed.
-fn correlation(tally: &mut Tally, calls: &[PixelSamples], axis: usize, name: &str) {
+fn correlation(findings: &mut Findings, calls: &[PixelSamples], axis: usize, name: &str) {
     let mean_offset = |call: &PixelSamples| {
         let sum: f64 = call.offsets.iter().map(|offset| offset[axis] - 0.5).sum();
         sum / call.offsets.len() as f64
@@ -141,8 +141,8 @@ fn correlation(tally: &mut Tally, calls: &[PixelSamples], axis: usize, name: &st
     let r = products / pairs as f64 / variance;
     let (z, allowed) = (r.abs() / standard_error, critical_z(alarm));
     let class = (z > allowed).then_some(Class::Named("correlated"));
-    tally.set_detectable(Aspect::Independence, detectable_bias(standard_error, alarm));
-    tally.judge_class(Aspect::Independence, 0, class, z, || {
+    findings.set_detectable(Aspect::Independence, detectable_bias(standard_error, alarm));
+    findings.judge_class(Aspect::Independence, 0, class, z, || {
         format!(
             "your result: the mean positions along {name} in pixels or seeds that follow each other have a correlation of {r:.2}; expected: 0 (allowed {:.2}). Does every position come from the sampler that the function is given?",
             allowed * standard_error
@@ -176,10 +176,10 @@ mod tests {
 
     /// The classes of the faults, each once.
     fn faults(calls: &[PixelSamples]) -> Vec<Class> {
-        let mut tally = Tally::default();
-        judge(&mut tally, calls);
-        let findings = tally.into_findings();
-        let faults = findings.iter().flat_map(|finding| &finding.faults);
+        let mut findings = Findings::default();
+        judge(&mut findings, calls);
+        let list = findings.into_vec();
+        let faults = list.iter().flat_map(|finding| &finding.faults);
         let mut classes: Vec<Class> = faults.map(|fault| fault.class).collect();
         classes.sort_unstable();
         classes.dedup();

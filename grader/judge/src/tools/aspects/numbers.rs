@@ -1,7 +1,7 @@
 //! Judges colours, numbers and directions.
 
 use super::hits::{TOO_WIDE, WIDE, show};
-use crate::tools::tally::{Aspect, Class, Tally};
+use crate::tools::findings::{Aspect, Class, Findings};
 use kit::Vec3;
 use wire::work::Xyz;
 
@@ -29,15 +29,15 @@ fn class_of(answered: Xyz, right: Xyz) -> Class {
 }
 
 /// Records that an answer is not judged if it may be off by too much.
-fn check_width(tally: &mut Tally, aspect: Aspect, call: usize, bound: f64) {
+fn check_width(findings: &mut Findings, aspect: Aspect, call: usize, bound: f64) {
     if bound > WIDE {
-        tally.not_judged(aspect, call, TOO_WIDE);
+        findings.not_judged(aspect, call, TOO_WIDE);
     }
 }
 
 /// Judges a colour.
 pub(crate) fn colour(
-    tally: &mut Tally,
+    findings: &mut Findings,
     aspect: Aspect,
     call: usize,
     answered: Xyz,
@@ -47,8 +47,8 @@ pub(crate) fn colour(
 ) {
     let off = (Vec3::from(answered) - Vec3::from(right)).length();
     let class = (!same_colour(answered, right, bound)).then(|| class_of(answered, right));
-    check_width(tally, aspect, call, bound);
-    tally.judge_class(aspect, call, class, off, || {
+    check_width(findings, aspect, call, bound);
+    findings.judge_class(aspect, call, class, off, || {
         format!(
             "your result: {answered:?}; expected: {right:?}. {}",
             about()
@@ -58,7 +58,7 @@ pub(crate) fn colour(
 
 /// Judges a number.
 pub(crate) fn number(
-    tally: &mut Tally,
+    findings: &mut Findings,
     aspect: Aspect,
     call: usize,
     answered: f64,
@@ -69,15 +69,15 @@ pub(crate) fn number(
     let off = (answered - right).abs();
     let is_right = off <= bound * right.abs() || answered == right;
     let class = (!is_right).then(|| Class::of_signed_number(answered, right));
-    check_width(tally, aspect, call, bound);
-    tally.judge_class(aspect, call, class, off, || {
+    check_width(findings, aspect, call, bound);
+    findings.judge_class(aspect, call, class, off, || {
         format!("your result: {answered}; expected: {right}. {}", about())
     });
 }
 
 /// Judges a unit vector.
 pub(crate) fn direction(
-    tally: &mut Tally,
+    findings: &mut Findings,
     aspect: Aspect,
     call: usize,
     answered: Xyz,
@@ -88,8 +88,8 @@ pub(crate) fn direction(
     let answered = Vec3::from(answered);
     let off = (answered - right).length();
     let class = (off.is_nan() || off > bound).then(|| Class::of_direction(answered, right));
-    check_width(tally, aspect, call, bound);
-    tally.judge_class(aspect, call, class, off, || {
+    check_width(findings, aspect, call, bound);
+    findings.judge_class(aspect, call, class, off, || {
         format!(
             "your result: {}; expected: {}. {}",
             show(answered),

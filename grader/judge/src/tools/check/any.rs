@@ -2,11 +2,11 @@
 
 use super::{CaseContext, Check};
 use crate::tools::Tier;
+use crate::tools::findings::{Aspect, Findings};
 use crate::tools::moves::{Move, Symmetries};
 use crate::tools::shown::ShownCall;
 use crate::tools::simple::numbers::Number;
 use crate::tools::snapshot::{Content, Fields};
-use crate::tools::tally::{Aspect, Tally};
 use crate::tools::truth::expected::Expected;
 use std::fmt::Debug;
 use std::marker::PhantomData;
@@ -55,7 +55,7 @@ pub(crate) trait AnyCheck: Debug + Sync {
     /// As [`Check::judge`].
     fn judge(
         &self,
-        tally: &mut Tally,
+        findings: &mut Findings,
         case: &CaseContext<'_>,
         tier: Tier,
         work: &Work,
@@ -65,7 +65,7 @@ pub(crate) trait AnyCheck: Debug + Sync {
     /// As [`Check::judge_rest`].
     fn judge_rest(
         &self,
-        tally: &mut Tally,
+        findings: &mut Findings,
         case: &CaseContext<'_>,
         tier: Tier,
         work: &Work,
@@ -193,7 +193,7 @@ impl<K: Check> AnyCheck for ErasedCheck<K> {
 
     fn judge(
         &self,
-        tally: &mut Tally,
+        findings: &mut Findings,
         case: &CaseContext<'_>,
         tier: Tier,
         work: &Work,
@@ -201,20 +201,20 @@ impl<K: Check> AnyCheck for ErasedCheck<K> {
     ) {
         debug_assert_eq!(self.fits(work, answer), Ok(()), "{}", case.name);
         if let Some(answer) = K::answer(answer) {
-            K::judge(tally, case, tier, Self::question(work), answer);
+            K::judge(findings, case, tier, Self::question(work), answer);
         }
     }
 
     fn judge_rest(
         &self,
-        tally: &mut Tally,
+        findings: &mut Findings,
         case: &CaseContext<'_>,
         tier: Tier,
         work: &Work,
         answer: &Answer,
     ) {
         if let Some(answer) = K::answer(answer) {
-            K::judge_rest(tally, case, tier, Self::question(work), answer);
+            K::judge_rest(findings, case, tier, Self::question(work), answer);
         }
     }
 

@@ -12,11 +12,11 @@ mod fit;
 pub(crate) use case::CaseContext;
 pub(crate) use fit::{hits_fit, in_range, one_each, same_length};
 
+use crate::tools::findings::{Aspect, Findings};
 use crate::tools::moves::{Move, Symmetries};
 use crate::tools::shown::ShownCall;
 use crate::tools::simple::numbers::Number;
 use crate::tools::snapshot::{Content, Fields};
-use crate::tools::tally::{Aspect, Tally};
 use crate::tools::truth::expected::Expected;
 use crate::tools::{Tier, plural};
 use wire::Kind;
@@ -87,9 +87,9 @@ pub(crate) trait Check: Kind {
     /// formula: handouts have them as a table (see [`crate::tools::packed_truth`]).
     fn look_up_truth(_question: &Self::Question) {}
 
-    /// Judges an answer to a case whose points are of `tier`, and counts the results in `tally`.
+    /// Judges an answer to a case whose points are of `tier`, and counts the results in `findings`.
     fn judge(
-        tally: &mut Tally,
+        findings: &mut Findings,
         case: &CaseContext<'_>,
         tier: Tier,
         question: &Self::Question,
@@ -99,7 +99,7 @@ pub(crate) trait Check: Kind {
     /// Judges the aspects that [`Check::judge`] leaves out, because no case grades them, and
     /// records what remains not judged. With it, an answer is judged whole (see `whole`).
     fn judge_rest(
-        _tally: &mut Tally,
+        _findings: &mut Findings,
         _case: &CaseContext<'_>,
         _tier: Tier,
         _question: &Self::Question,

@@ -2,11 +2,11 @@
 //! share.
 
 use crate::tools::call_text::few;
+use crate::tools::findings::{Aspect, Class, Findings};
 use crate::tools::moves::{LightMoves, Move, Symmetries};
 use crate::tools::repro::numbers::float;
 use crate::tools::snapshot::{Fields, Forms, field, forms, number, vector};
-use crate::tools::tally::{Aspect, Class, Tally};
-use kit::Tally as SampleTally;
+use kit::Tally;
 use std::fmt::Write;
 use wire::adaptive::{StopAnswer, StopCall};
 
@@ -30,7 +30,7 @@ pub(crate) fn input(call: &StopCall) -> String {
 }
 
 /// The samples of a question.
-pub(crate) fn samples(call: &StopCall) -> SampleTally {
+pub(crate) fn samples(call: &StopCall) -> Tally {
     let runs = call.runs.iter();
     runs.flat_map(|&(count, x)| std::iter::repeat_n(x, count as usize))
         .collect()
@@ -76,20 +76,20 @@ pub(crate) fn moved_back(answers: &[StopAnswer], back: &Move) -> Vec<StopAnswer>
 /// Judges the result of a rule. `plain` ends the message: what the plain rule returns, if another
 /// rule is judged.
 pub(crate) fn verdict(
-    tally: &mut Tally,
+    findings: &mut Findings,
     i: usize,
     call: &StopCall,
     answer: &StopAnswer,
     right: bool,
     plain: &str,
 ) {
-    tally.expect(Aspect::Stop);
+    findings.expect(Aspect::Stop);
     let class = match (answer.stop, right) {
         (true, false) => Some(Class::FalseHit),
         (false, true) => Some(Class::FalseMiss),
         _ => None,
     };
-    tally.judge_class(Aspect::Stop, i, class, 1.0, || {
+    findings.judge_class(Aspect::Stop, i, class, 1.0, || {
         let samples = samples(call);
         format!(
             "your result: {}; expected: {right}. {} samples with the mean {} and the standard error {}, tolerance {}{plain}",
@@ -128,7 +128,7 @@ pub(crate) fn define_samples(text: &mut String, call: &StopCall) -> Option<()> {
     let _ = writeln!(
         text,
         "let runs: [(usize, f64); {}] = [{}];
-let samples: Tally = runs.iter().flat_map(|&(count, x)| std::iter::repeat_n(x, count)).collect();",
+let samples: Findings = runs.iter().flat_map(|&(count, x)| std::iter::repeat_n(x, count)).collect();",
         runs.len(),
         runs.join(", ")
     );

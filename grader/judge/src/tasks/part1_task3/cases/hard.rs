@@ -2,8 +2,8 @@
 //! that cost digits, and [`odd`] input.
 
 use super::{case, closed, heap_case, odd, scale};
+use crate::tools::findings::Aspect::{Barycentrics, HitOrMiss, Normal, Position, T};
 use crate::tools::spec::Spec;
-use crate::tools::tally::Aspect::{Barycentrics, HitOrMiss, Normal, Position, T};
 
 /// The robust cases of `part1.task3`.
 pub(super) fn cases(seed: u64) -> Vec<Spec> {

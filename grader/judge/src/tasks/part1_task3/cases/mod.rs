@@ -10,10 +10,10 @@ mod odd;
 mod picture;
 mod scale;
 
-use crate::tools::spec::Spec;
-use crate::tools::tally::Aspect::{
+use crate::tools::findings::Aspect::{
     Barycentrics, GeometricNormal, HitOrMiss, Normal, Position, Primitive, RayAfter, T,
 };
+use crate::tools::spec::Spec;
 use wire::kind;
 use wire::work::{BruteForceWork, TriangleWork};
 

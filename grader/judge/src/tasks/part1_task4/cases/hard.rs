@@ -1,9 +1,9 @@
 //! Cases of spheres where the quadratic formula loses its digits.
 
 use super::{boundary, case};
+use crate::tools::findings::Aspect::{HitOrMiss, Normal, Position, T};
 use crate::tools::questions::probes::{ProbeRng, Probes, within};
 use crate::tools::spec::Spec;
-use crate::tools::tally::Aspect::{HitOrMiss, Normal, Position, T};
 use kit::{Ray, Sphere, Vec3};
 use wire::work::SphereWork;
 

@@ -6,11 +6,11 @@ mod hard;
 mod hits;
 mod picture;
 
-use crate::tools::questions::probes::ProbeRng;
-use crate::tools::spec::Spec;
-use crate::tools::tally::Aspect::{
+use crate::tools::findings::Aspect::{
     GeometricNormal, HitOrMiss, Normal, Position, Primitive, RayAfter, T,
 };
+use crate::tools::questions::probes::ProbeRng;
+use crate::tools::spec::Spec;
 use wire::kind;
 use wire::work::{BruteForceWork, SphereWork};
 

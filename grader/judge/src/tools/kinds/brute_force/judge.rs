@@ -1,7 +1,7 @@
 //! Judges rays traced through a list of shapes.
 
 use crate::tools::aspects::hits::{Call, expect, record};
-use crate::tools::tally::Tally;
+use crate::tools::findings::Findings;
 use crate::tools::truth::expected::Expected;
 use wire::answer::HitsAnswer;
 use wire::work::Ray;
@@ -13,7 +13,7 @@ const FUNCTION: &str = "intersect_* on all shapes in order";
 /// shapes enclose the origins, every ray hits within its range: a hit elsewhere is a false hit,
 /// since it would hide a gap between the shapes.
 pub(crate) fn brute_force(
-    tally: &mut Tally,
+    findings: &mut Findings,
     rays: &[Ray],
     expected: &[Expected],
     answer: &HitsAnswer,
@@ -23,9 +23,9 @@ pub(crate) fn brute_force(
     let calls = rays.iter().zip(expected).zip(answers);
     for (number, ((ray, expected), (hit, max_t))) in calls.enumerate() {
         let with_uv = expected.hits.iter().all(|hit| hit.uv.is_some());
-        expect(tally, expected, with_uv);
+        expect(findings, expected, with_uv);
         let mut call = Call {
-            tally: &mut *tally,
+            findings: &mut *findings,
             number,
             function: FUNCTION,
             ray,
@@ -48,7 +48,7 @@ pub(crate) fn brute_force(
 
 /// Judges the surface parameters of the spheres that are hit.
 pub(crate) fn parameters(
-    tally: &mut Tally,
+    findings: &mut Findings,
     rays: &[Ray],
     expected: &[Expected],
     answer: &HitsAnswer,
@@ -60,7 +60,7 @@ pub(crate) fn parameters(
             && right.uv.is_none()
         {
             let mut call = Call {
-                tally: &mut *tally,
+                findings: &mut *findings,
                 number,
                 function: FUNCTION,
                 ray,

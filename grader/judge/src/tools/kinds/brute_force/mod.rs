@@ -9,12 +9,12 @@ mod simple;
 use crate::tools::aspects::hits;
 use crate::tools::call_text::ray_circumstances;
 use crate::tools::check::{CaseContext, Check, hits_fit};
+use crate::tools::findings::{Aspect, Findings};
 use crate::tools::moves::{Move, Symmetries};
 use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::Content;
 use crate::tools::snapshot::Fields;
 use crate::tools::snapshot::lines::{self, each};
-use crate::tools::tally::{Aspect, Tally};
 use crate::tools::truth::expected::Expected;
 use crate::tools::{Tier, colours, convert, truth};
 use kit::Primitive;
@@ -71,7 +71,7 @@ impl Check for kind::BruteForce {
     }
 
     fn judge(
-        tally: &mut Tally,
+        findings: &mut Findings,
         case: &CaseContext<'_>,
         tier: Tier,
         work: &BruteForceWork,
@@ -81,23 +81,23 @@ impl Check for kind::BruteForce {
             true => "intersect_sphere",
             false => "intersect_triangle",
         };
-        if !tally.is_written(function, &hits::OF_A_RECORD) {
+        if !findings.is_written(function, &hits::OF_A_RECORD) {
             return;
         }
-        tally.count_for(function);
+        findings.count_for(function);
         let expected = case.expected(tier, || Self::expected(work, tier, case.enclosed));
-        judge::brute_force(tally, &work.rays, expected, answer, case.enclosed);
+        judge::brute_force(findings, &work.rays, expected, answer, case.enclosed);
     }
 
     fn judge_rest(
-        tally: &mut Tally,
+        findings: &mut Findings,
         case: &CaseContext<'_>,
         tier: Tier,
         work: &BruteForceWork,
         answer: &HitsAnswer,
     ) {
         let expected = case.expected(tier, || Self::expected(work, tier, case.enclosed));
-        judge::parameters(tally, &work.rays, expected, answer);
+        judge::parameters(findings, &work.rays, expected, answer);
     }
 
     fn lines(work: &BruteForceWork, answer: &HitsAnswer) -> Option<Content> {

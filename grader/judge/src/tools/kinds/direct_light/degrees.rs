@@ -3,7 +3,7 @@
 //! Such directions go round the normal 57.3 times, so their distribution is nearly right, and no
 //! test of it finds them. But they follow from the numbers of the sampler, which are known.
 
-use crate::tools::tally::{Aspect, Class, Tally};
+use crate::tools::findings::{Aspect, Class, Findings};
 use kit::{PixelSampler, Vec3};
 use wire::direct::DirectWork;
 
@@ -17,7 +17,7 @@ const IN_DEGREES: Class = Class::Named("azimuth in degrees");
 /// Judges the local directions of all rays, at points with the same normal: whether their azimuth
 /// is 360 times a number that the sampler gave for them, as an angle in radians. They are not
 /// judged if there is not one for each sample.
-pub(super) fn judge(tally: &mut Tally, work: &DirectWork, directions: &[Option<Vec3>]) {
+pub(super) fn judge(findings: &mut Findings, work: &DirectWork, directions: &[Option<Vec3>]) {
     let calls = 0..work.points.len() as u32;
     let numbers: Vec<[f64; 2]> = calls
         .flat_map(|call| {
@@ -31,7 +31,7 @@ pub(super) fn judge(tally: &mut Tally, work: &DirectWork, directions: &[Option<V
     }
     let wrong = follow(directions, &numbers);
     let class = wrong.then_some(IN_DEGREES);
-    tally.judge_class(Aspect::Spread, 0, class, 1.0, || {
+    findings.judge_class(Aspect::Spread, 0, class, 1.0, || {
         "your directions go round the normal 57.3 times while the random number goes from 0 to 1; \
          expected: once, from 0 to 2π. Sine and cosine take radians."
             .into()

@@ -10,8 +10,8 @@ use super::terms::{self, Term};
 use crate::tools::aspects::chance::{self, MIN_ESTIMATES};
 use crate::tools::aspects::hits::show;
 use crate::tools::aspects::numbers;
-use crate::tools::tally::{Aspect, Class, Tally};
-use kit::{Tally as SampleTally, Vec3};
+use crate::tools::findings::{Aspect, Class, Findings};
+use kit::{Tally, Vec3};
 use std::collections::HashSet;
 use std::f64::consts::TAU;
 use wire::direct::{DirectAnswer, DirectWork, RecordedRay, ShadedPoint, Strategy};
@@ -42,16 +42,16 @@ const OF_AN_ESTIMATE: [Aspect; 7] = [
 ];
 
 /// Judges every estimate of `work`.
-pub(crate) fn direct(tally: &mut Tally, work: &DirectWork, answers: &[DirectAnswer]) {
+pub(crate) fn direct(findings: &mut Findings, work: &DirectWork, answers: &[DirectAnswer]) {
     let function = match work.strategy {
         Strategy::ZeroBounce => "zero_bounce_radiance",
         Strategy::Hemisphere => "estimate_direct_lighting_hemisphere",
         Strategy::Lights => "estimate_direct_lighting_importance",
     };
-    if !tally.is_written(function, &OF_AN_ESTIMATE) {
+    if !findings.is_written(function, &OF_AN_ESTIMATE) {
         return;
     }
-    tally.count_for(function);
+    findings.count_for(function);
     for (call, (point, answer)) in work.points.iter().zip(answers).enumerate() {
         let one = Estimate {
             work,
@@ -61,13 +61,13 @@ pub(crate) fn direct(tally: &mut Tally, work: &DirectWork, answers: &[DirectAnsw
             call,
         };
         match work.strategy {
-            Strategy::ZeroBounce => one.zero_bounce(tally),
-            Strategy::Hemisphere => one.hemisphere(tally),
-            Strategy::Lights => one.lights(tally),
+            Strategy::ZeroBounce => one.zero_bounce(findings),
+            Strategy::Hemisphere => one.hemisphere(findings),
+            Strategy::Lights => one.lights(findings),
         }
     }
     if work.strategy != Strategy::ZeroBounce && answers.len() >= MIN_ESTIMATES {
-        statistics(tally, work, answers);
+        statistics(findings, work, answers);
     }
 }
 
@@ -76,7 +76,7 @@ const RAYS_BY_CHANCE: &str = "random numbers decide how many samples of a light 
 
 /// Records what random numbers leave open: the directions of estimates that are too few to test,
 /// and the number of shadow rays.
-pub(crate) fn untested(tally: &mut Tally, work: &DirectWork, answers: &[DirectAnswer]) {
+pub(crate) fn untested(findings: &mut Findings, work: &DirectWork, answers: &[DirectAnswer]) {
     for (call, (point, answer)) in work.points.iter().zip(answers).enumerate() {
         let one = Estimate {
             work,
@@ -90,7 +90,7 @@ pub(crate) fn untested(tally: &mut Tally, work: &DirectWork, answers: &[DirectAn
             Strategy::Lights => one.right_rays(&one.sources()),
         };
         if least < most {
-            tally.not_judged(Aspect::Rays, call, RAYS_BY_CHANCE);
+            findings.not_judged(Aspect::Rays, call, RAYS_BY_CHANCE);
         }
         let is_random = |source: &Source| !matches!(source, Source::Point(_));
         let may_be_random = match work.strategy {
@@ -100,13 +100,13 @@ pub(crate) fn untested(tally: &mut Tally, work: &DirectWork, answers: &[DirectAn
         };
         let are_few = answers.len() < MIN_ESTIMATES;
         if may_be_random && are_few && !answer.rays.is_empty() {
-            tally.not_judged(Aspect::Direction, call, chance::TOO_FEW);
+            findings.not_judged(Aspect::Direction, call, chance::TOO_FEW);
         }
     }
 }
 
 /// Tests the statistics of many estimates; all points of `work` are the same.
-fn statistics(tally: &mut Tally, work: &DirectWork, answers: &[DirectAnswer]) {
+fn statistics(findings: &mut Findings, work: &DirectWork, answers: &[DirectAnswer]) {
     let place = ShadingPlace::of(&work.points[0]);
     if work.strategy == Strategy::Hemisphere {
         let rays = answers.iter().flat_map(|answer| &answer.rays);
@@ -115,11 +115,16 @@ fn statistics(tally: &mut Tally, work: &DirectWork, answers: &[DirectAnswer]) {
             .collect();
         let side = place.wo.z.signum();
         let density = |w: Vec3| if w.z * side > 0.0 { 1.0 / TAU } else { 0.0 };
-        chance::spread(tally, &directions, density, "uniformly over the hemisphere");
-        super::degrees::judge(tally, work, &directions);
+        chance::spread(
+            findings,
+            &directions,
+            density,
+            "uniformly over the hemisphere",
+        );
+        super::degrees::judge(findings, work, &directions);
     }
-    let green: SampleTally = answers.iter().map(|answer| answer.radiance[1]).collect();
-    chance::mean(tally, "estimates", &green, place.lit_by(&work.world).y);
+    let green: Tally = answers.iter().map(|answer| answer.radiance[1]).collect();
+    chance::mean(findings, "estimates", &green, place.lit_by(&work.world).y);
 }
 
 struct Estimate<'a> {
@@ -146,12 +151,12 @@ impl Estimate<'_> {
     /// for the same rays, the class of the sum is the name of that mistake.
     fn radiance(
         &self,
-        tally: &mut Tally,
+        findings: &mut Findings,
         right: Vec3,
         terms: &[Term],
         mistakes: &[(&'static str, Vec3)],
     ) {
-        tally.expect(Aspect::Radiance);
+        findings.expect(Aspect::Radiance);
         let answered = self.answer.radiance;
         let (aspect, call) = (Aspect::Radiance, self.call);
         let is = |sum: Vec3| numbers::same_colour(answered, sum.into(), SUM_BOUND);
@@ -159,7 +164,7 @@ impl Estimate<'_> {
         if let Some((name, _)) = named {
             let class = Some(Class::Named(name));
             let off = (Vec3::from(answered) - right).length();
-            tally.judge_class(aspect, call, class, off, || {
+            findings.judge_class(aspect, call, class, off, || {
                 let right = right.to_array();
                 format!(
                     "your result: {answered:?}; expected: {right:?}. {}{}",
@@ -170,7 +175,7 @@ impl Estimate<'_> {
             return;
         }
         numbers::colour(
-            tally,
+            findings,
             aspect,
             call,
             answered,
@@ -180,15 +185,15 @@ impl Estimate<'_> {
         );
     }
 
-    fn zero_bounce(&self, tally: &mut Tally) {
+    fn zero_bounce(&self, findings: &mut Findings) {
         let emitted = self.point.material.emitted();
         let in_front = self.place.ng.dot(self.point.wo.into()) > 0.0;
         let right = emitted.filter(|_| in_front);
         let right = right.map_or(Vec3::ZERO, Vec3::from);
-        self.radiance(tally, right, &[], &[]);
+        self.radiance(findings, right, &[], &[]);
     }
 
-    fn hemisphere(&self, tally: &mut Tally) {
+    fn hemisphere(&self, findings: &mut Findings) {
         let samples = self.work.samples;
         let (wanted, most) = match self.point.material {
             Material::Mirror(_) | Material::Glass(_) => (0, 0),
@@ -196,17 +201,17 @@ impl Estimate<'_> {
             Material::Emission(_) | Material::PartOfLamp(_) => (0, samples),
             Material::Diffuse(_) => (samples, samples),
         };
-        self.count(tally, wanted, most);
+        self.count(findings, wanted, most);
         let mut sum = Vec3::ZERO;
         let mut terms = Vec::new();
         let mut mistakes = super::mistakes::HemisphereMistakes::default();
         let wrong_side = self.wrong_side();
         for recorded in &self.answer.rays {
             let d = Vec3::from(recorded.ray.d);
-            self.start(tally, recorded);
-            tally.expect(Aspect::Range);
+            self.start(findings, recorded);
+            findings.expect(Aspect::Range);
             let whole = recorded.ray.min_t == 0.0 && recorded.ray.max_t == f64::INFINITY;
-            tally.judge(Aspect::Range, self.call, whole, 1.0, || {
+            findings.judge(Aspect::Range, self.call, whole, 1.0, || {
                 format!(
                     "your result: a ray with the range [{:?}, {:?}]; expected: [0, inf]. {}",
                     recorded.ray.min_t,
@@ -214,7 +219,7 @@ impl Estimate<'_> {
                     self.about()
                 )
             });
-            tally.expect(Aspect::Direction);
+            findings.expect(Aspect::Direction);
             let side = self.place.frame.to_local(d).z * self.place.wo.z;
             let length = d.length();
             let class = if (length - 1.0).abs() > DIRECTION_BOUND || length.is_nan() {
@@ -222,7 +227,7 @@ impl Estimate<'_> {
             } else {
                 (side < 0.0).then_some(wrong_side)
             };
-            tally.judge_class(Aspect::Direction, self.call, class, 1.0, || {
+            findings.judge_class(Aspect::Direction, self.call, class, 1.0, || {
                 format!(
                     "your result: a ray along d = {}; expected: a unit vector on the side of wo. {}",
                     show(d),
@@ -234,22 +239,22 @@ impl Estimate<'_> {
             terms.push(Term::of(&self.place, d, seen, 1.0 / TAU, samples));
             mistakes.add(&self.place, recorded);
         }
-        self.distinct(tally);
-        if self.lacks_rays(tally, wanted) {
+        self.distinct(findings);
+        if self.lacks_rays(findings, wanted) {
             return;
         }
         let share = TAU / f64::from(samples.max(1));
-        self.radiance(tally, sum * share, &terms, &mistakes.sums(share));
+        self.radiance(findings, sum * share, &terms, &mistakes.sums(share));
     }
 
     /// Judges an estimate without rays as wrong if rays are necessary, at least `wanted` of them: a
     /// sum over no rays says nothing about the light. Returns whether it is wrong.
-    fn lacks_rays(&self, tally: &mut Tally, wanted: u32) -> bool {
+    fn lacks_rays(&self, findings: &mut Findings, wanted: u32) -> bool {
         let lacks = wanted > 0 && self.answer.rays.is_empty();
         if lacks {
-            tally.expect(Aspect::Radiance);
+            findings.expect(Aspect::Radiance);
             let class = Some(Class::Named("without rays"));
-            tally.judge_class(Aspect::Radiance, self.call, class, 1.0, || {
+            findings.judge_class(Aspect::Radiance, self.call, class, 1.0, || {
                 format!(
                     "your result: {:?} without tracing a ray; expected: the sum over at least {wanted}. {}",
                     self.answer.radiance,
@@ -276,10 +281,10 @@ impl Estimate<'_> {
         }
     }
 
-    fn lights(&self, tally: &mut Tally) {
+    fn lights(&self, findings: &mut Findings) {
         let sources = self.sources();
         let (least, most) = self.right_rays(&sources);
-        self.count(tally, least, most);
+        self.count(findings, least, most);
         let (mut sum, mut with_distance_twice) = (Vec3::ZERO, Vec3::ZERO);
         let mut terms = Vec::new();
         let mut with_wrong_ends = Vec3::ZERO;
@@ -287,8 +292,8 @@ impl Estimate<'_> {
         let mut first_wrong_end = None;
         for recorded in &self.answer.rays {
             let target = target(&sources, self.place.p, recorded);
-            self.start(tally, recorded);
-            self.shadow_ray(tally, recorded, &target);
+            self.start(findings, recorded);
+            self.shadow_ray(findings, recorded, &target);
             let (source, far) = match target {
                 Target::Light { source, far } | Target::WrongEnd { source, far } => (source, far),
                 Target::None => continue,
@@ -311,8 +316,8 @@ impl Estimate<'_> {
                 false => light,
             };
         }
-        self.distinct(tally);
-        if self.lacks_rays(tally, least) {
+        self.distinct(findings);
+        if self.lacks_rays(findings, least) {
             return;
         }
         let is = |sum: Vec3| numbers::same_colour(self.answer.radiance, sum.into(), SUM_BOUND);
@@ -320,21 +325,21 @@ impl Estimate<'_> {
             && !is(sum)
             && is(with_wrong_ends)
         {
-            return self.ends_are_wrong(tally, recorded, far);
+            return self.ends_are_wrong(findings, recorded, far);
         }
         let mistakes = [
             ("distance twice", with_distance_twice),
             ("the cosine to the geometric normal", with_geometric_cosine),
         ];
-        self.radiance(tally, sum, &terms, &mistakes);
+        self.radiance(findings, sum, &terms, &mistakes);
     }
 
     /// Judges a sum as wrong although it is right for what its rays returned: some shadow rays do
     /// not end at their light. `recorded` is the first of them, `far` the distance of its light.
-    fn ends_are_wrong(&self, tally: &mut Tally, recorded: &RecordedRay, far: f64) {
-        tally.expect(Aspect::Radiance);
+    fn ends_are_wrong(&self, findings: &mut Findings, recorded: &RecordedRay, far: f64) {
+        findings.expect(Aspect::Radiance);
         let class = Some(Class::Named("wrong ends"));
-        tally.judge_class(Aspect::Radiance, self.call, class, 1.0, || {
+        findings.judge_class(Aspect::Radiance, self.call, class, 1.0, || {
             format!(
                 "your result: a shadow ray with max_t = {:?}; expected: it ends just before its light, at t = {far:?}. The sum {:?} is right for these rays. {}",
                 recorded.ray.max_t,
@@ -428,11 +433,11 @@ impl Estimate<'_> {
     }
 
     /// Judges a shadow ray: it goes to a light that can contribute, and ends just before the light.
-    fn shadow_ray(&self, tally: &mut Tally, recorded: &RecordedRay, target: &Target) {
-        tally.expect(Aspect::Direction);
-        tally.expect(Aspect::Range);
+    fn shadow_ray(&self, findings: &mut Findings, recorded: &RecordedRay, target: &Target) {
+        findings.expect(Aspect::Direction);
+        findings.expect(Aspect::Range);
         let goes_to_light = !matches!(target, Target::None);
-        tally.judge(Aspect::Direction, self.call, goes_to_light, 1.0, || {
+        findings.judge(Aspect::Direction, self.call, goes_to_light, 1.0, || {
             format!(
                 "your result: a shadow ray with d = {:?}; expected: it goes to a light that contributes here. {}",
                 recorded.ray.d,
@@ -440,7 +445,7 @@ impl Estimate<'_> {
             )
         });
         let is_useless = self.place.scattered(recorded.ray.d.into()) == Vec3::ZERO;
-        tally.judge(Aspect::Rays, self.call, !is_useless, 1.0, || {
+        findings.judge(Aspect::Rays, self.call, !is_useless, 1.0, || {
             format!(
                 "your result: a shadow ray along d = {:?}; expected: none, since no light from there is scattered to wo. {}",
                 recorded.ray.d,
@@ -454,7 +459,7 @@ impl Estimate<'_> {
         let ends_right =
             far == f64::INFINITY && recorded.ray.max_t == far || gap > 0.0 && gap <= LONGEST_GAP;
         let right = recorded.ray.min_t == 0.0 && ends_right;
-        tally.judge(Aspect::Range, self.call, right, 1.0, || {
+        findings.judge(Aspect::Range, self.call, right, 1.0, || {
             format!(
                 "your result: a shadow ray with the range [{:?}, {:?}]; expected: from 0 to just before the light at t = {far:?}. {}",
                 recorded.ray.min_t,
@@ -464,8 +469,8 @@ impl Estimate<'_> {
         });
     }
 
-    fn count(&self, tally: &mut Tally, least: u32, most: u32) {
-        tally.expect(Aspect::Rays);
+    fn count(&self, findings: &mut Findings, least: u32, most: u32) {
+        findings.expect(Aspect::Rays);
         let traced = self.answer.rays.len();
         let right = (least as usize..=most as usize).contains(&traced);
         let (wanted, size) = (f64::from(least), traced as f64 - f64::from(most));
@@ -474,7 +479,7 @@ impl Estimate<'_> {
             Strategy::ZeroBounce | Strategy::Lights => Class::of_number,
         };
         let class = (!right).then(|| class_of(traced as f64, wanted));
-        tally.judge_class(Aspect::Rays, self.call, class, size.abs(), || {
+        findings.judge_class(Aspect::Rays, self.call, class, size.abs(), || {
             let right = if least == most {
                 format!("{least}")
             } else {
@@ -488,12 +493,12 @@ impl Estimate<'_> {
     }
 
     /// Judges the origin of a ray: the point, offset by its error bound.
-    fn start(&self, tally: &mut Tally, recorded: &RecordedRay) {
-        tally.expect(Aspect::Origin);
+    fn start(&self, findings: &mut Findings, recorded: &RecordedRay) {
+        findings.expect(Aspect::Origin);
         let right = self.place.start(recorded.ray.d.into());
         let off = (Vec3::from(recorded.ray.o) - right).length();
         let class = (off.is_nan() || off > ORIGIN_BOUND).then(|| Class::of_offset(off));
-        tally.judge_class(Aspect::Origin, self.call, class, off, || {
+        findings.judge_class(Aspect::Origin, self.call, class, off, || {
             format!(
                 "your result: a ray with the origin {}; expected: {}, from Surface::leave. {}",
                 show(recorded.ray.o.into()),
@@ -504,7 +509,7 @@ impl Estimate<'_> {
     }
 
     /// Judges that no two samples use the same random numbers: no two rays have one direction.
-    fn distinct(&self, tally: &mut Tally) {
+    fn distinct(&self, findings: &mut Findings) {
         let is_directional = |light: &Light| matches!(light, Light::Directional { .. });
         let may_repeat = self
             .work
@@ -517,12 +522,12 @@ impl Estimate<'_> {
         if self.answer.rays.len() < 2 || may_repeat {
             return;
         }
-        tally.expect(Aspect::Spread);
+        findings.expect(Aspect::Spread);
         let bits = |recorded: &RecordedRay| recorded.ray.d.map(f64::to_bits);
         let different: HashSet<_> = self.answer.rays.iter().map(bits).collect();
         let (all, different) = (self.answer.rays.len(), different.len());
         let right = all == different;
-        tally.judge(Aspect::Spread, self.call, right, 1e3, || {
+        findings.judge(Aspect::Spread, self.call, right, 1e3, || {
             format!(
                 "only {different} of {all} rays have different directions: each sample needs its own random numbers. {}",
                 self.about()

@@ -16,13 +16,13 @@ pub(crate) use moves::of_material;
 
 use crate::tools::Tier;
 use crate::tools::check::{CaseContext, Check, one_each};
+use crate::tools::findings::{Aspect, Findings};
 use crate::tools::moves::{LightMoves, Move, Symmetries};
 use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::Content;
 use crate::tools::snapshot::Fields;
 use crate::tools::snapshot::lines::each;
 use crate::tools::snapshot::{field, forms, number, vector};
-use crate::tools::tally::{Aspect, Tally};
 use wire::direct::{DirectAnswer, DirectWork, RecordedRay};
 use wire::kind;
 
@@ -77,23 +77,23 @@ impl Check for kind::Direct {
     }
 
     fn judge(
-        tally: &mut Tally,
+        findings: &mut Findings,
         _: &CaseContext<'_>,
         _: Tier,
         work: &DirectWork,
         answers: &Vec<DirectAnswer>,
     ) {
-        judge::direct(tally, work, answers);
+        judge::direct(findings, work, answers);
     }
 
     fn judge_rest(
-        tally: &mut Tally,
+        findings: &mut Findings,
         _: &CaseContext<'_>,
         _: Tier,
         work: &DirectWork,
         answers: &Vec<DirectAnswer>,
     ) {
-        judge::untested(tally, work, answers);
+        judge::untested(findings, work, answers);
     }
 
     fn lines(work: &DirectWork, answers: &Vec<DirectAnswer>) -> Option<Content> {

@@ -77,7 +77,7 @@ mod tests {
     use super::super::judge::direct;
     use super::super::lamps::{ShadingPlace, sample_of_delta_light};
     use super::super::worlds::{floor, of_panels};
-    use crate::tools::tally::{Aspect, Finding, Tally};
+    use crate::tools::findings::{Aspect, Finding, Findings};
     use kit::Vec3;
     use wire::direct::{DirectAnswer, DirectWork, RecordedRay, Strategy};
     use wire::light::{Light, LitWorld};
@@ -118,9 +118,9 @@ mod tests {
             radiance: arriving.into(),
             rays: vec![ray],
         };
-        let mut tally = Tally::default().with_messages();
-        direct(&mut tally, &work, &[answer]);
-        tally.into_findings()
+        let mut findings = Findings::default().with_messages();
+        direct(&mut findings, &work, &[answer]);
+        findings.into_vec()
     }
 
     fn wrong(findings: &[Finding]) -> Vec<Aspect> {

@@ -1,4 +1,4 @@
-//! Counts right and wrong answers, aspect by aspect.
+//! The findings about the answers to a case: right and wrong ones, counted aspect by aspect.
 
 mod aspect;
 mod class;
@@ -19,10 +19,10 @@ fn digits(message: &str) -> usize {
     message.bytes().filter(u8::is_ascii_digit).count()
 }
 
-/// Collects the findings of a case.
+/// The findings about a case, one for each aspect.
 #[derive(Clone, Debug, Default)]
-pub struct Tally {
-    findings: Vec<Finding>,
+pub struct Findings {
+    list: Vec<Finding>,
     /// Every wrong answer with its message, if they are kept.
     wrong_answers: Option<Vec<WrongAnswer>>,
     not_judged: Vec<NotJudged>,
@@ -31,19 +31,19 @@ pub struct Tally {
     not_written: Vec<String>,
 }
 
-impl Tally {
-    /// The tally of a case in which some functions have holes: their answers mean nothing.
-    pub fn without(not_written: &[String]) -> Tally {
-        Tally {
+impl Findings {
+    /// The findings of a case in which some functions have holes: their answers mean nothing.
+    pub fn without(not_written: &[String]) -> Findings {
+        Findings {
             not_written: not_written.to_vec(),
-            ..Tally::default()
+            ..Findings::default()
         }
     }
 
-    /// The same tally, but it keeps the message of every wrong answer, not only that of the worst
+    /// The same findings, but they keep the message of every wrong answer, not only that of the worst
     /// ones.
-    pub(crate) fn with_messages(self) -> Tally {
-        Tally {
+    pub(crate) fn with_messages(self) -> Findings {
+        Findings {
             wrong_answers: Some(Vec::new()),
             ..self
         }
@@ -195,20 +195,27 @@ impl Tally {
     }
 
     /// The findings, in the order in which their aspects were first judged or expected.
-    pub fn into_findings(mut self) -> Vec<Finding> {
-        for finding in &mut self.findings {
+    pub fn into_vec(mut self) -> Vec<Finding> {
+        for finding in &mut self.list {
             finding.spread = ErrorSpread::of(&finding.errors);
         }
-        self.findings
+        self.list
+    }
+
+    /// The aspects that failed.
+    #[cfg(test)]
+    pub(crate) fn wrong_aspects(self) -> Vec<Aspect> {
+        let failed = self.list.iter().filter(|finding| !finding.passed());
+        failed.map(|finding| finding.aspect).collect()
     }
 
     fn entry(&mut self, aspect: Aspect) -> &mut Finding {
         let at = self
-            .findings
+            .list
             .iter()
             .position(|finding| finding.aspect == aspect)
             .unwrap_or_else(|| {
-                self.findings.push(Finding {
+                self.list.push(Finding {
                     aspect,
                     expected: 0,
                     judged: 0,
@@ -222,9 +229,9 @@ impl Tally {
                     errors: Vec::new(),
                     judged_calls: Vec::new(),
                 });
-                self.findings.len() - 1
+                self.list.len() - 1
             });
-        &mut self.findings[at]
+        &mut self.list[at]
     }
 }
 
@@ -234,16 +241,16 @@ mod tests {
 
     /// Two functions answer each of four calls; the second is wrong from `wrong_from` on.
     fn judged(wrong_from: usize) -> Finding {
-        let mut tally = Tally::default();
+        let mut findings = Findings::default();
         for call in 0..4 {
-            tally.count_for("test");
-            tally.judge(Aspect::T, call, true, 0.0, String::new);
-            tally.count_for("record");
+            findings.count_for("test");
+            findings.judge(Aspect::T, call, true, 0.0, String::new);
+            findings.count_for("record");
             for _ in 0..2 {
-                tally.judge(Aspect::T, call, call < wrong_from, 1.0, String::new);
+                findings.judge(Aspect::T, call, call < wrong_from, 1.0, String::new);
             }
         }
-        tally.into_findings().remove(0)
+        findings.into_vec().remove(0)
     }
 
     #[test]
@@ -261,11 +268,11 @@ mod tests {
     #[test]
     fn the_worst_answer_is_large_and_simple() {
         let worst = |answers: &[(f64, &str)]| {
-            let mut tally = Tally::default();
+            let mut findings = Findings::default();
             for (call, (badness, message)) in answers.iter().enumerate() {
-                tally.judge(Aspect::T, call, false, *badness, || message.to_string());
+                findings.judge(Aspect::T, call, false, *badness, || message.to_string());
             }
-            let finding = tally.into_findings().remove(0);
+            let finding = findings.into_vec().remove(0);
             finding.worst.map(|worst| worst.message)
         };
         let all = [
@@ -291,22 +298,22 @@ mod tests {
 
     #[test]
     fn an_aspect_of_all_answers_together_is_right_or_wrong() {
-        let mut tally = Tally::default();
+        let mut findings = Findings::default();
         for call in 0..9 {
-            tally.judge(Aspect::Mean, call, call > 0, 1.0, String::new);
+            findings.judge(Aspect::Mean, call, call > 0, 1.0, String::new);
         }
-        let finding = tally.into_findings().remove(0);
+        let finding = findings.into_vec().remove(0);
         assert_eq!(finding.mostly_right_by(""), Some(false));
     }
 
     #[test]
     fn a_function_with_a_hole_has_a_share_of_its_aspects() {
-        let mut tally = Tally::without(&["record".to_string()]);
-        assert!(tally.is_written("test", &[Aspect::T]));
-        assert!(!tally.is_written("record", &[Aspect::T]));
-        let findings = tally.into_findings();
-        assert_eq!(findings.len(), 1, "{findings:?}");
-        assert_eq!(findings[0].functions[0].function, "record");
-        assert_eq!(findings[0].judged, 0);
+        let mut findings = Findings::without(&["record".to_string()]);
+        assert!(findings.is_written("test", &[Aspect::T]));
+        assert!(!findings.is_written("record", &[Aspect::T]));
+        let list = findings.into_vec();
+        assert_eq!(list.len(), 1, "{list:?}");
+        assert_eq!(list[0].functions[0].function, "record");
+        assert_eq!(list[0].judged, 0);
     }
 }

@@ -9,12 +9,13 @@
 //! - [`browser`]: opens pages; [`keys`]: reads single keys
 //! - [`Workspace`]: the checkout or handout of the course
 //! - [`term`]: the folder of a teacher's course
-//! - [`utc`]: dates and times of day
+//! - [`fnv`]: a hash of bytes; [`utc`]: dates and times of day
 
 pub mod browser;
 pub mod child_processes;
 mod error;
 mod files;
+pub mod fnv;
 pub mod interrupt;
 pub mod keys;
 pub mod print;

@@ -3,6 +3,7 @@
 use super::key::{Side, SignatureKey};
 use crate::score::{CaseResult, Status};
 use crate::workers::crash::CrashKind;
+use base::fnv;
 use judge::findings::{BLACK_CHANNEL, Class, Fault};
 use std::collections::{BTreeMap, HashSet};
 use std::fmt;
@@ -175,9 +176,7 @@ impl fmt::Display for Codes {
 /// FNV-1a over the names, folded to 16 bits; never 0 and never [`CRASHED`].
 pub(super) fn digest(classes: &[Class]) -> u16 {
     let text = format!("{classes:?}");
-    let hash = text.bytes().fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| {
-        (hash ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3)
-    });
+    let hash = text.bytes().fold(fnv::START, fnv::add);
     let folded = hash ^ (hash >> 32);
     1 + ((folded ^ (folded >> 16)) & 0xffff) as u16 % (CRASHED - 1)
 }

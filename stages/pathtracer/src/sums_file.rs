@@ -6,6 +6,7 @@
 use crate::exact_sum::{ExactSum, PixelSum};
 use crate::part_file::PartFile;
 use crate::{Job, Rendered};
+use base::fnv;
 use kit::film::Cell;
 use kit::{Film, FilmSize, PixelEstimate, Spectrum};
 use std::fmt;
@@ -306,16 +307,14 @@ pub struct Fingerprint(u64);
 
 impl Default for Fingerprint {
     fn default() -> Fingerprint {
-        Fingerprint(0xcbf2_9ce4_8422_2325)
+        Fingerprint(fnv::START)
     }
 }
 
 impl Fingerprint {
     /// Adds bytes. Neighbouring calls are not separated.
     pub fn add(&mut self, bytes: &[u8]) {
-        for byte in bytes {
-            self.0 = (self.0 ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3);
-        }
+        self.0 = bytes.iter().copied().fold(self.0, fnv::add);
     }
 
     /// The hash of all bytes so far.

@@ -1,7 +1,7 @@
 //! Where the goldens come from.
 
 use super::read;
-use base::{GraderError, Workspace};
+use base::{GraderError, Workspace, fnv};
 use std::fmt::Write;
 use std::process::Command;
 
@@ -40,15 +40,11 @@ pub(super) fn text(workspace: &Workspace) -> Result<String, GraderError> {
     scenes.sort();
     for path in scenes {
         let name = path.file_name().unwrap_or_default().display().to_string();
-        let _ = writeln!(text, "{name:?} = \"{:016x}\"", fnv(read(&path)?.as_bytes()));
+        let _ = writeln!(
+            text,
+            "{name:?} = \"{:016x}\"",
+            read(&path)?.bytes().fold(fnv::START, fnv::add)
+        );
     }
     Ok(text)
-}
-
-/// FNV-1a hash. It only detects that a scene file is not the one that was used; it is not
-/// cryptographic.
-fn fnv(bytes: &[u8]) -> u64 {
-    bytes.iter().fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
-        (hash ^ u64::from(*byte)).wrapping_mul(0x100_0000_01b3)
-    })
 }

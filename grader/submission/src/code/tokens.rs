@@ -1,6 +1,7 @@
 //! The tokens of a source file, without what may differ between two copies of one text: comments,
 //! attributes, blanks, and, in [`Token::form`], names.
 
+use base::fnv;
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 use std::str::FromStr;
 
@@ -25,12 +26,12 @@ impl Token {
 
     /// Whether it is this word or mark.
     pub(super) fn is(&self, text: &str) -> bool {
-        self.exact == hash(text.bytes().map(u64::from))
+        self.exact == hash(text.bytes())
     }
 
     /// Whether it is a name.
     pub(super) fn is_name(&self) -> bool {
-        self.form == hash(NAME.bytes().map(u64::from))
+        self.form == hash(NAME.bytes())
     }
 }
 
@@ -95,19 +96,16 @@ pub fn of(text: &str) -> Option<Vec<Token>> {
 
 fn token(form: &str, exact: &str, line: usize) -> Token {
     Token {
-        form: hash(form.bytes().map(u64::from)),
-        exact: hash(exact.bytes().map(u64::from)),
+        form: hash(form.bytes()),
+        exact: hash(exact.bytes()),
         line,
     }
 }
 
-/// A hash of numbers that is the same with every compiler (FNV-1a), mixed so that its size is
-/// random, too.
-pub(super) fn hash(parts: impl IntoIterator<Item = u64>) -> u64 {
-    let all = parts.into_iter().fold(0xcbf2_9ce4_8422_2325, |hash, part| {
-        (hash ^ part).wrapping_mul(0x0100_0000_01b3)
-    });
-    let folded: u64 = all ^ (all >> 32);
+/// A hash of numbers, mixed so that its size is random, too.
+pub(super) fn hash(parts: impl IntoIterator<Item: Into<u64>>) -> u64 {
+    let all = parts.into_iter().fold(fnv::START, fnv::add);
+    let folded = all ^ (all >> 32);
     folded.wrapping_mul(0x9e37_79b9_7f4a_7c15)
 }
 

@@ -121,7 +121,9 @@ mod tests {
         let mut findings = Findings::default();
         let probe = Probe { shape: 0, ray };
         triangles(&mut findings, &[probe], &[expected(&ray)], &[answer]);
-        findings.wrong_aspects()
+        let list = findings.into_vec().into_iter();
+        let wrong = list.filter(|finding| finding.wrong > 0);
+        wrong.map(|finding| finding.aspect).collect()
     }
 
     /// Changes the hit record.

@@ -276,7 +276,7 @@ fn a_students_first_build_stays_within_its_budget() {
         "`grader part1` compiles {} crates from the registry, its budget is {REGISTRY_BUDGET}: {compiled:?}",
         compiled.len()
     );
-    for forbidden in ["clap_derive", "image", "plotters", "rayon-core"] {
+    for forbidden in ["clap_derive", "image", "rayon-core"] {
         let name = format!("{forbidden} ");
         assert!(
             !compiled.iter().any(|package| package.starts_with(&name)),

@@ -34,7 +34,7 @@ fn pages_have_the_colors_of_the_palette() {
     let grader = Path::new(env!("CARGO_MANIFEST_DIR"));
     let mut sheets = 0;
     for path in style_sheets(grader) {
-        // The palette, and that of plots, which `plotters` writes into the SVG.
+        // The palette, and that of plots, whose colours stand in the SVG.
         if path.ends_with("src/palette.css") || path.ends_with("plots/src/colors.css") {
             continue;
         }

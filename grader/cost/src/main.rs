@@ -52,13 +52,13 @@ fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
             out!("{}", printed.rest_of(cost));
         }
         if let Some(path) = matches.get_one::<PathBuf>("html") {
-            base::write_whole(path, page(cost)?.as_bytes())?;
+            base::write_whole(path, page(cost).as_bytes())?;
         }
         Ok(())
     })?;
     drop(progress);
     if let Some(path) = matches.get_one::<PathBuf>("svg") {
-        let plot = plot(&cost)?.ok_or_else(|| {
+        let plot = plot(&cost).ok_or_else(|| {
             GraderError::new("--svg: nothing to plot; name a shape (triangle, sphere, box) or bvh")
         })?;
         base::write_whole(path, plot.as_bytes())?;

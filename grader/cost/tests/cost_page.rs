@@ -233,7 +233,7 @@ fn report(rows: Vec<KernelRow>, bias: Option<f64>) -> CostReport {
 }
 
 fn html(report: &CostReport) -> String {
-    page(report).expect("a page").replace('\u{a0}', " ")
+    page(report).replace('\u{a0}', " ")
 }
 
 /// Returns the SVG elements of a page.
@@ -463,7 +463,7 @@ fn each_test_is_named_at_its_point_and_has_a_tooltip_and_a_row() {
 fn exactness_is_drawn_at_its_speed_and_its_losses() {
     let mut report = report(rows(0.0, 0.0), None);
     report.families.clear();
-    let file = plot(&report).expect("drawn").expect("trees are measured");
+    let file = plot(&report).expect("trees are measured");
     assert!(file.contains("In the same tree, exact hits cost 25 % more time than Woop in f32"));
     // The legend names what the markers stand for, and the other trees only if there are some.
     let has_text = |file: &str, text: &str| file.contains(&format!(">{text}</text>"));

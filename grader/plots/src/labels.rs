@@ -1,6 +1,6 @@
 //! Names beside points, so that none covers another one.
 
-use crate::canvas::{Canvas, DrawResult, Label, Position};
+use crate::canvas::{Canvas, Label, Position};
 use crate::style::INK;
 
 /// Left, top, right, bottom.
@@ -38,13 +38,7 @@ impl Labels {
     /// Draws a name at the free place that is nearest to a point, with a thin line if that is not
     /// beside it. Only the first of its lines is bold. If nothing is free, the name is drawn over
     /// the others.
-    pub fn place(
-        &mut self,
-        canvas: &Canvas,
-        text: &str,
-        (x, y): Position,
-        label: Label,
-    ) -> DrawResult {
+    pub fn place(&mut self, canvas: &Canvas, text: &str, (x, y): Position, label: Label) {
         let lines: Vec<&str> = text.lines().collect();
         let step = 1.15 * label.size;
         let width = lines.iter().map(|line| label.width(line));
@@ -53,14 +47,13 @@ impl Labels {
         let [left, top, right, bottom] = rect;
         let nearest = (x.clamp(left, right), y.clamp(top, bottom));
         if (nearest.0 - x).hypot(nearest.1 - y) > 14.0 {
-            canvas.line(&[(x, y), nearest], INK, 0.4)?;
+            canvas.line(&[(x, y), nearest], INK, 0.4);
         }
         for (i, line) in lines.iter().enumerate() {
             let bold = label.bold && i == 0;
             let y = top + step * (i as f64 + 0.5);
-            canvas.text(line, (left, y), Label { bold, ..label })?;
+            canvas.text(line, (left, y), Label { bold, ..label });
         }
-        Ok(())
     }
 
     /// The nearest free rectangle of a size, which is taken from now on.

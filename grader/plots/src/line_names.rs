@@ -1,6 +1,6 @@
 //! Names at the right ends of lines, so that none covers another one.
 
-use crate::canvas::{Canvas, DrawResult, Label, Position};
+use crate::canvas::{Canvas, Label, Position};
 
 /// Distance of a name from the end of its line, in points.
 const GAP: f64 = 8.0;
@@ -26,7 +26,7 @@ impl LineName {
 }
 
 /// Draws the names, each as near to the end of its line as the others allow.
-pub fn draw(canvas: &Canvas, mut names: Vec<LineName>) -> DrawResult {
+pub fn draw(canvas: &Canvas, mut names: Vec<LineName>) {
     names.sort_by(|a, b| a.end.1.total_cmp(&b.end.1));
     let middles = middles(&names);
     for (name, middle) in names.iter().zip(middles) {
@@ -35,10 +35,9 @@ pub fn draw(canvas: &Canvas, mut names: Vec<LineName>) -> DrawResult {
         for (i, text) in name.text.iter().enumerate() {
             let bold = name.label.bold && i == 0;
             let label = Label { bold, ..name.label };
-            canvas.text(text, (name.end.0 + GAP, first + step * i as f64), label)?;
+            canvas.text(text, (name.end.0 + GAP, first + step * i as f64), label);
         }
     }
-    Ok(())
 }
 
 /// The middles of names that are sorted by their ends. Groups of names that would overlap are

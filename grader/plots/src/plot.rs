@@ -1,6 +1,6 @@
 //! A plot: two axes and the lines and markers between them.
 
-use crate::canvas::{Canvas, DrawResult, Label, Position};
+use crate::canvas::{Canvas, Label, Position};
 use crate::style::{self, GRID, INK, SeriesStyle};
 
 /// Font size at the axes, in points.
@@ -153,24 +153,24 @@ impl Axis {
 }
 
 /// A plot on a canvas.
-pub struct Plot<'a, 'b> {
-    canvas: &'a Canvas<'b>,
+pub struct Plot<'a> {
+    canvas: &'a Canvas,
     x: Axis,
     y: Axis,
     /// The inner part: left, top, right, bottom.
     inner: [f64; 4],
 }
 
-impl<'a, 'b> Plot<'a, 'b> {
+impl<'a> Plot<'a> {
     /// Draws the axes of a plot. `corner` is its top left corner.
     pub fn new(
-        canvas: &'a Canvas<'b>,
+        canvas: &'a Canvas,
         title: &str,
         corner: Position,
         [w, h]: [f64; 2],
         x: Axis,
         y: Axis,
-    ) -> Result<Plot<'a, 'b>, base::GraderError> {
+    ) -> Plot<'a> {
         let inner = [
             corner.0 + LEFT,
             corner.1 + ABOVE,
@@ -183,38 +183,38 @@ impl<'a, 'b> Plot<'a, 'b> {
             y,
             inner,
         };
-        plot.draw_axes(title)?;
-        Ok(plot)
+        plot.draw_axes(title);
+        plot
     }
 
-    fn draw_axes(&self, title: &str) -> DrawResult {
+    fn draw_axes(&self, title: &str) {
         let [left, top, right, bottom] = self.inner;
         let canvas = self.canvas;
         if let Some(y) = self.separator() {
-            canvas.dashes(&[(left, y), (right, y)], INK, 0.6, [2.0, 3.0])?;
+            canvas.dashes(&[(left, y), (right, y)], INK, 0.6, [2.0, 3.0]);
         }
         for (value, _) in &self.x.ticks {
             let (x, _) = self.at(*value, self.y.from);
-            canvas.line(&[(x, top), (x, bottom)], GRID, 0.6)?;
+            canvas.line(&[(x, top), (x, bottom)], GRID, 0.6);
         }
         let label = Label::centered(SMALL).in_color(INK);
         for (x, number) in self.x_numbers(label) {
-            canvas.text(number, (x, bottom + 9.0), label)?;
+            canvas.text(number, (x, bottom + 9.0), label);
         }
         for (value, number) in &self.y.ticks {
             let (_, y) = self.at(self.x.from, *value);
-            canvas.line(&[(left, y), (right, y)], GRID, 0.6)?;
-            canvas.text(number, (left - 4.0, y), Label::right(SMALL).in_color(INK))?;
+            canvas.line(&[(left, y), (right, y)], GRID, 0.6);
+            canvas.text(number, (left - 4.0, y), Label::right(SMALL).in_color(INK));
         }
         let frame = [(left, top), (left, bottom), (right, bottom)];
-        canvas.line(&frame, INK, 1.0)?;
+        canvas.line(&frame, INK, 1.0);
         let middle = (0.5 * (left + right), 0.5 * (top + bottom));
-        canvas.text(title, (left, top - 10.0), Label::left(SMALL + 1.0).bold())?;
+        canvas.text(title, (left, top - 10.0), Label::left(SMALL + 1.0).bold());
         canvas.text(
             &self.x.name,
             (middle.0, bottom + 25.0),
             Label::centered(SMALL + 0.5),
-        )?;
+        );
         let upright = Label {
             upright: true,
             ..Label::centered(SMALL + 0.5)
@@ -276,12 +276,12 @@ impl<'a, 'b> Plot<'a, 'b> {
     }
 
     /// Draws a marker; `area` is in square points.
-    pub fn marker(&self, style: SeriesStyle, (x, y): (f64, f64), area: f64) -> DrawResult {
+    pub fn marker(&self, style: SeriesStyle, (x, y): (f64, f64), area: f64) {
         style::marker(self.canvas, style, self.at(x, y), area)
     }
 
     /// Draws a line through values, clamped to the range of the y axis.
-    pub fn line(&self, style: SeriesStyle, values: &[(f64, f64)], width: f64) -> DrawResult {
+    pub fn line(&self, style: SeriesStyle, values: &[(f64, f64)], width: f64) {
         let (from, to) = self.y.ends();
         let positions: Vec<Position> = values
             .iter()
@@ -291,7 +291,7 @@ impl<'a, 'b> Plot<'a, 'b> {
     }
 
     /// Draws an error bar from `low` to `high` at `x`, clamped to the range of the y axis.
-    pub fn error_bar(&self, style: SeriesStyle, x: f64, low: f64, high: f64) -> DrawResult {
+    pub fn error_bar(&self, style: SeriesStyle, x: f64, low: f64, high: f64) {
         let (from, to) = self.y.ends();
         let ends = [low, high].map(|y| self.at(x, y.clamp(from, to)));
         self.canvas.line(&ends, style.color, 1.0)
@@ -299,34 +299,28 @@ impl<'a, 'b> Plot<'a, 'b> {
 
     /// Draws an error bar from `low` to `high` at `y`, with short strokes at its ends. Clamped to
     /// the range of the x axis.
-    pub fn time_bar(&self, style: SeriesStyle, [low, high]: [f64; 2], y: f64) -> DrawResult {
+    pub fn time_bar(&self, style: SeriesStyle, [low, high]: [f64; 2], y: f64) {
         let (from, to) = self.x.ends();
         let ends = [low, high].map(|x| self.at(x.clamp(from, to), y));
-        self.canvas.line(&ends, style.color, 1.0)?;
+        self.canvas.line(&ends, style.color, 1.0);
         for (x, y) in ends {
             let stroke = [(x, y - CAP), (x, y + CAP)];
-            self.canvas.line(&stroke, style.color, 1.0)?;
+            self.canvas.line(&stroke, style.color, 1.0);
         }
-        Ok(())
     }
 }
 
 /// Draws a legend from `corner` down: the style of each entry, if it has one, and its text.
-pub fn legend(
-    canvas: &Canvas,
-    corner: Position,
-    entries: &[(Option<SeriesStyle>, String)],
-) -> DrawResult {
+pub fn legend(canvas: &Canvas, corner: Position, entries: &[(Option<SeriesStyle>, String)]) {
     let (x, mut y) = corner;
     for (style, text) in entries {
         if let Some(style) = style {
-            style::line(canvas, *style, &[(x, y), (x + 26.0, y)], 1.5)?;
-            style::marker(canvas, *style, (x + 13.0, y), 28.0)?;
+            style::line(canvas, *style, &[(x, y), (x + 26.0, y)], 1.5);
+            style::marker(canvas, *style, (x + 13.0, y), 28.0);
         }
-        canvas.text(text, (x + 32.0, y), Label::left(SMALL + 0.5))?;
+        canvas.text(text, (x + 32.0, y), Label::left(SMALL + 0.5));
         y += 15.0;
     }
-    Ok(())
 }
 
 #[cfg(test)]

@@ -1,43 +1,53 @@
 //! Colours, markers and dashes that can be distinguished by colour-blind readers and in print
 //! without colour.
 
-use crate::canvas::{Canvas, DrawResult, Position};
-use plotters::style::WHITE;
+use crate::canvas::{Canvas, Position};
 use std::f64::consts::{FRAC_PI_2, PI};
+use std::fmt;
 
-pub use plotters::style::RGBColor;
+/// Red, green and blue of an sRGB colour.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Color(pub u8, pub u8, pub u8);
+
+impl fmt::Display for Color {
+    /// As in CSS: "#0072B2".
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Color(r, g, b) = self;
+        write!(f, "#{r:02X}{g:02X}{b:02X}")
+    }
+}
 
 /// CSS rules that replace the colours of text, and those of plots on a dark page.
 pub const COLOR_RULES: &str = include_str!("colors.css");
 
 /// The palette of Okabe and Ito, "Color universal design" (2008), strongest contrasts first. Its
 /// yellow has too little contrast for lines on white.
-const PALETTE: [RGBColor; 7] = [
-    RGBColor(0, 114, 178),
-    RGBColor(213, 94, 0),
-    RGBColor(0, 158, 115),
-    RGBColor(0, 0, 0),
-    RGBColor(204, 121, 167),
-    RGBColor(230, 159, 0),
-    RGBColor(86, 180, 233),
+const PALETTE: [Color; 7] = [
+    Color(0, 114, 178),
+    Color(213, 94, 0),
+    Color(0, 158, 115),
+    Color(0, 0, 0),
+    Color(204, 121, 167),
+    Color(230, 159, 0),
+    Color(86, 180, 233),
 ];
 
 /// Bluish green: correct.
-pub const GREEN: RGBColor = PALETTE[2];
+pub const GREEN: Color = PALETTE[2];
 /// Sky blue: within the bound.
-pub const SKY: RGBColor = PALETTE[6];
+pub const SKY: Color = PALETTE[6];
 /// Yellow: beyond the bound.
-pub const YELLOW: RGBColor = RGBColor(240, 228, 66);
+pub const YELLOW: Color = Color(240, 228, 66);
 /// Vermilion: wrong.
-pub const VERMILION: RGBColor = PALETTE[1];
+pub const VERMILION: Color = PALETTE[1];
 /// Reddish purple: leaks.
-pub const PURPLE: RGBColor = PALETTE[4];
+pub const PURPLE: Color = PALETTE[4];
 /// Grid lines.
-pub const GRID: RGBColor = RGBColor(222, 222, 222);
+pub const GRID: Color = Color(222, 222, 222);
 /// Error bounds.
-pub const BOUND: RGBColor = RGBColor(170, 170, 170);
+pub const BOUND: Color = Color(170, 170, 170);
 /// Axes and annotations.
-pub const INK: RGBColor = RGBColor(60, 60, 60);
+pub const INK: Color = Color(60, 60, 60);
 
 /// Lengths of dashes and gaps in points; `None` is a solid line.
 const DASHES: [Option<[f64; 2]>; 4] = [None, Some([7.0, 3.0]), Some([2.0, 2.5]), Some([11.0, 2.5])];
@@ -71,7 +81,7 @@ const MARKERS: [Marker; 5] = [
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SeriesStyle {
     /// Colour of line and markers.
-    pub color: RGBColor,
+    pub color: Color,
     /// Shape of the markers.
     pub marker: Marker,
     /// Whether only the marker's outline is drawn.
@@ -97,11 +107,17 @@ impl SeriesStyle {
 const RIM: f64 = 0.8;
 
 /// Draws a marker with an area of about `area` square points.
-pub fn marker(canvas: &Canvas, style: SeriesStyle, center: Position, area: f64) -> DrawResult {
+pub fn marker(canvas: &Canvas, style: SeriesStyle, center: Position, area: f64) {
     let radius = (area / PI).sqrt();
     if !style.hollow {
         // A white outline separates overlapping markers.
-        filled(canvas, style.marker, center, radius + RIM, WHITE)?;
+        filled(
+            canvas,
+            style.marker,
+            center,
+            radius + RIM,
+            Color(255, 255, 255),
+        );
         return filled(canvas, style.marker, center, radius, style.color);
     }
     if style.marker == Marker::Disc {
@@ -112,13 +128,7 @@ pub fn marker(canvas: &Canvas, style: SeriesStyle, center: Position, area: f64) 
     canvas.line(&closed, style.color, 1.5)
 }
 
-fn filled(
-    canvas: &Canvas,
-    marker: Marker,
-    center: Position,
-    radius: f64,
-    color: RGBColor,
-) -> DrawResult {
+fn filled(canvas: &Canvas, marker: Marker, center: Position, radius: f64, color: Color) {
     if marker == Marker::Disc {
         canvas.disc(center, radius, color, None)
     } else {
@@ -151,7 +161,7 @@ fn outline(marker: Marker, (x, y): Position, radius: f64) -> Vec<Position> {
 }
 
 /// Draws a line in this style.
-pub fn line(canvas: &Canvas, style: SeriesStyle, positions: &[Position], width: f64) -> DrawResult {
+pub fn line(canvas: &Canvas, style: SeriesStyle, positions: &[Position], width: f64) {
     match style.dashes {
         None => canvas.line(positions, style.color, width),
         Some(dashes) => canvas.dashes(positions, style.color, width, dashes),
@@ -159,13 +169,13 @@ pub fn line(canvas: &Canvas, style: SeriesStyle, positions: &[Position], width: 
 }
 
 /// Black on a coloured background: a dark page, which replaces black, leaves this black alone.
-const BLACK_ON_COLOR: RGBColor = RGBColor(1, 1, 1);
+const BLACK_ON_COLOR: Color = Color(1, 1, 1);
 /// White on a coloured background.
-const WHITE_ON_COLOR: RGBColor = RGBColor(254, 254, 254);
+const WHITE_ON_COLOR: Color = Color(254, 254, 254);
 
 /// Returns white or black, whichever has more contrast on `color` (relative luminance of WCAG 2,
 /// linearised by a power).
-pub fn text_color_on(color: RGBColor) -> RGBColor {
+pub fn text_color_on(color: Color) -> Color {
     let linear = |c: u8| (f64::from(c) / 255.0).powf(2.2);
     let luminance = 0.2126 * linear(color.0) + 0.7152 * linear(color.1) + 0.0722 * linear(color.2);
     if luminance > 0.18 {
@@ -176,10 +186,10 @@ pub fn text_color_on(color: RGBColor) -> RGBColor {
 }
 
 /// Returns `color` on white, from a faint tint for 0 to the full colour for 1.
-pub fn tint(color: RGBColor, strength: f64) -> RGBColor {
+pub fn tint(color: Color, strength: f64) -> Color {
     let strength = FAINTEST + (1.0 - FAINTEST) * strength.clamp(0.0, 1.0);
     let mix = |c: u8| (255.0 + (f64::from(c) - 255.0) * strength).round() as u8;
-    RGBColor(mix(color.0), mix(color.1), mix(color.2))
+    Color(mix(color.0), mix(color.1), mix(color.2))
 }
 
 /// The strength of the faintest tint that can be told from white.
@@ -221,7 +231,7 @@ mod tests {
 
     #[test]
     fn text_contrasts_with_its_background() {
-        assert_eq!(text_color_on(RGBColor(0, 114, 178)), WHITE_ON_COLOR);
+        assert_eq!(text_color_on(Color(0, 114, 178)), WHITE_ON_COLOR);
         assert_eq!(text_color_on(YELLOW), BLACK_ON_COLOR);
     }
 }

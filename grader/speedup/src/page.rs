@@ -3,8 +3,7 @@
 use crate::measure::{Ladder, RungCost};
 use crate::rays::RayKind;
 use crate::rung::RungKind;
-use base::GraderError;
-use plots::canvas::{Canvas, DrawResult, Label, file, for_both_widths};
+use plots::canvas::{Canvas, Label, file, for_both_widths};
 use plots::document::Document;
 use plots::figure::{Figure, heads};
 use plots::line_names::{self, LineName};
@@ -26,13 +25,9 @@ const NAME: f64 = 9.5;
 const AREA: f64 = 30.0;
 
 /// Returns the HTML page of the results.
-pub fn page(ladder: &Ladder) -> Result<String, GraderError> {
+pub fn page(ladder: &Ladder) -> String {
     let mut steps = String::new();
-    for figure in [
-        speed(ladder, "bounce rays")?,
-        tests(ladder)?,
-        build(ladder)?,
-    ] {
+    for figure in [speed(ladder, "bounce rays"), tests(ladder), build(ladder)] {
         steps.push_str(&figure.html());
     }
     let missing: Vec<String> = ladder.missing.iter().map(|why| format!("{why}.")).collect();
@@ -47,17 +42,17 @@ pub fn page(ladder: &Ladder) -> Result<String, GraderError> {
         style: String::new(),
         sections: vec![("Steps".into(), steps)],
     };
-    Ok(document.html())
+    document.html()
 }
 
 /// Returns the plot of speed, with the finding as its title, as an SVG file.
-pub fn plot(ladder: &Ladder) -> Result<String, GraderError> {
-    let figure = speed(ladder, &speed_finding(ladder))?;
-    Ok(file(&figure.drawing))
+pub fn plot(ladder: &Ladder) -> String {
+    let figure = speed(ladder, &speed_finding(ladder));
+    file(&figure.drawing)
 }
 
 /// Rays per second of each step. `title_of_plot` stands above it.
-fn speed(ladder: &Ladder, title_of_plot: &str) -> Result<Figure, GraderError> {
+fn speed(ladder: &Ladder, title_of_plot: &str) -> Figure {
     let lines = Lines {
         title: title_of_plot,
         unit: "millions of rays per second",
@@ -83,9 +78,9 @@ fn speed(ladder: &Ladder, title_of_plot: &str) -> Result<Figure, GraderError> {
         }));
         cells
     });
-    Ok(Figure {
+    Figure {
         finding: speed_finding(ladder),
-        drawing: lines.draw(ladder)?,
+        drawing: lines.draw(ladder),
         caption: "Bounce rays start at the hits of camera rays in random directions. Further up is faster; the flatter a line, the less \
                   a larger mesh costs."
             .into(),
@@ -103,7 +98,7 @@ fn speed(ladder: &Ladder, title_of_plot: &str) -> Result<Figure, GraderError> {
             "shadow, tenfold mesh",
         ]),
         rows: rows.collect(),
-    })
+    }
 }
 
 /// What the plot of speed shows: the gain of the fastest step, and its growth.
@@ -133,7 +128,7 @@ fn speed_finding(ladder: &Ladder) -> String {
 }
 
 /// Tests of each step.
-fn tests(ladder: &Ladder) -> Result<Figure, GraderError> {
+fn tests(ladder: &Ladder) -> Figure {
     let counts = |row: &RungCost| {
         let bounce = row.rays[RayKind::Bounce as usize];
         (bounce.box_tests, bounce.prim_tests)
@@ -169,19 +164,19 @@ fn tests(ladder: &Ladder) -> Result<Figure, GraderError> {
         let (boxes, triangles) = counts(row);
         vec![title(row), figures(boxes), rounded(triangles)]
     });
-    Ok(Figure {
+    Figure {
         finding,
-        drawing: lines.draw(ladder)?,
+        drawing: lines.draw(ladder),
         caption: "Tests of boxes and triangles together, for each bounce ray. The wide tree tests eight boxes at a time, so its tests take less time."
             .into(),
         notes: "Each of the eight boxes of a node of the wide tree counts as a test.".into(),
         head: heads(&["step", "box tests", "triangle tests"]),
         rows: rows.collect(),
-    })
+    }
 }
 
 /// Time and memory of each tree.
-fn build(ladder: &Ladder) -> Result<Figure, GraderError> {
+fn build(ladder: &Ladder) -> Figure {
     let has_tree = |row: &RungCost| row.kind != RungKind::BruteForce;
     let bytes = |row: &RungCost| row.bytes as f64 / row.triangles as f64;
     let lines = Lines {
@@ -220,14 +215,14 @@ fn build(ladder: &Ladder) -> Result<Figure, GraderError> {
             format!("{:.0}", bytes(row)),
         ]
     });
-    Ok(Figure {
+    Figure {
         finding,
-        drawing: lines.draw(ladder)?,
+        drawing: lines.draw(ladder),
         caption: "The time to build each tree, the least of the rounds.".into(),
         notes: "The bytes are those of the tree, without the triangles of the scene.".into(),
         head: heads(&["step", "build, ms", "bytes a triangle"]),
         rows: rows.collect(),
-    })
+    }
 }
 
 /// Millions of rays per second.
@@ -269,7 +264,7 @@ struct Lines<'a> {
 }
 
 impl Lines<'_> {
-    fn draw(&self, ladder: &Ladder) -> Result<String, GraderError> {
+    fn draw(&self, ladder: &Ladder) -> String {
         let label = format!("{} over the number of triangles: {}", self.unit, self.title);
         for_both_widths(BROAD, NARROW, &label, |canvas, size, is_narrow| {
             let size = [size[0] - NAMES[usize::from(is_narrow)], size[1]];
@@ -277,18 +272,12 @@ impl Lines<'_> {
         })
     }
 
-    fn draw_on(
-        &self,
-        canvas: &Canvas,
-        size: [f64; 2],
-        ladder: &Ladder,
-        is_narrow: bool,
-    ) -> DrawResult {
+    fn draw_on(&self, canvas: &Canvas, size: [f64; 2], ladder: &Ladder, is_narrow: bool) {
         let sizes = ladder.rows.iter().map(|row| row.triangles as f64);
         let values = ladder.rows.iter().filter_map(self.value);
         let x = Axis::log("triangles", sizes, tick);
         let y = Axis::log(self.unit, values, tick);
-        let plot = Plot::new(canvas, self.title, (0.0, 0.0), size, x, y)?;
+        let plot = Plot::new(canvas, self.title, (0.0, 0.0), size, x, y);
         let mut names = Vec::new();
         for (i, kind) in RungKind::ALL.into_iter().enumerate() {
             let style = SeriesStyle::of(i);
@@ -301,9 +290,9 @@ impl Lines<'_> {
                 continue;
             };
             let is_yours = matches!(kind, RungKind::Student | RungKind::Wide);
-            plot.line(style, &line, if is_yours { 2.2 } else { 1.4 })?;
+            plot.line(style, &line, if is_yours { 2.2 } else { 1.4 });
             for (row, at) in points {
-                plot.marker(style, at, AREA)?;
+                plot.marker(style, at, AREA);
                 let text = format!("{}: {}", title(row), (self.tip)(row));
                 canvas.tip(plot.at(at.0, at.1), 8.0, &text);
             }
@@ -354,7 +343,7 @@ mod tests {
 
     #[test]
     fn headings_and_lines_say_what_was_measured() {
-        let page = page(&ladder()).expect("a page");
+        let page = page(&ladder());
         for text in [
             "At 10,000 triangles, your wide tree is 500 times as fast as brute force; a tenfold mesh costs it 2.0 times the time",
             "At 10,000 triangles, a ray in your wide tree tests 40 boxes and 12 triangles",
@@ -372,7 +361,7 @@ mod tests {
     /// A faster step is higher, and a larger mesh farther right.
     #[test]
     fn points_are_at_their_sizes_and_speeds() {
-        let file = plot(&ladder()).expect("a plot");
+        let file = plot(&ladder());
         let number = |element: &str, name: &str| -> f64 {
             let value = element.split(&format!(" {name}=\"")).nth(1).expect(name);
             let value = value.split('"').next().expect("a quote");
@@ -400,7 +389,7 @@ mod tests {
     fn a_single_size_has_no_slope() {
         let mut ladder = ladder();
         ladder.rows.truncate(2);
-        let page = page(&ladder).expect("a page");
+        let page = page(&ladder);
         assert!(!page.contains("tenfold mesh costs") && !page.contains("NaN"));
     }
 }

@@ -2,7 +2,6 @@
 
 use super::kernel_name::name;
 use crate::report::{Accuracy, KernelFamily, KernelRow, Precision, RayFamily};
-use base::GraderError;
 use plots::canvas::{Label, for_both_widths};
 use plots::figure::Figure;
 use plots::numbers::{figures, list, rounded, tick};
@@ -21,7 +20,7 @@ const LINE: f64 = 14.0;
 const LEAST: f64 = 1e-18;
 
 /// Draws the distributions.
-pub(crate) fn figure(family: &KernelFamily) -> Result<Figure, GraderError> {
+pub(crate) fn figure(family: &KernelFamily) -> Figure {
     let hard = most_different(family);
     let label = format!("Distribution of errors of t: {}", family.shape.name());
     let shown: Vec<RayFamily> = [Some(RayFamily::Ordinary), hard]
@@ -43,18 +42,18 @@ pub(crate) fn figure(family: &KernelFamily) -> Result<Figure, GraderError> {
                 true => ((0.0, i as f64 * NARROW_PLOT[1]), NARROW_PLOT),
             };
             let title = format!("rays: {}", rays.name());
-            let plot = Plot::new(canvas, &title, corner, size, x, y)?;
+            let plot = Plot::new(canvas, &title, corner, size, x, y);
             for precision in [Precision::F64, Precision::F32] {
                 let mut rows = family.rows.iter().filter(|row| row.precision == precision);
                 if let Some(bound) = rows
                     .find_map(|row| accuracy(row, *rays).filter(|a| !a.forward_bound.is_empty()))
                 {
-                    plot.line(bound_style(precision), &steps(&bound.forward_bound), 2.6)?;
+                    plot.line(bound_style(precision), &steps(&bound.forward_bound), 2.6);
                 }
             }
             for row in &family.rows {
                 if let Some(accuracy) = accuracy(row, *rays).filter(|a| !a.cdf.is_empty()) {
-                    plot.line(style_of(family, row), &steps(&accuracy.cdf), width(row))?;
+                    plot.line(style_of(family, row), &steps(&accuracy.cdf), width(row));
                 }
             }
         }
@@ -64,9 +63,9 @@ pub(crate) fn figure(family: &KernelFamily) -> Result<Figure, GraderError> {
         };
         for precision in [Precision::F64, Precision::F32] {
             let style = bound_style(precision);
-            style::line(canvas, style, &[(x, y), (x + 26.0, y)], 2.6)?;
+            style::line(canvas, style, &[(x, y), (x + 26.0, y)], 2.6);
             let text = format!("bound of {}", precision.name());
-            canvas.text(&text, (x + 32.0, y), Label::left(9.0))?;
+            canvas.text(&text, (x + 32.0, y), Label::left(9.0));
             y += LINE;
         }
         for named in names(family) {
@@ -77,15 +76,14 @@ pub(crate) fn figure(family: &KernelFamily) -> Result<Figure, GraderError> {
                     style_of(family, row),
                     &[(x, y), (x + 26.0, y)],
                     width(row),
-                )?;
+                );
                 let precisions: Vec<&str> = rows().map(|row| row.precision.name()).collect();
                 let text = format!("{named} ({})", precisions.join(", "));
-                canvas.text(&text, (x + 32.0, y), Label::left(9.0))?;
+                canvas.text(&text, (x + 32.0, y), Label::left(9.0));
                 y += LINE;
             }
         }
-        Ok(())
-    })?;
+    });
     let mut head = vec!["test".to_string()];
     head.extend(shown.iter().flat_map(|&rays| {
         ["median", "99.9 %", "largest"].map(|quantile| format!("{}: {quantile}", rays.name()))
@@ -100,7 +98,7 @@ pub(crate) fn figure(family: &KernelFamily) -> Result<Figure, GraderError> {
         });
         std::iter::once(name(row)).chain(errors).collect()
     });
-    Ok(Figure {
+    Figure {
         finding: finding(family, hard),
         drawing,
         caption: "The share of hits whose relative error of t is at most the value on the axis; the thick grey lines are the forward error \
@@ -109,7 +107,7 @@ pub(crate) fn figure(family: &KernelFamily) -> Result<Figure, GraderError> {
         notes: caption(family, hard),
         head,
         rows: rows.collect(),
-    })
+    }
 }
 
 /// What the plot shows: by how much the best test is better than the worst on hard rays.

@@ -3,10 +3,9 @@
 use super::convergence_caption::{caption, finding};
 use crate::picture::{Curve, CurvePoint, Experiment, Thumbnail};
 use crate::table::factor;
-use base::GraderError;
 use pages::html::png_data_uri;
 use pictures::Image;
-use plots::canvas::{DrawResult, Label, for_both_widths};
+use plots::canvas::{Label, for_both_widths};
 use plots::figure::{Figure, heads, prose};
 use plots::numbers::{figures, percent, tick};
 use plots::plot::{Axis, Plot, legend};
@@ -33,7 +32,7 @@ const HALF_SLOPE: SeriesStyle = SeriesStyle {
 };
 
 /// Draws the plots of one experiment, and pictures that took equal times.
-pub(crate) fn figure(experiment: &Experiment) -> Result<Figure, GraderError> {
+pub(crate) fn figure(experiment: &Experiment) -> Figure {
     let label = format!("Error of pictures: {}", experiment.title);
     let entries = experiment.curves.len() + 1;
     let narrow_height = 2.0 * NARROW_PLOT[1] + LINE * (entries as f64 + 1.0);
@@ -68,8 +67,8 @@ pub(crate) fn figure(experiment: &Experiment) -> Result<Figure, GraderError> {
                 false => ((i as f64 * PLOT[0], 0.0), PLOT),
                 true => ((0.0, i as f64 * NARROW_PLOT[1]), NARROW_PLOT),
             };
-            let plot = Plot::new(canvas, title, corner, size, x, y)?;
-            half_slope_line(&plot, experiment, of)?;
+            let plot = Plot::new(canvas, title, corner, size, x, y);
+            half_slope_line(&plot, experiment, of);
             for (k, curve) in experiment.curves.iter().enumerate() {
                 let style = SeriesStyle::of(k);
                 let mut values: Vec<(f64, f64)> = curve
@@ -78,14 +77,14 @@ pub(crate) fn figure(experiment: &Experiment) -> Result<Figure, GraderError> {
                     .map(|p| (of(p), error(p).value))
                     .collect();
                 values.sort_by(|a, b| a.0.total_cmp(&b.0));
-                plot.line(style, &values, 1.4)?;
+                plot.line(style, &values, 1.4);
                 for point in &curve.points {
-                    plot.error_bar(style, of(point), error(point).low, error(point).high)?;
+                    plot.error_bar(style, of(point), error(point).low, error(point).high);
                     if i == TIME {
                         let ends = [point.seconds.lower, point.seconds.upper];
-                        plot.time_bar(style, ends, error(point).value)?;
+                        plot.time_bar(style, ends, error(point).value);
                     }
-                    plot.marker(style, (of(point), error(point).value), 30.0)?;
+                    plot.marker(style, (of(point), error(point).value), 30.0);
                     let at = plot.at(of(point), error(point).value);
                     canvas.tip(at, 6.0, &tip(curve, point, experiment.is_relative));
                 }
@@ -97,16 +96,16 @@ pub(crate) fn figure(experiment: &Experiment) -> Result<Figure, GraderError> {
             false => (2.0 * PLOT[0] + 8.0, 34.0),
             true => (12.0, 2.0 * NARROW_PLOT[1] + LINE),
         };
-        legend(canvas, corner, &entries)?;
+        legend(canvas, corner, &entries);
         let below = corner.1 + LINE * entries.len() as f64;
         style::line(
             canvas,
             HALF_SLOPE,
             &[(corner.0, below), (corner.0 + 26.0, below)],
             1.0,
-        )?;
+        );
         canvas.text("slope −1/2", (corner.0 + 32.0, below), Label::left(9.5))
-    })?;
+    });
     let last = |curve: &Curve| curve.points.last().cloned();
     let rows = experiment.curves.iter().map(|curve| {
         let last = last(curve);
@@ -125,7 +124,7 @@ pub(crate) fn figure(experiment: &Experiment) -> Result<Figure, GraderError> {
             number(&|p| p.relative_efficiency.as_ref().map(factor)),
         ]
     });
-    Ok(Figure {
+    Figure {
         finding: finding(experiment),
         drawing: drawing + &thumbnails(experiment),
         caption: format!(
@@ -149,7 +148,7 @@ pub(crate) fn figure(experiment: &Experiment) -> Result<Figure, GraderError> {
             "efficiency, ratio",
         ]),
         rows: rows.collect(),
-    })
+    }
 }
 
 pub(super) fn error_of(point: &CurvePoint, is_relative: bool) -> f64 {
@@ -204,7 +203,7 @@ fn thumbnails(experiment: &Experiment) -> String {
 /// Draws a line of slope -1/2, the convergence rate of independent samples. It goes through the
 /// last random point of the curve whose slope is closest to -1/2. `of` returns the x coordinate of
 /// a point.
-fn half_slope_line(plot: &Plot, experiment: &Experiment, of: fn(&CurvePoint) -> f64) -> DrawResult {
+fn half_slope_line(plot: &Plot, experiment: &Experiment, of: fn(&CurvePoint) -> f64) {
     let deviation = |curve: &Curve| {
         curve
             .slope
@@ -213,7 +212,7 @@ fn half_slope_line(plot: &Plot, experiment: &Experiment, of: fn(&CurvePoint) -> 
     let curves = experiment.curves.iter();
     let nearest = curves.min_by(|a, b| deviation(a).total_cmp(&deviation(b)));
     let Some(last) = nearest.and_then(|curve| curve.points.iter().rfind(|p| p.is_random())) else {
-        return Ok(());
+        return;
     };
     let error = last.error(experiment.is_relative).value;
     // The line is clipped to the plot.

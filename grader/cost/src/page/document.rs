@@ -2,7 +2,6 @@
 
 use super::{cdf, convergence, exactness, heatmap, leaks, pareto, trees};
 use crate::report::{CostReport, KernelFamily, Shape};
-use base::GraderError;
 use pages::html::escape;
 use plots::canvas::file;
 use plots::document::Document;
@@ -12,28 +11,28 @@ use std::fmt::Write;
 const STYLE: &str = include_str!("pictures.css");
 
 /// Returns the HTML page of the results.
-pub fn page(report: &CostReport) -> Result<String, GraderError> {
+pub fn page(report: &CostReport) -> String {
     let mut sections: Vec<(String, String)> = Vec::new();
     for family in report
         .families
         .iter()
         .filter(|family| !family.rows.is_empty())
     {
-        sections.push((title(family.shape).into(), family_section(family)?));
+        sections.push((title(family.shape).into(), family_section(family)));
     }
     if let Some(trees) = &report.bvh {
         let mut section = String::new();
-        if let Some(figure) = exactness::figure(trees)? {
+        if let Some(figure) = exactness::figure(trees) {
             section.push_str(&figure.html());
         }
-        section.push_str(&trees::figure(trees)?.html());
+        section.push_str(&trees::figure(trees).html());
         sections.push(("Trees".into(), section));
     }
     if let Some(pictures) = &report.pictures {
         let mut section = String::new();
         for experiment in &pictures.experiments {
             if !experiment.curves.is_empty() {
-                section.push_str(&convergence::figure(experiment)?.html());
+                section.push_str(&convergence::figure(experiment).html());
             }
             if let Some(missing) = &experiment.missing {
                 let _ = writeln!(
@@ -68,21 +67,21 @@ pub fn page(report: &CostReport) -> Result<String, GraderError> {
         style: STYLE.into(),
         sections,
     };
-    Ok(document.html())
+    document.html()
 }
 
 /// Returns a plot as an SVG file: accuracy against time of the first shape, or else what exactness
 /// costs a tree; `None` if there is neither.
-pub fn plot(report: &CostReport) -> Result<Option<String>, GraderError> {
+pub fn plot(report: &CostReport) -> Option<String> {
     let family = report
         .families
         .iter()
         .find(|family| !family.rows.is_empty());
     if let Some(family) = family {
-        return Ok(Some(file(&pareto::figure(family)?.drawing)));
+        return Some(file(&pareto::figure(family).drawing));
     }
     let plot = report.bvh.as_ref().map(exactness::svg_file);
-    Ok(plot.transpose()?.flatten())
+    plot.flatten()
 }
 
 fn title(shape: Shape) -> &'static str {
@@ -93,17 +92,17 @@ fn title(shape: Shape) -> &'static str {
     }
 }
 
-fn family_section(family: &KernelFamily) -> Result<String, GraderError> {
-    let mut section = pareto::figure(family)?.html();
+fn family_section(family: &KernelFamily) -> String {
+    let mut section = pareto::figure(family).html();
     if let Some(why) = &family.student_missing {
         let _ = writeln!(section, "<p>Missing: your code: {}.</p>", escape(why));
     }
-    section.push_str(&heatmap::figure(family)?.html());
-    section.push_str(&cdf::figure(family)?.html());
+    section.push_str(&heatmap::figure(family).html());
+    section.push_str(&cdf::figure(family).html());
     if family.shape == Shape::Triangle
-        && let Some(figure) = leaks::figure(family)?
+        && let Some(figure) = leaks::figure(family)
     {
         section.push_str(&figure.html());
     }
-    Ok(section)
+    section
 }

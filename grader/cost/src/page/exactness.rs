@@ -4,8 +4,7 @@ use crate::quartiles::Quartiles;
 use crate::report::Precision;
 use crate::table::plus_minus;
 use crate::trees::{ExactnessRow, TreeReport, in_a_million};
-use base::GraderError;
-use plots::canvas::{Canvas, DrawResult, Label, Position, file, for_both_widths, svg};
+use plots::canvas::{Canvas, Label, Position, file, for_both_widths, svg};
 use plots::figure::{Figure, heads};
 use plots::labels::Labels;
 use plots::numbers::{figures, grouped};
@@ -29,15 +28,13 @@ const LABEL: &str = "Lost hits against speed of trees with different tests and p
 const NAME: f64 = 9.5;
 
 /// Draws the plot; `None` if nothing was measured.
-pub(crate) fn figure(trees: &TreeReport) -> Result<Option<Figure>, GraderError> {
-    let Some(finding) = finding(&trees.by_precision) else {
-        return Ok(None);
-    };
+pub(crate) fn figure(trees: &TreeReport) -> Option<Figure> {
+    let finding = finding(&trees.by_precision)?;
     let drawing = for_both_widths(BROAD, NARROW, LABEL, |canvas, size, _| {
         draw(canvas, size, "lost hits against speed", &trees.by_precision)
-    })?;
+    });
     let rays = trees.by_precision.first().map_or(0, |row| row.rays);
-    Ok(Some(Figure {
+    Some(Figure {
         finding,
         drawing,
         caption: "One tree, with other tests in another precision at each point; triangles are other trees with the exact tests. Further right \
@@ -80,20 +77,18 @@ pub(crate) fn figure(trees: &TreeReport) -> Result<Option<Figure>, GraderError> 
                 ]
             })
             .collect(),
-    }))
+    })
 }
 
 /// Returns the plot alone, with the finding as its title, as an SVG file; `None` if nothing was
 /// measured.
-pub(crate) fn svg_file(trees: &TreeReport) -> Result<Option<String>, GraderError> {
-    let Some(finding) = finding(&trees.by_precision) else {
-        return Ok(None);
-    };
+pub(crate) fn svg_file(trees: &TreeReport) -> Option<String> {
+    let finding = finding(&trees.by_precision)?;
     let [w, h] = BROAD;
     let drawing = svg(w, h, LABEL, |canvas| {
         draw(canvas, BROAD, &finding, &trees.by_precision)
-    })?;
-    Ok(Some(file(&drawing)))
+    });
+    Some(file(&drawing))
 }
 
 /// Millions of rays per second.
@@ -147,12 +142,12 @@ fn finding(rows: &[ExactnessRow]) -> Option<String> {
     })
 }
 
-fn draw(canvas: &Canvas, size: [f64; 2], title: &str, rows: &[ExactnessRow]) -> DrawResult {
+fn draw(canvas: &Canvas, size: [f64; 2], title: &str, rows: &[ExactnessRow]) {
     let rates = rows.iter().map(rate).flat_map(|r| [r.lower, r.upper]);
     let x = Axis::around("millions of rays per second", rates, figures);
     let lost = rows.iter().map(ExactnessRow::lost_per_million);
     let y = Axis::log_and_zero("lost hits in a million rays", lost, grouped);
-    let plot = Plot::new(canvas, title, (0.0, 0.0), [size[0], size[1] - KEY], x, y)?;
+    let plot = Plot::new(canvas, title, (0.0, 0.0), [size[0], size[1] - KEY], x, y);
     let is_first = |row: &ExactnessRow| rows.first().is_some_and(|first| row.split == first.split);
     let mut labels = Labels::new(plot.inner());
     if let Some(y) = plot.separator() {
@@ -167,7 +162,7 @@ fn draw(canvas: &Canvas, size: [f64; 2], title: &str, rows: &[ExactnessRow]) -> 
             style_of(row, is_first(row)),
             [lower, upper],
             row.lost_per_million(),
-        )?;
+        );
         let y = place(row).1;
         let [from, to] = [lower, upper].map(|x| plot.at(x, row.lost_per_million()).0);
         labels.keep_box_free([from, y - 2.0, to, y + 2.0]);
@@ -175,7 +170,7 @@ fn draw(canvas: &Canvas, size: [f64; 2], title: &str, rows: &[ExactnessRow]) -> 
     }
     for row in rows {
         let at = (rate(row).median, row.lost_per_million());
-        plot.marker(style_of(row, is_first(row)), at, AREA)?;
+        plot.marker(style_of(row, is_first(row)), at, AREA);
         canvas.tip(place(row), 9.0, &tip(row));
     }
     for row in rows {
@@ -185,7 +180,7 @@ fn draw(canvas: &Canvas, size: [f64; 2], title: &str, rows: &[ExactnessRow]) -> 
             true => format!("{test}\nboxes: {}", row.box_test),
             false => format!("{test}\n{}", row.split),
         };
-        labels.place(canvas, &text, place(row), label.bold())?;
+        labels.place(canvas, &text, place(row), label.bold());
     }
     key(canvas, size, rows, is_first)
 }
@@ -196,7 +191,7 @@ fn key(
     size: [f64; 2],
     rows: &[ExactnessRow],
     is_first: impl Fn(&ExactnessRow) -> bool,
-) -> DrawResult {
+) {
     let single = |row: &&ExactnessRow| row.precision != Precision::F64;
     let entries = [
         (rows.iter().find(|row| is_first(row) && !single(row)), "f64"),
@@ -206,12 +201,11 @@ fn key(
     let (mut x, y) = (48.0, size[1] - 0.5 * KEY);
     for (row, text) in entries {
         let Some(row) = row else { continue };
-        style::marker(canvas, style_of(row, is_first(row)), (x, y), AREA)?;
+        style::marker(canvas, style_of(row, is_first(row)), (x, y), AREA);
         let label = Label::left(NAME);
-        canvas.text(text, (x + 14.0, y), label)?;
+        canvas.text(text, (x + 14.0, y), label);
         x += 36.0 + label.width(text);
     }
-    Ok(())
 }
 
 fn tip(row: &ExactnessRow) -> String {

@@ -3,8 +3,7 @@
 use super::heatmap_cell::{CellClass, cells};
 use super::kernel_name::name;
 use crate::report::{Accuracy, KernelFamily, KernelRow};
-use base::GraderError;
-use plots::canvas::{Canvas, DrawResult, Label, Position, for_both_widths};
+use plots::canvas::{Canvas, Label, Position, for_both_widths};
 use plots::figure::Figure;
 use plots::numbers::list;
 use plots::style::{self, text_color_on};
@@ -27,7 +26,7 @@ const NAME_LINE: f64 = 14.0;
 const NAME: f64 = 9.5;
 
 /// Draws the heat map.
-pub(crate) fn figure(family: &KernelFamily) -> Result<Figure, GraderError> {
+pub(crate) fn figure(family: &KernelFamily) -> Figure {
     let mut headings: Vec<&str> = family.columns.iter().map(|c| c.family.name()).collect();
     if has_leaks(family) {
         headings.push("closed mesh");
@@ -57,24 +56,24 @@ pub(crate) fn figure(family: &KernelFamily) -> Result<Figure, GraderError> {
                 cell: NARROW_WIDTH / headings.len().max(1) as f64,
             },
         };
-        draw_headings(canvas, &layout, &headings)?;
+        draw_headings(canvas, &layout, &headings);
         for (i, row) in family.rows.iter().enumerate() {
             let top = layout.head + layout.row * i as f64;
-            draw_row(canvas, &layout, top, row, &headings)?;
+            draw_row(canvas, &layout, top, row, &headings);
         }
         let corner = match is_narrow {
             false => (12.0, size[1] - 0.4 * KEY),
             true => (2.0, size[1] - narrow_key + 1.2 * KEY_LINE),
         };
         draw_key(canvas, corner, family, is_narrow)
-    })?;
+    });
     let mut head = vec!["test".to_string()];
     head.extend(headings.iter().map(ToString::to_string));
     let row_of = |row: &KernelRow| {
         let cells = cells(row).into_iter().map(|cell| cell.text);
         std::iter::once(name(row)).chain(cells).collect()
     };
-    Ok(Figure {
+    Figure {
         finding: finding(family),
         drawing,
         caption: "Each cell is a test on a family of rays, with its correct bits of t, or with the share of rays that are wrong, shaded by degree."
@@ -82,7 +81,7 @@ pub(crate) fn figure(family: &KernelFamily) -> Result<Figure, GraderError> {
         notes: caption(family),
         head,
         rows: family.rows.iter().map(row_of).collect(),
-    })
+    }
 }
 
 /// Where names and cells are.
@@ -106,7 +105,7 @@ impl Layout {
 }
 
 /// Writes the names of the families above their columns.
-fn draw_headings(canvas: &Canvas, layout: &Layout, headings: &[&str]) -> DrawResult {
+fn draw_headings(canvas: &Canvas, layout: &Layout, headings: &[&str]) {
     for (column, head) in headings.iter().enumerate() {
         let x = layout.middle(column);
         if layout.is_narrow {
@@ -114,62 +113,49 @@ fn draw_headings(canvas: &Canvas, layout: &Layout, headings: &[&str]) -> DrawRes
                 upright: true,
                 ..Label::left(NAME)
             };
-            canvas.text(head, (x, layout.head - 4.0), upright)?;
+            canvas.text(head, (x, layout.head - 4.0), upright);
             continue;
         }
         let words: Vec<&str> = head.split(' ').collect();
         let (first, last) = words.split_at(words.len() - 1);
         let (first, last) = (first.join(" "), last.join(" "));
-        canvas.text(&first, (x, layout.head - 21.0), Label::centered(NAME))?;
-        canvas.text(&last, (x, layout.head - 9.0), Label::centered(NAME))?;
+        canvas.text(&first, (x, layout.head - 21.0), Label::centered(NAME));
+        canvas.text(&last, (x, layout.head - 9.0), Label::centered(NAME));
     }
-    Ok(())
 }
 
 /// Draws the name of a kernel and its cells.
-fn draw_row(
-    canvas: &Canvas,
-    layout: &Layout,
-    top: f64,
-    row: &KernelRow,
-    headings: &[&str],
-) -> DrawResult {
+fn draw_row(canvas: &Canvas, layout: &Layout, top: f64, row: &KernelRow, headings: &[&str]) {
     let bottom = top + layout.row;
     let (position, label) = match layout.is_narrow {
         false => ((layout.left - 6.0, bottom - 0.5 * ROW), Label::right(NAME)),
         true => ((2.0, bottom - ROW - 0.4 * NAME_LINE), Label::left(NAME)),
     };
     let label = if row.student { label.bold() } else { label };
-    canvas.text(&name(row), position, label)?;
+    canvas.text(&name(row), position, label);
     for (column, cell) in cells(row).into_iter().enumerate() {
         let left = layout.left + layout.cell * column as f64;
         let corners = [
             (left + 0.6, bottom - ROW + 0.6),
             (left + layout.cell - 0.6, bottom - 0.6),
         ];
-        canvas.rectangle(corners[0], corners[1], cell.color)?;
+        canvas.rectangle(corners[0], corners[1], cell.color);
         let label = Label::centered(9.0).in_color(text_color_on(cell.color));
         let text = match layout.is_narrow {
             false => &cell.text,
             true => &cell.short,
         };
-        canvas.text(text, (layout.middle(column), bottom - 0.5 * ROW), label)?;
+        canvas.text(text, (layout.middle(column), bottom - 0.5 * ROW), label);
         let tip = format!("{}, {}: {}", name(row), headings[column], cell.tip);
         canvas.tip_over(corners[0], corners[1], &tip);
     }
-    Ok(())
 }
 
 /// Distance in points of the lines of the key, where it has several.
 const KEY_LINE: f64 = 16.0;
 
 /// Draws what the shades of cells mean, in one line or, on a telephone, in one for each class.
-fn draw_key(
-    canvas: &Canvas,
-    (start, mut y): Position,
-    family: &KernelFamily,
-    is_narrow: bool,
-) -> DrawResult {
+fn draw_key(canvas: &Canvas, (start, mut y): Position, family: &KernelFamily, is_narrow: bool) {
     let mut x = start;
     for class in classes(family) {
         // Those that are shaded by degree have a key of three shades.
@@ -180,7 +166,7 @@ fn draw_key(
         for (i, strength) in shades.iter().enumerate() {
             let left = x + 8.0 * i as f64;
             let color = style::tint(class.color(), *strength);
-            canvas.rectangle((left, y - 7.0), (left + 8.0, y + 7.0), color)?;
+            canvas.rectangle((left, y - 7.0), (left + 8.0, y + 7.0), color);
         }
         let shown = if is_narrow { 3 } else { shades.len() };
         x += 8.0 * shown as f64 + 5.0;
@@ -189,14 +175,13 @@ fn draw_key(
         if is_narrow {
             let _ = write!(text, ", {}", class.unit());
         }
-        canvas.text(&text, (x, y), label)?;
+        canvas.text(&text, (x, y), label);
         if is_narrow {
             (x, y) = (start, y + KEY_LINE);
         } else {
             x += 14.0 + label.width(&text);
         }
     }
-    Ok(())
 }
 
 fn has_leaks(family: &KernelFamily) -> bool {

@@ -2,7 +2,7 @@
 
 use crate::report::{Accuracy, KernelRow};
 use plots::numbers::percent;
-use plots::style::RGBColor;
+use plots::style::Color;
 use plots::style::{self, GREEN, PURPLE, SKY, VERMILION, YELLOW};
 
 /// Largest median error of `t`, in units in the last place, of [`CellClass::Correct`].
@@ -44,7 +44,7 @@ impl CellClass {
         }
     }
 
-    pub(super) fn color(self) -> RGBColor {
+    pub(super) fn color(self) -> Color {
         match self {
             CellClass::Correct => GREEN,
             CellClass::Within => SKY,
@@ -101,7 +101,7 @@ fn missing_bits(bits: f64) -> f64 {
 
 /// A cell of the map.
 pub(super) struct Cell {
-    pub(super) color: RGBColor,
+    pub(super) color: Color,
     pub(super) text: String,
     /// The sign and a whole number of [`CellClass::unit`], for narrow cells.
     pub(super) short: String,
@@ -187,12 +187,12 @@ mod tests {
         let shade = |per_million| style::tint(VERMILION, degree(per_million));
         // 0.0017 % and 49 %.
         let [rare, frequent] = [17.0, 490_000.0].map(shade);
-        let distance = |color: RGBColor| 255 - u32::from(color.2);
+        let distance = |color: Color| 255 - u32::from(color.2);
         assert!(
             3 * distance(rare) < distance(frequent),
             "{rare:?} {frequent:?}"
         );
-        assert_ne!(rare, RGBColor(255, 255, 255));
+        assert_ne!(rare, Color(255, 255, 255));
         assert_eq!(shade(1e6), VERMILION);
     }
 }

@@ -3,7 +3,6 @@
 use super::kernel_name::name;
 use crate::leak_view::{MeshView, NEAR, SIZE, TRIANGLES};
 use crate::report::{KernelFamily, KernelRow};
-use base::GraderError;
 use judge::plural;
 use pages::html::{escape, png_data_uri};
 use plots::figure::{Figure, heads};
@@ -12,7 +11,7 @@ use std::fmt::Write;
 
 /// Draws the pictures: with a kernel that leaks (the textbook's if it leaks, else the worst), with
 /// the fastest kernel that does not, and with the student's. `None` if no known kernel leaks.
-pub(crate) fn figure(family: &KernelFamily) -> Result<Option<Figure>, GraderError> {
+pub(crate) fn figure(family: &KernelFamily) -> Option<Figure> {
     let known = kernels::triangles();
     let leaks = |row: &KernelRow| row.leaks_per_million.unwrap_or(0.0);
     let kernel_of = |row: &KernelRow| {
@@ -43,7 +42,7 @@ pub(crate) fn figure(family: &KernelFamily) -> Result<Option<Figure>, GraderErro
             a.total_cmp(&b)
         });
     let (Some(leaking), Some(textbook)) = (leaking, known.first()) else {
-        return Ok(None);
+        return None;
     };
     let view = MeshView::new(textbook);
     let mut pictures: Vec<(String, Vec<u32>)> = [Some(leaking), tight]
@@ -93,9 +92,9 @@ pub(crate) fn figure(family: &KernelFamily) -> Result<Option<Figure>, GraderErro
                 share(leaks)
             )
         }
-        [] => return Ok(None),
+        [] => return None,
     };
-    Ok(Some(Figure {
+    Some(Figure {
         finding,
         drawing,
         caption: "A closed mesh seen from outside, with a ray aimed at an edge in each pixel near one: in magenta pixels it passes through."
@@ -103,5 +102,5 @@ pub(crate) fn figure(family: &KernelFamily) -> Result<Option<Figure>, GraderErro
         notes,
         head: heads(&["test", "leaks", "share of the rays"]),
         rows,
-    }))
+    })
 }

@@ -5,8 +5,7 @@ use super::kernel_name::name;
 use super::pareto_caption::{caption, finding};
 use crate::report::{KernelFamily, KernelRow, Precision, Shape};
 use crate::table::plus_minus;
-use base::GraderError;
-use plots::canvas::{Canvas, DrawResult, Label, Position, for_both_widths};
+use plots::canvas::{Canvas, Label, Position, for_both_widths};
 use plots::figure::{Figure, heads};
 use plots::labels::Labels;
 use plots::numbers::{percent, tick};
@@ -30,14 +29,14 @@ const AREA: [f64; 2] = [26.0, 420.0];
 const NAME: f64 = 9.5;
 
 /// Draws the plot.
-pub(crate) fn figure(family: &KernelFamily) -> Result<Figure, GraderError> {
+pub(crate) fn figure(family: &KernelFamily) -> Figure {
     let label = format!("Correct bits against time: {}", family.shape.name());
     let names_below = NAME_LINE * (family.rows.len() as f64 + 0.5);
     let key_below = KEY_LINE * key(family).len().div_ceil(3) as f64 + KEY;
     let broad = [PLOT[0], PLOT[1] + KEY];
     let narrow = [NARROW_PLOT[0], NARROW_PLOT[1] + names_below + key_below];
     let drawing = for_both_widths(broad, narrow, &label, |canvas, size, is_narrow| {
-        draw(canvas, family, is_narrow)?;
+        draw(canvas, family, is_narrow);
         if !is_narrow {
             return draw_key(canvas, family, (60.0, PLOT[1] + 0.4 * KEY), PLOT[0]);
         }
@@ -51,13 +50,13 @@ pub(crate) fn figure(family: &KernelFamily) -> Result<Figure, GraderError> {
                     anchor: Label::right(NAME).anchor,
                     ..label
                 },
-            )?;
-            canvas.text(&text_of(row, &name(row)), (26.0, y), label)?;
+            );
+            canvas.text(&text_of(row, &name(row)), (26.0, y), label);
         }
         let y = NARROW_PLOT[1] + names_below + 0.5 * KEY;
         draw_key(canvas, family, (10.0, y), size[0])
-    })?;
-    Ok(Figure {
+    });
+    Figure {
         finding: finding(family),
         drawing,
         caption: format!(
@@ -88,11 +87,11 @@ pub(crate) fn figure(family: &KernelFamily) -> Result<Figure, GraderError> {
                 ]
             })
             .collect(),
-    })
+    }
 }
 
 /// Draws the plot. On a telephone its markers have numbers, the fastest kernel the first.
-fn draw(canvas: &Canvas, family: &KernelFamily, is_narrow: bool) -> DrawResult {
+fn draw(canvas: &Canvas, family: &KernelFamily, is_narrow: bool) {
     let times = family.rows.iter().map(|row| row.ranked_time().ratio);
     let times = times.flat_map(|ratio| [ratio.lower, ratio.upper]);
     let x_name = match is_narrow {
@@ -110,12 +109,12 @@ fn draw(canvas: &Canvas, family: &KernelFamily, is_narrow: bool) -> DrawResult {
         ticks.collect(),
     );
     let size = if is_narrow { NARROW_PLOT } else { PLOT };
-    let plot = Plot::new(canvas, "correct bits against time", (0.0, 0.0), size, x, y)?;
-    let corners = front_line(&plot, family)?;
+    let plot = Plot::new(canvas, "correct bits against time", (0.0, 0.0), size, x, y);
+    let corners = front_line(&plot, family);
     for row in &family.rows {
         let ratio = row.ranked_time().ratio;
         let ends = [ratio.lower, ratio.upper];
-        plot.time_bar(style_of(row), ends, row.mean_correct_bits())?;
+        plot.time_bar(style_of(row), ends, row.mean_correct_bits());
     }
     // Large markers first, so that they do not hide small ones.
     let mut largest_first: Vec<&KernelRow> = family.rows.iter().collect();
@@ -124,7 +123,7 @@ fn draw(canvas: &Canvas, family: &KernelFamily, is_narrow: bool) -> DrawResult {
     for row in largest_first {
         let position = place(&plot, row);
         let radius = (area(row) / std::f64::consts::PI).sqrt() + 1.0;
-        style::marker(canvas, style_of(row), position, area(row))?;
+        style::marker(canvas, style_of(row), position, area(row));
         labels.keep_free(position, radius);
         let ratio = row.ranked_time().ratio;
         let [from, to] = [ratio.lower, ratio.upper].map(|x| plot.at(x, row.mean_correct_bits()));
@@ -146,9 +145,8 @@ fn draw(canvas: &Canvas, family: &KernelFamily, is_narrow: bool) -> DrawResult {
             false => text_of(row, &row.name),
             true => number(i),
         };
-        labels.place(canvas, &text, place(&plot, row), label_of(row))?;
+        labels.place(canvas, &text, place(&plot, row), label_of(row));
     }
-    Ok(())
 }
 
 /// The fastest first: the crowd is there, and they are what the plot is about.
@@ -243,7 +241,7 @@ fn style_of(row: &KernelRow) -> SeriesStyle {
 
 /// Draws the front as a step function, through the fastest kernel of each step. Returns its
 /// corners.
-fn front_line(plot: &Plot, family: &KernelFamily) -> Result<Vec<(f64, f64)>, GraderError> {
+fn front_line(plot: &Plot, family: &KernelFamily) -> Vec<(f64, f64)> {
     let mut corners: Vec<(f64, f64)> = Vec::new();
     for step in front(&family.rows) {
         let Some(fastest) = step.first() else {
@@ -260,8 +258,8 @@ fn front_line(plot: &Plot, family: &KernelFamily) -> Result<Vec<(f64, f64)>, Gra
         dashes: Some([4.0, 3.0]),
         ..SeriesStyle::of(0)
     };
-    plot.line(style, &corners, 0.9)?;
-    Ok(corners)
+    plot.line(style, &corners, 0.9);
+    corners
 }
 
 /// The legend of the markers: style, area and meaning.
@@ -304,16 +302,15 @@ fn key(family: &KernelFamily) -> Vec<(SeriesStyle, f64, String)> {
 }
 
 /// Draws the legend from `start` on, in as many lines as the `width` of the canvas needs.
-fn draw_key(canvas: &Canvas, family: &KernelFamily, start: Position, width: f64) -> DrawResult {
+fn draw_key(canvas: &Canvas, family: &KernelFamily, start: Position, width: f64) {
     let (mut x, mut y) = start;
     for (style, area, text) in key(family) {
         let label = Label::left(NAME);
         if x + 14.0 + label.width(&text) > width {
             (x, y) = (start.0, y + KEY_LINE);
         }
-        style::marker(canvas, style, (x, y), area)?;
-        canvas.text(&text, (x + 14.0, y), label)?;
+        style::marker(canvas, style, (x, y), area);
+        canvas.text(&text, (x + 14.0, y), label);
         x += 36.0 + label.width(&text);
     }
-    Ok(())
 }

@@ -3,8 +3,7 @@
 use crate::quartiles::Quartiles;
 use crate::table::plus_minus;
 use crate::trees::{BreakEven, SlackRow, TreeReport, TreeRow, WrongHits};
-use base::GraderError;
-use plots::canvas::{Canvas, DrawResult, Label, for_both_widths};
+use plots::canvas::{Canvas, Label, for_both_widths};
 use plots::figure::{Figure, heads};
 use plots::line_names::{self, LineName};
 use plots::numbers::{figures, list, rounded, tick};
@@ -25,15 +24,15 @@ const NAME: f64 = 9.5;
 const RAYS: [f64; 2] = [1e4, 1e9];
 
 /// Draws the total of build and tracing time, as a ratio to that of the first tree.
-pub(crate) fn figure(trees: &TreeReport) -> Result<Figure, GraderError> {
+pub(crate) fn figure(trees: &TreeReport) -> Figure {
     let Some(base) = trees.by_build.first() else {
-        return Ok(Figure::default());
+        return Figure::default();
     };
     let label = "Time to build a tree and to trace rays, as a ratio";
     let drawing = for_both_widths(BROAD, NARROW, label, |canvas, size, is_narrow| {
         let size = [size[0] - NAMES[usize::from(is_narrow)], size[1]];
         draw(canvas, size, trees, base)
-    })?;
+    });
     let rows = trees.by_build.iter().map(|tree| {
         vec![
             tree.name.clone(),
@@ -51,7 +50,7 @@ pub(crate) fn figure(trees: &TreeReport) -> Result<Figure, GraderError> {
             },
         ]
     });
-    Ok(Figure {
+    Figure {
         finding: finding(trees, base),
         drawing,
         caption: format!(
@@ -70,11 +69,11 @@ pub(crate) fn figure(trees: &TreeReport) -> Result<Figure, GraderError> {
             "break-even",
         ]),
         rows: rows.collect(),
-    })
+    }
 }
 
 /// Draws the plot; the names of the lines are to the right of it.
-fn draw(canvas: &Canvas, size: [f64; 2], trees: &TreeReport, base: &TreeRow) -> DrawResult {
+fn draw(canvas: &Canvas, size: [f64; 2], trees: &TreeReport, base: &TreeRow) {
     let x = Axis::log("rays", RAYS, tick);
     let counts = || ray_counts().flat_map(|rays| trees.by_build.iter().map(move |t| (t, rays)));
     let ratios = counts().flat_map(|(tree, rays)| {
@@ -83,7 +82,7 @@ fn draw(canvas: &Canvas, size: [f64; 2], trees: &TreeReport, base: &TreeRow) -> 
     });
     let y_name = format!("time to build and trace / that of {}", base.name);
     let y = Axis::log(&y_name, ratios, tick);
-    let plot = Plot::new(canvas, "building and tracing", (0.0, 0.0), size, x, y)?;
+    let plot = Plot::new(canvas, "building and tracing", (0.0, 0.0), size, x, y);
     let mut names = Vec::new();
     for (k, tree) in trees.by_build.iter().enumerate() {
         let style = SeriesStyle::of(k);
@@ -91,14 +90,14 @@ fn draw(canvas: &Canvas, size: [f64; 2], trees: &TreeReport, base: &TreeRow) -> 
             .map(|rays| (rays, ratio(tree, base, rays)))
             .collect();
         let line: Vec<(f64, f64)> = points.iter().map(|(rays, r)| (*rays, r.median)).collect();
-        plot.line(style, &line, if tree.student { 2.2 } else { 1.4 })?;
+        plot.line(style, &line, if tree.student { 2.2 } else { 1.4 });
         for (i, (rays, r)) in points.iter().enumerate() {
             if k > 0 {
-                plot.error_bar(style, *rays, r.lower, r.upper)?;
+                plot.error_bar(style, *rays, r.lower, r.upper);
             }
             // Two points per decade, a marker at each decade.
             if i % 2 == 0 {
-                plot.marker(style, (*rays, r.median), 26.0)?;
+                plot.marker(style, (*rays, r.median), 26.0);
             }
             let text = format!(
                 "{}: {} times the time of {} for {} rays",
@@ -124,13 +123,13 @@ fn draw(canvas: &Canvas, size: [f64; 2], trees: &TreeReport, base: &TreeRow) -> 
             && (RAYS[0]..=RAYS[1]).contains(&rays)
         {
             let style = SeriesStyle::of(k);
-            plot.time_bar(style, [at_least, at_most], 1.0)?;
+            plot.time_bar(style, [at_least, at_most], 1.0);
             let ring = SeriesStyle {
                 hollow: true,
                 marker: Marker::Disc,
                 ..style
             };
-            plot.marker(ring, (rays, 1.0), 110.0)?;
+            plot.marker(ring, (rays, 1.0), 110.0);
             let text = format!("{} breaks even after {} rays", tree.name, figures(rays));
             canvas.tip(plot.at(rays, 1.0), 8.0, &text);
         }

@@ -17,9 +17,14 @@ pub(super) struct WithoutTests {
 
 /// Removes the items of a file that are marked with `#[cfg(test)]`; `path` is the file's.
 pub(super) fn remove(path: &Path, text: &str) -> Result<WithoutTests, GraderError> {
+    let mut files = Vec::new();
+    // Parsing all files of a handout takes a second.
+    if !text.contains("cfg(test)") {
+        let text = text.to_string();
+        return Ok(WithoutTests { text, files });
+    }
     let file = syn::parse_file(text).map_err(|e| GraderError::file("parse", path, e))?;
     let mut removed = BTreeSet::new();
-    let mut files = Vec::new();
     for item in file.items.iter().filter(|item| is_for_tests(item)) {
         let span = item.span();
         removed.extend(span.start().line..=span.end().line);
@@ -102,6 +107,6 @@ mod tests {
         let text = "fn f() {}\n\n\n// Two blank lines.\n";
         let without = remove(Path::new("a.rs"), text).unwrap();
         assert_eq!((without.text.as_str(), without.files.len()), (text, 0));
-        assert!(remove(Path::new("a.rs"), "fn").is_err());
+        assert!(remove(Path::new("a.rs"), "#[cfg(test)]\nfn").is_err());
     }
 }

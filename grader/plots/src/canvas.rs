@@ -178,7 +178,7 @@ impl Canvas {
         let (x, y) = units(center);
         let _ = writeln!(
             self.tips.borrow_mut(),
-            "<circle class=\"tip\" cx=\"{x}\" cy=\"{y}\" r=\"{}\" fill=\"transparent\"><title>{}</title></circle>",
+            "<circle class=\"tip\" cx=\"{x}\" cy=\"{y}\" r=\"{}\"><title>{}</title></circle>",
             (radius * UNITS).round(),
             escape(text)
         );
@@ -189,7 +189,7 @@ impl Canvas {
         let ((x, y), (right, bottom)) = (units(from), units(to));
         let _ = writeln!(
             self.tips.borrow_mut(),
-            "<rect class=\"tip\" x=\"{x}\" y=\"{y}\" width=\"{}\" height=\"{}\" fill=\"transparent\"><title>{}</title></rect>",
+            "<rect class=\"tip\" x=\"{x}\" y=\"{y}\" width=\"{}\" height=\"{}\"><title>{}</title></rect>",
             right - x,
             bottom - y,
             escape(text)
@@ -199,7 +199,7 @@ impl Canvas {
     /// Draws a line through `positions`.
     pub fn line(&self, positions: &[Position], color: Color, thickness: f64) {
         self.add(format_args!(
-            "<polyline fill=\"none\" stroke=\"{color}\" stroke-width=\"{}\" points=\"{}\"/>",
+            "<polyline stroke=\"{color}\" stroke-width=\"{}\" points=\"{}\"/>",
             width(thickness),
             points(positions)
         ));
@@ -214,7 +214,7 @@ impl Canvas {
         [dash, gap]: [f64; 2],
     ) {
         self.add(format_args!(
-            "<polyline fill=\"none\" stroke=\"{color}\" stroke-width=\"{}\" stroke-dasharray=\"{},{}\" points=\"{}\"/>",
+            "<polyline stroke=\"{color}\" stroke-width=\"{}\" stroke-dasharray=\"{},{}\" points=\"{}\"/>",
             width(thickness),
             width(dash),
             width(gap),

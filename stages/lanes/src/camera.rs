@@ -6,6 +6,20 @@ use kit::Camera;
 use kit::math::tan;
 
 /// What the directions of all rays of a camera are computed from.
+///
+/// ```
+/// use lanes::camera::CameraAxes;
+/// let camera = kit::Camera {
+///     pos: kit::Vec3::ZERO,
+///     c2w: kit::Mat3::IDENTITY,
+///     h_fov: 90.0,
+///     v_fov: 60.0,
+///     n_clip: 0.0,
+///     f_clip: f64::INFINITY,
+/// };
+/// let axes = CameraAxes::of(&camera, 0.0_f64);
+/// assert_eq!(axes.direction([0.5, 0.5]).z, -1.0);
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct CameraAxes<R> {
     axes: [Vec3<R>; 3],

@@ -26,6 +26,14 @@ pub fn lambert_pdf<R: Real>(wo_z: R, wi_z: R) -> R {
 }
 
 /// A sampled direction.
+///
+/// ```
+/// use lanes::{Vec3, diffuse};
+/// let half = Vec3 { x: 0.5, y: 0.5, z: 0.5 };
+/// let sample = diffuse::lambert_sample(half, -1.0, 0.36, (0.0, 1.0));
+/// assert_eq!((sample.wi.x, sample.wi.z), (0.6, -0.8));
+/// assert!((sample.weight.x - 0.5_f64).abs() < 1e-15);
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct DiffuseSample<R> {
     /// The unit direction.

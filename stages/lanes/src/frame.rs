@@ -4,6 +4,13 @@ use crate::real::Real;
 use crate::vec3::Vec3;
 
 /// An orthonormal basis in world space: the local axes x, y and z. z is the normal.
+///
+/// ```
+/// use lanes::{Vec3, frame::Frame};
+/// let n = Vec3 { x: 0.0, y: -1.0, z: 0.0_f64 };
+/// let local = Frame::around(n).to_local(n);
+/// assert_eq!((local.x, local.y, local.z), (0.0, 0.0, 1.0));
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Frame<R> {
     s: Vec3<R>,

@@ -7,6 +7,13 @@ use kit::EmittingMesh;
 use kit::warp::UNIFORM_HEMISPHERE_PDF;
 
 /// A sample of a light.
+///
+/// ```
+/// use lanes::light::sample_sky;
+/// let sample = sample_sky(kit::Vec3::ONE, 0.6, (0.0, 1.0_f64));
+/// assert!(sample.exists && sample.distance.is_infinite());
+/// assert_eq!((sample.wi.x, sample.wi.y), (0.8, 0.6));
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct LightSample<R: Real> {
     /// Whether there is a sample.

@@ -6,6 +6,16 @@ use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 ///
 /// Every operation of the lanes has the bits of the operation of a single number, except that a NaN
 /// may be any NaN. So a formula over this trait has the same results at every width.
+///
+/// ```
+/// use lanes::{Mask, Real};
+/// /// |x| - 1, but at least 0, in every lane.
+/// fn beyond_one<R: Real>(x: R) -> R {
+///     let (zero, over) = (x.constant(0.0), x.abs() - x.constant(1.0));
+///     zero.less(over).choose(over, zero)
+/// }
+/// assert_eq!((beyond_one(-3.0_f64), beyond_one(0.5_f32)), (2.0, 0.0));
+/// ```
 pub trait Real:
     Copy
     + Add<Output = Self>
@@ -55,6 +65,12 @@ pub trait Real:
 }
 
 /// A boolean for each lane of an `R`.
+///
+/// ```
+/// use lanes::{Mask, Real};
+/// let is_less = 1.0_f64.less(2.0) & !f64::NAN.less(2.0);
+/// assert_eq!(is_less.choose(7.0, 8.0), 7.0);
+/// ```
 pub trait Mask<R>:
     Copy + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output = Self>
 {

@@ -3,6 +3,12 @@
 use crate::real::Real;
 
 /// The number type of a kernel.
+///
+/// ```
+/// use lanes::Precision::{F32, F32InF64};
+/// assert_eq!(F32InF64.stored(0.1), F32.stored(0.1));
+/// assert!(F32InF64.epsilon() < F32.epsilon());
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Precision {
     /// Single precision: 24 bits.
@@ -32,6 +38,14 @@ impl Precision {
 }
 
 /// A single floating-point number: `f32`, `f64`, or one that counts its operations.
+///
+/// ```
+/// use lanes::Scalar;
+/// fn third<R: Scalar>() -> f64 {
+///     (R::from_f64(1.0) / R::from_f64(3.0)).to_f64()
+/// }
+/// assert!(third::<f32>() > 1.0 / 3.0 && third::<f64>() == 1.0 / 3.0);
+/// ```
 pub trait Scalar: Real<Mask = bool> + PartialOrd + Send + Sync + 'static {
     /// The precision.
     const PRECISION: Precision;

@@ -5,6 +5,13 @@ use crate::scalar::Scalar;
 use crate::vec3::Vec3;
 
 /// The points `o + t·d` with `min_t <= t <= max_t`.
+///
+/// ```
+/// let exact = kit::Ray::new(kit::Vec3::ZERO, kit::Vec3::new(0.0, 0.0, 0.1));
+/// let ray = lanes::Ray::<f32>::from_kit(&exact);
+/// assert_eq!(ray.at(10.0).z, 1.0);
+/// assert!(ray.in_range(0.0) && !ray.in_range(-1.0));
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Ray<R> {
     /// Origin.

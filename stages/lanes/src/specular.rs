@@ -5,6 +5,20 @@ use crate::real::{Mask, Real};
 use crate::vec3::Vec3;
 
 /// A material that scatters light into one or two directions only.
+///
+/// ```
+/// use lanes::{Vec3, specular::SpecularMaterial};
+/// let [zero, one] = [0.0, 1.0].map(|c: f64| Vec3 { x: c, y: c, z: c });
+/// let mirror = SpecularMaterial {
+///     reflectance: one,
+///     transmittance: zero,
+///     ior: 1.5,
+///     has_fresnel: false,
+///     mirrors: 1.0,
+/// };
+/// let sample = mirror.sample(Vec3 { x: 0.6, y: 0.0, z: 0.8 }, 0.9);
+/// assert!(sample.exists && sample.wi.x == -0.6 && sample.wi.z == 0.8);
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct SpecularMaterial<R: Real> {
     /// The share of the light that is reflected if the surface reflects it all.

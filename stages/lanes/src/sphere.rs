@@ -7,6 +7,15 @@ use crate::vec3::Vec3;
 use kit::rounding::{CANCELLATION, FARTHEST2, LARGEST_SQUARE, SMALLEST_SQUARE};
 
 /// The equation `a·t² - 2·b·t + c = 0` of the points where a line crosses a sphere.
+///
+/// ```
+/// use lanes::{Ray, Sphere, sphere::SphereEquation};
+/// let ray = Ray::from_kit(&kit::Ray::new(kit::Vec3::new(0.0, 0.0, 3.0), -kit::Vec3::Z));
+/// let center = lanes::Vec3::from_kit(kit::Vec3::ZERO);
+/// let equation = SphereEquation::<f64>::of(&ray, &Sphere { center, radius: 1.0 });
+/// assert!(equation.is_sound() && equation.has_roots());
+/// assert_eq!(equation.roots(), [2.0, 4.0]);
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct SphereEquation<R> {
     /// The ray's origin relative to the centre.

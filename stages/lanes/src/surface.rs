@@ -6,6 +6,14 @@ use crate::vec3::Vec3;
 use kit::surface::POSITION_ERROR;
 
 /// A point on a surface that rays leave.
+///
+/// ```
+/// use lanes::{Sphere, Vec3, surface::Departure};
+/// let up = Vec3 { x: 0.0, y: 0.0, z: 1.0 };
+/// let ball = Sphere { center: up * 0.0, radius: 1.0_f64 };
+/// let departure = Departure::from_sphere(up, up, &ball);
+/// assert!(departure.origin(up).z > 1.0 && departure.origin(-up).z < 1.0);
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Departure<R> {
     /// The point.

@@ -10,6 +10,12 @@ use kit::rounding::{CANCELLATION, SMALLEST_PRODUCT};
 
 /// A cyclic permutation of the axes, such that z is the axis of the largest coordinate of a
 /// direction.
+///
+/// ```
+/// use lanes::{Vec3, triangle::Axes};
+/// let d = Vec3 { x: 1.0, y: -3.0_f64, z: 2.0 };
+/// assert_eq!(Axes::of(d).permute(d).z, -3.0);
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Axes<R: Real> {
     z_stays: R::Mask,
@@ -63,6 +69,16 @@ pub fn edge_factors<R: Real>([a, b, c]: [Vec3<R>; 3]) -> [[R; 4]; 3] {
 }
 
 /// The edge functions of a triangle: the barycentric weights of its vertices, times their sum.
+///
+/// ```
+/// use lanes::{Vec3, triangle::Edges};
+/// let at = |x, y| Vec3 { x, y, z: -2.0_f64 };
+/// let around = Edges::of([at(-1.0, -1.0), at(2.0, -1.0), at(-1.0, 2.0)]);
+/// assert!(around.crossing([-2.0; 3], -1.0).is_certain);
+/// assert_eq!(around.crossing([-2.0; 3], -1.0).t, 2.0);
+/// let beside = Edges::of([at(1.0, 1.0), at(2.0, 1.0), at(1.0, 2.0)]);
+/// assert!(beside.agreement() < 0.0);
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Edges<R> {
     u: R,

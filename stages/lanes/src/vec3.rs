@@ -7,6 +7,13 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 /// A vector, a point or a colour; with numbers of several lanes, one in each lane.
 ///
 /// Its operations are those of [`kit::Vec3`], in the same order, so that all bits are equal.
+///
+/// ```
+/// use lanes::Vec3;
+/// let x = Vec3 { x: 1.0_f32, y: 0.0, z: 0.0 };
+/// let y = Vec3 { x: 0.0, y: 2.0, z: 0.0 };
+/// assert_eq!(x.cross(y).to_f64(), kit::Vec3::new(0.0, 0.0, 2.0));
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Vec3<R> {
     /// First coordinate.

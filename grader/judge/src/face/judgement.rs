@@ -25,6 +25,17 @@ pub fn calls(work: &Work) -> usize {
 /// Only the aspects that the case is about count, so that one mistake does not fail every case. A
 /// case about an aspect of hits is also about hit or miss: an answer without a hit has no normal.
 /// The findings that explain the most come first.
+///
+/// ```
+/// let spec = &judge::cases::of("part1.task2", 0)[0];
+/// let (o, d) = ([0.0; 3], [0.0, 0.0, -1.0]);
+/// let ray = wire::work::Ray { o, d, min_t: 0.0, max_t: 1.0 };
+/// // The same ray for every point of the film.
+/// let answer = wire::Answer::CameraRays(vec![ray; judge::calls(&spec.work)]);
+/// judge::fits(&spec.work, &answer).unwrap();
+/// let findings = judge::judge(spec, judge::Tier::Core, &answer);
+/// assert!(findings.iter().any(|finding| finding.wrong > 0));
+/// ```
 pub fn judge(spec: &Spec, tier: Tier, answer: &Answer) -> Vec<Finding> {
     judge_written(spec, tier, answer, &[])
 }

@@ -12,6 +12,13 @@ pub struct NumberError {
 }
 
 /// The distribution of the errors of many numbers, in units in the last place.
+///
+/// ```
+/// use judge::errors::{ErrorSpread, NumberError};
+/// let errors = [1.0, 2.0, 8.0].map(|ulps| NumberError { ulps, of_bound: ulps / 4.0 });
+/// let spread = ErrorSpread::of(&errors).unwrap();
+/// assert_eq!((spread.p50, spread.of_bound), (2.0, 2.0));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct ErrorSpread {
     /// The median.

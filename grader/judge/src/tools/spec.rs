@@ -14,6 +14,12 @@ use std::sync::Arc;
 use wire::{Answer, Work};
 
 /// One case of one task.
+///
+/// ```
+/// let spec = &judge::cases::of("part1.task3", 0)[0];
+/// assert_eq!(spec.task, "part1.task3");
+/// assert!(judge::calls(&spec.work) > 0 && !spec.about.is_empty());
+/// ```
 #[derive(Clone, Debug)]
 pub struct Spec {
     /// Key of the task.

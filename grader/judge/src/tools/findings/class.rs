@@ -4,6 +4,11 @@ use kit::Vec3;
 
 /// The class of a wrong answer: the same mistake gives the same class, whatever formula contains
 /// it. Signatures store the `Debug` text of a class.
+///
+/// ```
+/// use judge::findings::Class;
+/// assert_eq!(Class::of_number(-2.0, 2.0), Class::Negated);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Class {
     /// Wrong in a way that no other class describes.

@@ -20,6 +20,15 @@ fn digits(message: &str) -> usize {
 }
 
 /// The findings about a case, one for each aspect.
+///
+/// ```
+/// use judge::findings::{Aspect, Findings};
+/// let mut findings = Findings::default();
+/// findings.judge(Aspect::T, 0, true, 0.0, String::new);
+/// findings.judge(Aspect::T, 1, false, 0.5, || "2.5, expected 2".into());
+/// let found = &findings.into_vec()[0];
+/// assert_eq!(found.to_string(), "t wrong on 1 of 2: 2.5, expected 2");
+/// ```
 #[derive(Clone, Debug, Default)]
 pub struct Findings {
     list: Vec<Finding>,

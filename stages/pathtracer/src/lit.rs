@@ -16,7 +16,7 @@ use crate::tracer::RayTracer;
 use crate::{Accel, Job, Lens, Rendered};
 use adaptive::{has_converged, has_surely_converged, raytrace_pixel_adaptive};
 use kit::effects::{EffectSettings, Requirement};
-use kit::film::Cell as Tile;
+use kit::film::Cell;
 use kit::{Budget, LitScene, PixelEstimate, PixelSampler, Ray, Spectrum, Tally, Vec2};
 use raygen::{generate_ray, raytrace_pixel};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -106,7 +106,7 @@ pub fn render_lit(
     job: &Job,
     settings: &LightSettings,
     stop: &AtomicBool,
-    tile_done: &(dyn Fn(Tile, u64) + Sync),
+    tile_done: &(dyn Fn(Cell, u64) + Sync),
 ) -> Rendered {
     let tiles = job.cell.tiles();
     let finished = |tile: RenderedTile| {
@@ -137,7 +137,7 @@ pub fn render_lit_tiles<R: Send>(
     job: &Job,
     settings: &LightSettings,
     empty: &EmptyPixels,
-    tiles: &[Tile],
+    tiles: &[Cell],
     stop: &AtomicBool,
     finish: &(dyn Fn(RenderedTile) -> R + Sync),
 ) -> Vec<R> {
@@ -200,7 +200,7 @@ impl<T: RayTracer> PathIntegrator<'_, T> {
     }
 
     /// The finished tile, and what was counted for it.
-    pub(crate) fn into_tile(self, cell: Tile, pixels: Vec<PixelEstimate>) -> RenderedTile {
+    pub(crate) fn into_tile(self, cell: Cell, pixels: Vec<PixelEstimate>) -> RenderedTile {
         RenderedTile {
             cell,
             pixels,

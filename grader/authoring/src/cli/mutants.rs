@@ -107,12 +107,12 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     let against_bless = matches.get_flag("against-bless");
     let workspace = Workspace::above(Path::new("."))?;
     let course = Course::read(&workspace)?;
-    let mut verdict = Exit::Passed;
+    let mut exit = Exit::Passed;
     if matches.get_flag("pictures") {
         for (path, bytes) in mistake_pictures::write(&workspace, &course, &course.select(what)?)? {
             outln!("{}: {bytes} bytes", workspace.relative(&path).display());
         }
-        return Ok(verdict);
+        return Ok(exit);
     }
     let tasks = course.select(what)?;
     let _progress = progress::start("mutants", tasks.len());
@@ -127,7 +127,7 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
             show_seeds(&task.key, seeds, &graded);
             let is_unfair = !mistakes && !graded.other_points.is_empty();
             if !graded.marked_down.is_empty() || !graded.accused.is_empty() || is_unfair {
-                verdict = Exit::Failed;
+                exit = Exit::Failed;
             }
             continue;
         }
@@ -135,7 +135,7 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
             let found = simplest::of_task(&workspace, &course, task)?;
             show_simplest(&task.key, &found);
             if !found.accused.is_empty() {
-                verdict = Exit::Failed;
+                exit = Exit::Failed;
             }
             continue;
         }
@@ -163,10 +163,10 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
                 show_unlisted(&task.key, &graded, &known);
                 for claim in false_claims(&task.key, &graded, &known) {
                     outln!("  FALSE: {claim}");
-                    verdict = Exit::Failed;
+                    exit = Exit::Failed;
                 }
                 if !show_blessings(&task.key, &graded, against_bless) {
-                    verdict = Exit::Failed;
+                    exit = Exit::Failed;
                 }
             }
             continue;
@@ -201,16 +201,16 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
             || !rewarded.is_empty()
             || !claims.is_empty()
         {
-            verdict = Exit::Failed;
+            exit = Exit::Failed;
         }
         if bless {
             diagnosis::store(&workspace, &task.key, &known)?;
             table.store(&workspace, &task.key)?;
         } else if !same_as_stored(&workspace, &task.key, &table, &known)? {
-            verdict = Exit::Failed;
+            exit = Exit::Failed;
         }
     }
-    Ok(verdict)
+    Ok(exit)
 }
 
 /// Prints the stored table and signatures.

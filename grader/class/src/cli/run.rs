@@ -331,7 +331,7 @@ fn write_tables(matches: &ArgMatches, out: &Out, plan: Plan) -> Result<Exit, Gra
         None => true,
     };
     match class.not_graded() {
-        0 => Ok(verdict(class.is_complete() && is_decided)),
+        0 => Ok(exit_of(class.is_complete() && is_decided)),
         left => Err(run_again(left)),
     }
 }
@@ -399,7 +399,7 @@ fn show_regrade(matches: &ArgMatches, out: &Out) -> Result<Exit, GraderError> {
     write_tables(matches, out, new.plan)
 }
 
-fn verdict(is_fine: bool) -> Exit {
+fn exit_of(is_fine: bool) -> Exit {
     match is_fine {
         true => Exit::Passed,
         false => Exit::Failed,

@@ -100,7 +100,7 @@ fn missing_bits(bits: f64) -> f64 {
 }
 
 /// A cell of the map.
-pub(super) struct Cell {
+pub(super) struct HeatmapCell {
     pub(super) color: Color,
     pub(super) text: String,
     /// The sign and a whole number of [`CellClass::unit`], for narrow cells.
@@ -110,8 +110,8 @@ pub(super) struct Cell {
 
 /// Returns the cells of a kernel: the bits of t that are correct for half of the rays, or the
 /// fraction of wrong rays.
-pub(super) fn cells(row: &KernelRow) -> Vec<Cell> {
-    let mut cells: Vec<Cell> = row
+pub(super) fn cells(row: &KernelRow) -> Vec<HeatmapCell> {
+    let mut cells: Vec<HeatmapCell> = row
         .by_ray_family
         .iter()
         .map(|accuracy| {
@@ -131,7 +131,7 @@ pub(super) fn cells(row: &KernelRow) -> Vec<Cell> {
                 _ => (bits_text(), bits_text(), 1.0),
             };
             let bits = bits.map_or(String::new(), |bits| format!(", {bits:.0} correct bits"));
-            Cell {
+            HeatmapCell {
                 color: style::tint(class.color(), strength),
                 text: format!("{} {number}", class.sign()),
                 short: format!("{}{rounded}", class.sign()),
@@ -147,14 +147,14 @@ pub(super) fn cells(row: &KernelRow) -> Vec<Cell> {
     if let Some(leaks) = row.leaks_per_million {
         cells.push(if leaks > 0.0 {
             let class = CellClass::Leak;
-            Cell {
+            HeatmapCell {
                 color: style::tint(class.color(), degree(leaks)),
                 text: format!("{} {}", class.sign(), share(leaks)),
                 short: format!("{}{}", class.sign(), whole_percent(leaks)),
                 tip: format!("{} of the rays leave the mesh", share(leaks)),
             }
         } else {
-            Cell {
+            HeatmapCell {
                 color: CellClass::Correct.color(),
                 text: "= closed".into(),
                 short: CellClass::Correct.sign().into(),

@@ -16,7 +16,7 @@ use crate::{Accel, Counters, DirectSampling, Job, LightSettings};
 use fallback::Fallback;
 use global::roulette::MIN_BOUNCES;
 use kit::effects::Effect;
-use kit::film::Cell as Tile;
+use kit::film::Cell;
 use kit::{LitScene, PixelEstimate, PixelSampler, Ray, Spectrum, Tally, Vec3};
 use simd_bvh::{StreamMemory, WideBvh};
 use simd_paths::{BATCH_SIZE, Counts, PathMemory, PathScene, PathSettings, PathStart, View};
@@ -87,7 +87,7 @@ impl<'a> PacketRenderer<'a> {
     /// Renders `tiles` as [`crate::lit::render_lit_tiles`] does.
     pub(crate) fn render<R: Send>(
         &self,
-        tiles: &[Tile],
+        tiles: &[Cell],
         stop: &AtomicBool,
         finish: &(dyn Fn(RenderedTile) -> R + Sync),
     ) -> Vec<R> {
@@ -102,7 +102,7 @@ impl<'a> PacketRenderer<'a> {
     fn tile(
         &self,
         integrator: &mut PathIntegrator<'a>,
-        tile: Tile,
+        tile: Cell,
         stop: &AtomicBool,
     ) -> Vec<PixelEstimate> {
         let mut memory = Memory::default();

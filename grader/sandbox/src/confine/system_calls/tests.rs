@@ -5,7 +5,7 @@ use filter::X32_BIT;
 
 /// What a call does at each level: for a compiler, for a worker, for a sealed thread.
 #[derive(Debug, PartialEq)]
-enum Verdict {
+enum Outcome {
     Allowed,
     Fails(i32),
 }
@@ -28,21 +28,21 @@ impl Level {
         Level(filters)
     }
 
-    /// The verdict about a call: the newest filter that denies it decides.
-    fn verdict(&self, call: i64, arguments: [u64; 6]) -> Verdict {
-        let verdicts = self.0.iter().rev();
-        let mut verdicts = verdicts.map(|filter| run(filter, call, arguments));
-        let denied = verdicts.find(|verdict| *verdict != Verdict::Allowed);
-        denied.unwrap_or(Verdict::Allowed)
+    /// The outcome of a call: the newest filter that denies it decides.
+    fn outcome(&self, call: i64, arguments: [u64; 6]) -> Outcome {
+        let outcomes = self.0.iter().rev();
+        let mut outcomes = outcomes.map(|filter| run(filter, call, arguments));
+        let denied = outcomes.find(|outcome| *outcome != Outcome::Allowed);
+        denied.unwrap_or(Outcome::Allowed)
     }
 
     fn allows(&self, call: i64, arguments: [u64; 6]) -> bool {
-        self.verdict(call, arguments) == Verdict::Allowed
+        self.outcome(call, arguments) == Outcome::Allowed
     }
 }
 
 /// Runs a filter on the data of a call: number, architecture, instruction pointer, six arguments.
-fn run(filter: &BpfProgram, call: i64, arguments: [u64; 6]) -> Verdict {
+fn run(filter: &BpfProgram, call: i64, arguments: [u64; 6]) -> Outcome {
     const X86_64: u32 = 0xc000_003e;
     let mut data = Vec::new();
     data.extend((call as u32).to_le_bytes());
@@ -69,8 +69,8 @@ fn run(filter: &BpfProgram, call: i64, arguments: [u64; 6]) -> Verdict {
             0x35 => branch(accumulator >= line.k),
             0x06 => {
                 return match line.k & 0xffff_0000 {
-                    0x7fff_0000 => Verdict::Allowed,
-                    0x0005_0000 => Verdict::Fails((line.k & 0xffff) as i32),
+                    0x7fff_0000 => Outcome::Allowed,
+                    0x0005_0000 => Outcome::Fails((line.k & 0xffff) as i32),
                     action => panic!("the filter returns {action:x}"),
                 };
             }
@@ -90,8 +90,8 @@ fn every_call_has_the_verdict_of_the_table() {
         let mut words = line.split_whitespace();
         let number: i64 = words.next().unwrap().parse().unwrap();
         let name = words.next().unwrap();
-        let verdicts = ["compiler", "worker", "sealed"].into_iter().zip(&levels);
-        let allowed = verdicts.filter(|(_, level)| level.allows(number, [0; 6]));
+        let outcomes = ["compiler", "worker", "sealed"].into_iter().zip(&levels);
+        let allowed = outcomes.filter(|(_, level)| level.allows(number, [0; 6]));
         let allowed: Vec<&str> = allowed.map(|(name, _)| name).collect();
         let expected: Vec<&str> = words.collect();
         if allowed != expected {
@@ -175,7 +175,7 @@ fn arguments_decide_about_some_calls() {
 #[test]
 fn clone3_does_not_exist() {
     for level in [Level::worker(), Level::sealed()] {
-        let verdict = level.verdict(libc::SYS_clone3, [0; 6]);
-        assert_eq!(verdict, Verdict::Fails(libc::ENOSYS));
+        let outcome = level.outcome(libc::SYS_clone3, [0; 6]);
+        assert_eq!(outcome, Outcome::Fails(libc::ENOSYS));
     }
 }

@@ -128,7 +128,7 @@ pub(crate) fn define_samples(text: &mut String, call: &StopCall) -> Option<()> {
     let _ = writeln!(
         text,
         "let runs: [(usize, f64); {}] = [{}];
-let samples: Findings = runs.iter().flat_map(|&(count, x)| std::iter::repeat_n(x, count)).collect();",
+let samples: Tally = runs.iter().flat_map(|&(count, x)| std::iter::repeat_n(x, count)).collect();",
         runs.len(),
         runs.join(", ")
     );

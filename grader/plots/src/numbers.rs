@@ -1,5 +1,7 @@
 //! Formats numbers and lists for captions.
 
+use base::digits::decimals;
+
 /// Joins a list: "a", "a and b", "a, b and c"; "none" if it is empty.
 pub fn list<S: AsRef<str>>(things: &[S]) -> String {
     let things: Vec<&str> = things.iter().map(AsRef::as_ref).collect();
@@ -27,8 +29,7 @@ pub fn figures(x: f64) -> String {
     if !(-3.0..6.0).contains(&power) {
         return format!("{x:.1e}");
     }
-    let decimals = (1.0 - power).max(0.0) as usize;
-    format!("{x:.decimals$}")
+    format!("{x:.*}", decimals(x, 2))
 }
 
 /// Formats a factor with two significant digits and, from a thousand on, groups of three: "870,000".

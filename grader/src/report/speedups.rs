@@ -1,6 +1,7 @@
 //! Formats the table of speedups.
 
 use crate::grade::speedup::{Growth, Speedup, Speedups};
+use base::digits;
 use comfy_table::{Cell, CellAlignment, Table, presets};
 use std::fmt::Write;
 
@@ -76,7 +77,7 @@ fn table(rows: &[Speedup]) -> Table {
 fn speedup(row: &Speedup) -> String {
     let [low, high] = row.speedup_range;
     let error = (row.speedup - low).max(high - row.speedup);
-    let decimals = decimals(row.speedup);
+    let decimals = digits::decimals(row.speedup, 3).min(7);
     format!("{:.decimals$}x ±{error:.decimals$}", row.speedup)
 }
 
@@ -108,12 +109,7 @@ fn rate(seconds_per_ray: f64) -> String {
 
 /// A number with three significant digits, but with all digits before the decimal point.
 fn three_digits(x: f64) -> String {
-    format!("{x:.*}", decimals(x))
-}
-
-/// The number of decimals of a number with three significant digits.
-fn decimals(x: f64) -> usize {
-    (2.0 - x.abs().log10().floor()).clamp(0.0, 7.0) as usize
+    format!("{x:.*}", digits::decimals(x, 3).min(7))
 }
 
 #[cfg(test)]

@@ -1,5 +1,7 @@
 //! Fits text into lines of a given width.
 
+use base::digits::decimals;
+
 /// Breaks `text` at spaces into lines of at most `width` columns. Lines after the first begin with
 /// `indent` spaces, as many as the text itself begins with if it begins with more. A longer word
 /// is broken, and code between backticks only if it is longer: a command can be copied.
@@ -124,9 +126,7 @@ pub(crate) fn shorten_numbers(text: &str, digits: usize) -> String {
 
 /// A positive number with this many significant digits, without zeros at the end.
 fn significant(value: f64, digits: usize) -> String {
-    let before = value.log10().floor() as i64 + 1;
-    let decimals = usize::try_from(digits as i64 - before).unwrap_or(0);
-    let text = format!("{value:.decimals$}");
+    let text = format!("{value:.*}", decimals(value, digits));
     match text.contains('.') {
         true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
         false => text,

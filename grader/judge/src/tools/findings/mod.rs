@@ -213,7 +213,7 @@ impl Findings {
 
     /// The aspects that failed.
     #[cfg(test)]
-    #[allow(dead_code, reason = "handouts lack the tests of some tasks")]
+    #[allow(dead_code, reason = "some handouts lack its users")]
     pub(crate) fn wrong_aspects(self) -> Vec<Aspect> {
         let failed = self.list.iter().filter(|finding| !finding.passed());
         failed.map(|finding| finding.aspect).collect()

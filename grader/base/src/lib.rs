@@ -9,7 +9,7 @@
 //! - [`browser`]: opens pages; [`keys`]: reads single keys
 //! - [`Workspace`]: the checkout or handout of the course
 //! - [`term`]: the folder of a teacher's course
-//! - [`fnv`]: a hash of bytes; [`digits`]: significant ones; [`utc`]: dates and times of day
+//! - [`fnv`]: a hash of bytes; [`digits`]: significant digits; [`utc`]: dates and times of day
 
 pub mod browser;
 pub mod child_processes;

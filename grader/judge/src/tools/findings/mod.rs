@@ -49,8 +49,7 @@ impl Findings {
         }
     }
 
-    /// The same findings, but they keep the message of every wrong answer, not only that of the worst
-    /// ones.
+    /// The same findings, but they keep the message of every wrong answer, not only of the worst.
     pub(crate) fn with_messages(self) -> Findings {
         Findings {
             wrong_answers: Some(Vec::new()),

@@ -130,3 +130,19 @@ impl Check for kind::Specular {
         simple::questions()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_answer_of_another_function_does_not_fit() {
+        let calls = vec![SpecularCall::Reflect {
+            wo: [0.0, 0.0, 1.0],
+        }];
+        let fits = |answer| kind::Specular::fits(&calls, &vec![answer]);
+        assert_eq!(fits(SpecularAnswer::Direction(None)), Ok(()));
+        let why = "call 0 is of reflect, which does not return Share(0.5)";
+        assert_eq!(fits(SpecularAnswer::Share(0.5)), Err(why.into()));
+    }
+}

@@ -51,7 +51,7 @@ pub(crate) fn hits(
     }
 }
 
-/// Scenes of fewer primitives are not judged by what a tree saves in them.
+/// What a tree saves in scenes of fewer primitives is not judged.
 const MIN_PRIMITIVES: u64 = 1000;
 
 /// A traversal of a tree makes at most one in this many of the tests without a tree. The reference
@@ -64,7 +64,7 @@ pub(crate) fn savings(findings: &mut Findings, work: &SceneWork, answer: &HitsAn
     if primitives < MIN_PRIMITIVES {
         return;
     }
-    let made = answer.box_tests + answer.prim_tests;
+    let made = answer.box_tests.saturating_add(answer.prim_tests);
     let all = primitives * work.rays.len() as u64;
     findings.expect(Aspect::Savings);
     let saves = made <= all / MIN_SAVINGS;
@@ -179,7 +179,7 @@ fn blocked(
 mod tests {
     use super::*;
     use crate::tools::truth::scene::closest_hits;
-    use wire::work::SceneSource;
+    use wire::work::{SceneSource, Tree};
 
     /// Two walls perpendicular to x, at 1 and at 2.
     fn walls() -> SceneSource {
@@ -230,5 +230,32 @@ mod tests {
     fn any_hit_must_find_a_hit() {
         assert_eq!(failed(Some((0, 0.0)), true), []);
         assert_eq!(failed(None, true), [Aspect::HitOrMiss]);
+    }
+
+    /// A record may state any numbers.
+    #[test]
+    fn more_tests_than_can_be_added_save_nothing() {
+        let work = SceneWork {
+            scene: walls(),
+            tree: Tree {
+                nodes: Vec::new(),
+                order: (0..1000).collect(),
+            },
+            rays: vec![RAY],
+            any_hit: false,
+        };
+        let wrong = |box_tests| {
+            let answer = HitsAnswer {
+                hits: vec![None],
+                max_t: vec![RAY.max_t],
+                box_tests,
+                prim_tests: 1,
+            };
+            let mut findings = Findings::default();
+            savings(&mut findings, &work, &answer);
+            findings.wrong_aspects()
+        };
+        assert_eq!(wrong(1), []);
+        assert_eq!(wrong(u64::MAX), [Aspect::Savings]);
     }
 }

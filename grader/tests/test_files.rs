@@ -5,6 +5,7 @@ use cargo_metadata::{MetadataCommand, Package, TargetKind};
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::process::Command;
 
 fn packages() -> Vec<Package> {
     let metadata = MetadataCommand::new().no_deps().exec();
@@ -57,6 +58,24 @@ fn every_test_file_is_a_module_of_the_program_that_runs_them() {
         }
     }
     assert!(checked > 25, "only {checked} files were found");
+}
+
+/// Unit tests of a library that has none would be compiled with all of it, and run nothing.
+#[test]
+fn a_library_that_is_not_tested_has_no_unit_tests() {
+    for package in packages() {
+        let libraries = package.targets.iter().filter(|t| t.is_lib() && !t.test);
+        for library in libraries {
+            let folder = library.src_path.parent().expect("a folder");
+            let command = ["grep", "--quiet", "#\\[test\\]", "--", "."];
+            let found = Command::new("git")
+                .args(command)
+                .current_dir(folder)
+                .status();
+            let code = found.expect("git runs").code();
+            assert_eq!(code, Some(1), "{folder} has a test that never runs");
+        }
+    }
 }
 
 /// A program of some lines has no tests, and is not linked a second time for them.

@@ -12,6 +12,7 @@ use pictures::Image;
 use pictures::image::Rgb;
 use rayon::prelude::*;
 use std::collections::HashMap;
+use std::sync::LazyLock;
 
 pub(crate) const SIZE: [u32; 2] = [300, 240];
 pub(crate) const TRIANGLES: usize = 600;
@@ -50,8 +51,15 @@ struct PixelHit {
 }
 
 impl MeshView {
-    /// Traces the picture with the kernel `textbook`.
-    pub(crate) fn new(textbook: &TriangleKernel) -> MeshView {
+    /// The picture, traced with the first of [`kernels::triangles`], the textbook's: once, for all
+    /// kernels whose leaks are drawn in it. `None` if there are no known kernels.
+    pub(crate) fn traced() -> Option<&'static MeshView> {
+        static VIEW: LazyLock<Option<MeshView>> =
+            LazyLock::new(|| kernels::triangles().first().map(MeshView::trace));
+        VIEW.as_ref()
+    }
+
+    fn trace(textbook: &TriangleKernel) -> MeshView {
         let mesh = generate(MeshKind::Smooth, TRIANGLES);
         let edges = inner_edges(&mesh);
         let [w, h] = SIZE;
@@ -103,13 +111,13 @@ impl MeshView {
         (pixels, rays, &self.mesh)
     }
 
-    /// Renders the picture with these pixels in magenta.
+    /// Renders the picture with these pixels, in order, in magenta.
     pub(crate) fn picture(&self, leaks: &[u32]) -> Image {
         let [w, _] = SIZE;
         Image::from_fn(SIZE, |x, y| {
             let pixel = y * w + x;
             match &self.pixels[pixel as usize] {
-                _ if leaks.contains(&pixel) => MAGENTA,
+                _ if leaks.binary_search(&pixel).is_ok() => MAGENTA,
                 None => [255; 3],
                 Some(hit) => shade(&self.mesh[hit.triangle]),
             }

@@ -267,8 +267,8 @@ pub(super) fn add_leaks(
         && let Ok(leaks) = student.leaks(&closed[0])?
     {
         row.leaks_per_million = Some(leaks);
-        if let Some(textbook) = kernels.first() {
-            family.student_leaks = student.leaking_pixels(&MeshView::new(textbook))?.ok();
+        if let Some(view) = MeshView::traced() {
+            family.student_leaks = student.leaking_pixels(view)?.ok();
         }
     }
     Ok(())

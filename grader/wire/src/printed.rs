@@ -14,16 +14,3 @@ pub fn case_of_marker(line: &str) -> Option<u32> {
     let case = line.strip_prefix(MARK)?.strip_prefix("case ")?;
     case.trim_end().parse().ok()
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_marker_names_its_case() {
-        let marker = output_marker(17);
-        let lines: Vec<Option<u32>> = marker.lines().map(case_of_marker).collect();
-        assert_eq!(lines, [None, Some(17)]);
-        assert_eq!(case_of_marker("case 17"), None);
-    }
-}

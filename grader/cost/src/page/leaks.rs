@@ -41,10 +41,7 @@ pub(crate) fn figure(family: &KernelFamily) -> Option<Figure> {
             let [a, b] = [a, b].map(|(row, _)| row.ranked_time().ratio.median);
             a.total_cmp(&b)
         });
-    let (Some(leaking), Some(textbook)) = (leaking, known.first()) else {
-        return None;
-    };
-    let view = MeshView::new(textbook);
+    let (leaking, view) = (leaking?, MeshView::traced()?);
     let mut pictures: Vec<(String, Vec<u32>)> = [Some(leaking), tight]
         .into_iter()
         .flatten()

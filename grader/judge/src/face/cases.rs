@@ -36,14 +36,17 @@ mod tests {
     use crate::tools::aspects::independence::MIN_PAIRS;
     use crate::tools::shown::ShownCall;
     use crate::tools::truth::expected::HitOrMiss;
+    use std::sync::LazyLock;
     use wire::Work;
+
+    static SPECS: LazyLock<Vec<Spec>> = LazyLock::new(|| all(0));
 
     #[test]
     fn a_seed_changes_only_the_fresh_cases_of_part_1() {
         // As text, in which NaN equals itself.
         let text = |spec: &Spec| format!("{:?}", spec.work);
-        let (all_0, again, all_1) = (all(0), all(0), all(1));
-        for ((a, b), other) in all_0.iter().zip(&again).zip(&all_1) {
+        let (again, all_1) = (all(0), all(1));
+        for ((a, b), other) in SPECS.iter().zip(&again).zip(&all_1) {
             let name = format!("{} {}", a.task, a.name);
             assert!(text(a) == text(b), "{name}");
             if a.task.starts_with("part1") {
@@ -75,7 +78,7 @@ mod tests {
 
     #[test]
     fn pictures_have_an_answer_for_each_pixel() {
-        for spec in all(0) {
+        for spec in SPECS.iter() {
             let Some([w, h]) = spec.picture else { continue };
             let answers = spec.calls();
             assert_eq!(answers, (w * h) as usize, "{} {}", spec.task, spec.name);
@@ -84,7 +87,7 @@ mod tests {
 
     #[test]
     fn what_is_checked_names_no_mistake() {
-        for spec in all(0) {
+        for spec in SPECS.iter() {
             let shown = checked(spec.about);
             let name = format!("{} {}: {shown}", spec.task, spec.name);
             assert!(shown.len() > 10, "{name}");
@@ -96,7 +99,7 @@ mod tests {
 
     #[test]
     fn names_are_unique_in_a_task() {
-        let mut names: Vec<_> = all(0).iter().map(|spec| (spec.task, spec.name)).collect();
+        let mut names: Vec<_> = SPECS.iter().map(|spec| (spec.task, spec.name)).collect();
         names.sort_unstable();
         let count = names.len();
         names.dedup();
@@ -114,9 +117,8 @@ mod tests {
             Work::AdaptivePixels(pixels) => pixels.len() > MIN_PAIRS,
             _ => false,
         };
-        let cases = all(0);
         // No case makes more than two statistical tests.
-        let tests = 2 * cases.iter().filter(|spec| by_chance(spec)).count();
+        let tests = 2 * SPECS.iter().filter(|spec| by_chance(spec)).count();
         assert!((20..=MAX_TESTS).contains(&tests), "{tests}");
     }
 
@@ -124,7 +126,7 @@ mod tests {
     fn a_single_call_is_that_call_of_the_case() {
         let text = |work: &wire::Work| format!("{work:?}");
         let mut cut = 0;
-        for spec in all(0) {
+        for spec in SPECS.iter() {
             assert!(spec.only_call(spec.calls()).is_none(), "{}", spec.name);
             let Some(alone) = spec.only_call(spec.calls() - 1) else {
                 continue;
@@ -141,7 +143,7 @@ mod tests {
 
     #[test]
     fn every_call_of_a_graded_case_has_an_input() {
-        for spec in all(0) {
+        for spec in SPECS.iter() {
             let is_timed = matches!(spec.work, Work::BuildGrowth(_));
             let last = spec.input(spec.calls() - 1);
             assert_eq!(last.is_some(), !is_timed, "{} {}", spec.task, spec.name);
@@ -168,7 +170,7 @@ mod tests {
     #[test]
     fn rays_at_shapes_are_shown_with_their_expected_hits() {
         let mut rays = 0;
-        for spec in all(0) {
+        for spec in SPECS.iter() {
             let Some(ShownCall::Ray(shown)) = spec.shown(Tier::Core, 0, None) else {
                 continue;
             };

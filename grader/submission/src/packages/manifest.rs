@@ -66,8 +66,8 @@ pub fn without_unused_profiles(text: &str, lock: &str) -> String {
 /// Libraries that only tests and benches in separate folders use, never unit tests in `src`.
 const FOR_TESTS: [&str; 3] = ["criterion", "cargo_metadata", "snapbox"];
 
-/// Removes the `[[test]]`, `[[bench]]` and `[[example]]` tables from a crate's `Cargo.toml`, and
-/// the libraries that only they use.
+/// Removes the `[[test]]`, `[[bench]]` and `[[example]]` tables from a crate's `Cargo.toml`, the
+/// libraries that only they use, and `autotests` with its comment.
 pub fn without_tests(text: &str) -> String {
     let mut dropping = false;
     let mut kept: Vec<&str> = Vec::new();
@@ -77,7 +77,9 @@ pub fn without_tests(text: &str) -> String {
                 .iter()
                 .any(|table| line.starts_with(table));
         }
-        if !dropping && !FOR_TESTS.iter().any(|name| line.starts_with(name)) {
+        if line.starts_with("autotests") {
+            kept.pop_if(|line| line.starts_with('#'));
+        } else if !dropping && !FOR_TESTS.iter().any(|name| line.starts_with(name)) {
             kept.push(line);
         }
     }
@@ -181,7 +183,7 @@ mod tests {
 
     #[test]
     fn only_tests_and_benches_are_removed() {
-        let text = "[package]\nname = \"a\"\n\n[dev-dependencies]\ncriterion.workspace = true\n\n[[bench]]\nname = \"b\"\nharness = false\n\n[lints]\nworkspace = true\n\n[[test]]\nname = \"t\"\n";
+        let text = "[package]\nname = \"a\"\n# One program.\nautotests = false\n\n[dev-dependencies]\ncriterion.workspace = true\n\n[[bench]]\nname = \"b\"\nharness = false\n\n[lints]\nworkspace = true\n\n[[test]]\nname = \"t\"\n";
         let expected =
             "[package]\nname = \"a\"\n\n[dev-dependencies]\n\n[lints]\nworkspace = true\n";
         assert_eq!(without_tests(text), expected);

@@ -124,8 +124,8 @@ impl Example {
             Example::Specular(of) => of.work(),
         };
         let kind = work.kind();
-        let mut of_task = cases::all(0).into_iter();
-        let like = of_task.find(|spec| spec.task == self.task() && spec.work.kind() == kind)?;
+        let mut of_task = cases::of(self.task(), 0).into_iter();
+        let like = of_task.find(|spec| spec.work.kind() == kind)?;
         Some(Spec {
             about_aspects: STATED,
             main_aspects: &[],

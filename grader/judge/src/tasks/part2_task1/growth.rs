@@ -143,36 +143,36 @@ fn judge(findings: &mut Findings, work: &BuildGrowthWork, answer: &BuildGrowthAn
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::sync::LazyLock;
 
-    fn work() -> BuildGrowthWork {
-        let spec = crate::cases::all(0)
+    static WORK: LazyLock<BuildGrowthWork> = LazyLock::new(|| {
+        let spec = crate::cases::of("part2.task1", 0)
             .into_iter()
-            .find(|spec| spec.is("part2.task1", "growth_of_the_build_time"));
+            .find(|spec| spec.name == "growth_of_the_build_time");
         match spec.map(|spec| spec.work) {
             Some(wire::Work::BuildGrowth(work)) => work,
             other => panic!("{other:?}"),
         }
-    }
+    });
 
     /// Whether a build passes whose time over n primitives is `seconds(n)`; as in the worker, no
     /// size is built after one that takes too long.
     fn passes(seconds: impl Fn(f64) -> f64) -> bool {
-        let work = work();
         let mut answer = BuildGrowthAnswer {
             nodes: Vec::new(),
             seconds: Vec::new(),
         };
-        for size in &work.sizes {
+        for size in &WORK.sizes {
             answer.nodes.push(2 * size - 1);
             answer.seconds.push(seconds(f64::from(*size)));
             let last = answer.seconds.last().copied().unwrap_or_default();
-            if answer.seconds.len() >= ALWAYS_BUILT && 1e3 * last > work.enough_ms as f64 {
+            if answer.seconds.len() >= ALWAYS_BUILT && 1e3 * last > WORK.enough_ms as f64 {
                 break;
             }
         }
-        kind::BuildGrowth::fits(&work, &answer).expect("it fits");
+        kind::BuildGrowth::fits(&WORK, &answer).expect("it fits");
         let mut findings = Findings::default();
-        judge(&mut findings, &work, &answer);
+        judge(&mut findings, &WORK, &answer);
         findings.into_vec()[0].passed()
     }
 
@@ -203,13 +203,12 @@ mod tests {
 
     #[test]
     fn one_leaf_over_everything_earns_nothing() {
-        let work = work();
         let answer = BuildGrowthAnswer {
-            nodes: vec![1; work.sizes.len()],
-            seconds: vec![1e-3; work.sizes.len()],
+            nodes: vec![1; WORK.sizes.len()],
+            seconds: vec![1e-3; WORK.sizes.len()],
         };
         let mut findings = Findings::default();
-        judge(&mut findings, &work, &answer);
+        judge(&mut findings, &WORK, &answer);
         assert!(!findings.into_vec()[0].passed());
     }
 
@@ -220,7 +219,7 @@ mod tests {
                 nodes: vec![9; nodes],
                 seconds: seconds.to_vec(),
             };
-            kind::BuildGrowth::fits(&work(), &answer).is_ok()
+            kind::BuildGrowth::fits(&WORK, &answer).is_ok()
         };
         assert!(fits(2, &[0.1, 0.2]));
         assert!(!fits(1, &[0.1]) && !fits(2, &[0.1]) && !fits(9, &[0.1; 9]));

@@ -85,10 +85,8 @@ mod tests {
     /// The class of the random numbers of a path, call number 3 of its case, that draws them from
     /// `sampler`. With `repeat`, roulette gets a number that chose the direction.
     fn class(sampler: impl Fn(u64) -> PixelSampler, repeat: bool) -> Option<Class> {
-        let specs = cases::all(0);
-        let spec = specs
-            .iter()
-            .find(|spec| spec.is("part4.task2", "drawn_directions"));
+        let specs = cases::of("part4.task2", 0);
+        let spec = specs.iter().find(|spec| spec.name == "drawn_directions");
         let Some(Work::Paths(paths)) = spec.map(|spec| &spec.work) else {
             panic!("the case is there")
         };

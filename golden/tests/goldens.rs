@@ -117,8 +117,11 @@ fn answer(record: &Record) -> Result<&Answer, String> {
 
 /// The first line of a text. Reasons fit in it.
 fn in_one_line(text: &str) -> String {
-    let first = text.lines().next().unwrap_or_default();
-    let first = first.replace("the exact oracle refutes it: ", "");
+    let first = text
+        .lines()
+        .next()
+        .unwrap_or_default()
+        .replace("the exact oracle refutes it: ", "");
     let short: String = first.chars().take(WIDTH).collect();
     let cut = if short.len() < first.len() { "…" } else { "" };
     format!("{short}{cut}")

@@ -128,8 +128,10 @@ fn a_mistake_about_triangles_is_refused_or_not_judged() {
                 mistake(&triangles[probe.shape as usize], &probe.ray, answer);
             }
             let pairs = (0..).zip(right.iter().zip(&wrong));
-            let changed = pairs.filter(|(_, (right, wrong))| changes(right, wrong));
-            let changed: Vec<u32> = changed.map(|(call, _)| call).collect();
+            let changed: Vec<u32> = pairs
+                .filter(|(_, (right, wrong))| changes(right, wrong))
+                .map(|(call, _)| call)
+                .collect();
             let whole = judge_whole(spec, Tier::Robust, &Answer::Triangles(wrong));
             let counts = whole.count(changed.iter().copied());
             if !changed.is_empty() {
@@ -211,8 +213,11 @@ fn every_field_of_a_hit_in_a_scene_is_judged() {
             let Answer::SceneHits(answer) = answer else {
                 panic!("the case is about hits")
             };
-            let hits = answer.hits.iter_mut().enumerate();
-            let mut hits = hits.filter_map(|(call, hit)| Some((call, hit.as_mut()?)));
+            let mut hits = answer
+                .hits
+                .iter_mut()
+                .enumerate()
+                .filter_map(|(call, hit)| Some((call, hit.as_mut()?)));
             let (number, hit) = hits.find(|(_, hit)| hit.prim > 20).expect("a hit");
             spoil(hit);
             // The t of the hit and max_t agree, as they would in wrong code.

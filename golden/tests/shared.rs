@@ -18,8 +18,10 @@ pub(crate) fn spec(task: &str, name: &str) -> &'static Spec {
 
 /// What the worker records of a case of [`SPECS`], which is asked once for all tests.
 pub(crate) fn record(spec: &Spec) -> &'static Record {
-    let place = SPECS.iter().position(|s| s.is(spec.task, spec.name));
-    let place = place.expect("the case is one of the list");
+    let place = SPECS
+        .iter()
+        .position(|s| s.is(spec.task, spec.name))
+        .expect("the case is one of the list");
     RECORDS[place].get_or_init(|| worker::run(0, &SPECS[place].case()))
 }
 

@@ -232,9 +232,10 @@ fn done(case: u32, answer: Answer) -> Vec<u8> {
 
 /// Frames with these bodies, as somebody sends them who knows the key.
 fn send(bodies: &[Vec<u8>], key: Key) -> Vec<u8> {
-    let frames = (0..).zip(bodies);
-    let frames = frames.map(|(number, body)| with_header(body, key, number));
-    let frames = frames.map(|frame| frame.expect("it is not too long"));
+    let frames = (0..)
+        .zip(bodies)
+        .map(|(number, body)| with_header(body, key, number))
+        .map(|frame| frame.expect("it is not too long"));
     frames.flatten().collect()
 }
 
@@ -299,8 +300,9 @@ fn an_answer_that_lacks_or_repeats_entries_never_scores_in_full() {
                 let [ending] = endings.as_slice() else {
                     panic!("{name} {change:?}: {endings:?}")
                 };
-                let scores = answer_of(ending).zip(spec);
-                let scores = scores.is_some_and(|(answer, spec)| scores_in_full(spec, answer));
+                let scores = answer_of(ending)
+                    .zip(spec)
+                    .is_some_and(|(answer, spec)| scores_in_full(spec, answer));
                 assert!(!scores, "{name} scores after {change:?}");
                 let is_tree = matches!(answer, Answer::Build(_));
                 assert!(is_tree || answer_of(ending).is_none(), "{name} {change:?}");

@@ -63,8 +63,9 @@ fn run(course: &Path, arguments: &[&str]) -> (String, Output) {
 fn read_until(lines: &Receiver<String>, text: &str) -> String {
     let mut seen = String::new();
     while !seen.contains(text) {
-        let line = lines.recv_timeout(PATIENCE);
-        let line = line.unwrap_or_else(|e| panic!("no {text:?} ({e}) in\n{seen}"));
+        let line = lines
+            .recv_timeout(PATIENCE)
+            .unwrap_or_else(|e| panic!("no {text:?} ({e}) in\n{seen}"));
         seen.push_str(&line);
         seen.push('\n');
     }

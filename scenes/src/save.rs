@@ -294,8 +294,10 @@ fn write_mesh(f: &mut Formatter<'_>, scene: &Scene, i: usize, of: &[usize]) -> f
          <input semantic=\"NORMAL\" source=\"#{id}-normals\" offset=\"0\"/>"
     );
     if let Some(coordinates) = coordinates {
-        let values = coordinates.iter().flatten();
-        let values = values.map(|uv| format!("{} {}", uv.x, uv.y));
+        let values = coordinates
+            .iter()
+            .flatten()
+            .map(|uv| format!("{} {}", uv.x, uv.y));
         source(f, &format!("{id}-uv"), &["S", "T"], values)?;
         inputs +=
             &format!("<input semantic=\"TEXCOORD\" source=\"#{id}-uv\" offset=\"0\" set=\"0\"/>");

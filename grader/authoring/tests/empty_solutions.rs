@@ -28,8 +28,8 @@ fn row(solution: &Unfinished) -> String {
 #[test]
 #[ignore = "compiles and grades the unfinished solutions of all stages: 50 s of CPU"]
 fn unfinished_solutions_get_their_share() {
-    let graded = empty::of_stages(&workspace(), &COURSE, &COURSE.stages());
-    let graded = graded.expect("every solution compiles");
+    let graded =
+        empty::of_stages(&workspace(), &COURSE, &COURSE.stages()).expect("every solution compiles");
     assert_shares(&graded);
     assert_functions_of_triangles(&graded);
     use FunctionStatus::{Hole, Right};

@@ -283,8 +283,9 @@ fn nothing_else_of_crates_with_whole_solutions_is_handed_out() {
         "stages/simd_paths",
     ];
     let files = handout(1).files.keys();
-    let of_crates = files.filter(|path| crates.iter().any(|folder| path.starts_with(folder)));
-    let of_crates = of_crates.filter(|path| !path.ends_with("Cargo.toml"));
+    let of_crates = files
+        .filter(|path| crates.iter().any(|folder| path.starts_with(folder)))
+        .filter(|path| !path.ends_with("Cargo.toml"));
     let found: Vec<&Path> = of_crates.map(|path| path.as_path()).collect();
     assert_eq!(found, BESIDE_SOLUTIONS.map(Path::new));
 }

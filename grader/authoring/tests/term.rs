@@ -304,12 +304,15 @@ fn a_mistake_of_the_teacher_is_listed_and_what_was_learnt_of_it_is_known() {
 fn a_case_of_the_teacher_is_listed_with_its_points_and_in_handouts() {
     let (_folder, root) = term();
     let specs = judge::cases::of("part1.task3", 0);
-    let spec = specs.iter().find(|spec| spec.name == "range");
-    let spec = spec.expect("a case");
+    let spec = specs
+        .iter()
+        .find(|spec| spec.name == "range")
+        .expect("a case");
     let file = root.join("cases/part1.task3/near_the_end.toml");
     fs::create_dir_all(file.parent().expect("a folder")).expect("it is writable");
-    let text = own_case::template(spec, Tier::Core).expect("it can be written");
-    let text = text.replace("points = 1.0", "points = 1.25");
+    let text = own_case::template(spec, Tier::Core)
+        .expect("it can be written")
+        .replace("points = 1.0", "points = 1.25");
     fs::write(&file, &text).expect("it is writable");
     build(&copy_as_it_is(&root), &root).expect("it is right");
     let workspace = copy_of(&root);
@@ -332,8 +335,9 @@ fn a_case_of_the_teacher_is_listed_with_its_points_and_in_handouts() {
     // As long as it is not applied nothing works; without the file all is as it was.
     fs::write(&file, text.replace("1.25", "0.3")).expect("it is writable");
     assert!(Workspace::above(&root).is_err());
-    let error = build(&copy_as_it_is(&root), &root).expect_err("no quarters");
-    let error = error.to_string();
+    let error = build(&copy_as_it_is(&root), &root)
+        .expect_err("no quarters")
+        .to_string();
     assert!(
         error.contains("near_the_end.toml: it has 0.3 points"),
         "{error}"

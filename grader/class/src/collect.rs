@@ -216,8 +216,9 @@ impl Class {
 
     /// How many submissions there are, and how they ended.
     pub fn summary(&self) -> String {
-        let counts = self.counts().into_iter();
-        let counts: Vec<String> = counts
+        let counts: Vec<String> = self
+            .counts()
+            .into_iter()
             .map(|(label, count)| format!("{count} {label}"))
             .collect();
         format!("{} submissions: {}", self.rows.len(), counts.join(", "))

@@ -299,8 +299,8 @@ mod tests {
             DUE - DAY,
             Some("committed before the commit that it follows"),
         );
-        let error = decide(&student("", ""), Some(&doubtful), false, DUE, &RULE);
-        let error = error.expect_err("the times are forged");
+        let error = decide(&student("", ""), Some(&doubtful), false, DUE, &RULE)
+            .expect_err("the times are forged");
         assert!(
             error.contains("committed 2027-02-14 22:59 UTC, written 2027-02-14 22:58 UTC"),
             "{error}"

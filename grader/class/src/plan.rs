@@ -62,12 +62,15 @@ pub struct PlannedTask {
 impl PlannedTask {
     fn of(task: &Task) -> PlannedTask {
         let of_examples = task.entry_of_examples();
-        let cases = task.cases.iter().chain(&of_examples);
-        let cases = cases.map(|case| PlannedCase {
-            name: case.name.clone(),
-            tier: case.tier,
-            points: case.points,
-        });
+        let cases = task
+            .cases
+            .iter()
+            .chain(&of_examples)
+            .map(|case| PlannedCase {
+                name: case.name.clone(),
+                tier: case.tier,
+                points: case.points,
+            });
         PlannedTask {
             key: task.key.clone(),
             title: task.title.clone(),
@@ -185,8 +188,11 @@ impl Plan {
         with_archives: bool,
         mut progress: impl FnMut(usize, usize),
     ) -> Result<Plan, GraderError> {
-        let tasks = course.select(&settings.what)?;
-        let tasks = tasks.into_iter().map(PlannedTask::of).collect();
+        let tasks = course
+            .select(&settings.what)?
+            .into_iter()
+            .map(PlannedTask::of)
+            .collect();
         let entries = entries::list(class)?;
         let count = entries.len();
         let mut submissions = Vec::new();
@@ -332,8 +338,9 @@ impl Plan {
                 "of other shards",
             ),
         ];
-        let reasons = reasons.into_iter().filter(|(count, _)| *count > 0);
         let reasons: Vec<String> = reasons
+            .into_iter()
+            .filter(|(count, _)| *count > 0)
             .map(|(count, why)| format!("{count} {why}"))
             .collect();
         (!reasons.is_empty()).then(|| {

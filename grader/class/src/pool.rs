@@ -117,8 +117,10 @@ fn why_it_failed(status: ExitStatus, said: &str) -> String {
 /// The error that a process printed last, without what cargo printed before it.
 fn error_in(said: &str) -> &str {
     const ERROR: &str = "error: ";
-    let starts = said.match_indices(ERROR).map(|(at, _)| at);
-    let starts = starts.filter(|at| *at == 0 || said[..*at].ends_with('\n'));
+    let starts = said
+        .match_indices(ERROR)
+        .map(|(at, _)| at)
+        .filter(|at| *at == 0 || said[..*at].ends_with('\n'));
     let start = starts.last().map_or(0, |at| at + ERROR.len());
     said[start..].trim()
 }

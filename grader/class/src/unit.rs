@@ -108,8 +108,9 @@ pub fn grade(
     let started = Instant::now();
     let settings = &plan.settings;
     let revision = settings.revision.as_ref().filter(|_| !as_it_lies);
-    let read = reader.read(&class.join(planned.file.raw()), revision);
-    let read = read.map_err(|unreadable| GraderError::new(unreadable.why()))?;
+    let read = reader
+        .read(&class.join(planned.file.raw()), revision)
+        .map_err(|unreadable| GraderError::new(unreadable.why()))?;
     if read.hash != *submission {
         return Err(GraderError::new(format!(
             "{} was changed while the class was graded: run again",
@@ -126,8 +127,11 @@ pub fn grade(
     };
     let graded = one::grade_read(course, &read.submission, &options)?;
     let earned = graded.report.scores.tasks.iter().map(|task| {
-        let cases = task.result.cases.iter();
-        let cases = cases.map(|case| (case.name.clone(), case.earned));
+        let cases = task
+            .result
+            .cases
+            .iter()
+            .map(|case| (case.name.clone(), case.earned));
         (task.result.key.clone(), cases.collect())
     });
     let earned = earned.collect();
@@ -145,8 +149,13 @@ pub fn grade(
             case.crash
                 .is_some_and(|crash| crash.kind == CrashKind::Endless)
         };
-        let cases = task.result.cases.iter().filter(is_endless);
-        let cases: Vec<String> = cases.map(|case| case.name.clone()).collect();
+        let cases: Vec<String> = task
+            .result
+            .cases
+            .iter()
+            .filter(is_endless)
+            .map(|case| case.name.clone())
+            .collect();
         (!cases.is_empty()).then(|| (task.result.key.clone(), cases))
     });
     let endless_cases = endless_cases.collect();

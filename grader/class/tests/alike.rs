@@ -172,8 +172,11 @@ fn passages_of_a_few_are_open() {
     });
     let pairs = pairs(&students);
     assert_eq!(pairs.len(), 3);
-    let of_few = pairs.iter().flat_map(|pair| &pair.stages[0].passages);
-    let of_few = of_few.filter(|passage| passage.others == 1).count();
+    let of_few = pairs
+        .iter()
+        .flat_map(|pair| &pair.stages[0].passages)
+        .filter(|passage| passage.others == 1)
+        .count();
     let page = page::page(&Contents {
         pairs,
         ..Contents::default()
@@ -234,8 +237,9 @@ fn many_pairs_are_a_table_and_the_strongest_of_them_a_page() {
     let members: Vec<usize> = few.listed.iter().flat_map(|found| found.both).collect();
     assert!(members.iter().all(|i| *i >= 15), "{members:?}");
 
-    let shown = all.listed[..4].iter();
-    let shown = shown.map(|found| pairs::pair(&students, &owners, found));
+    let shown = all.listed[..4]
+        .iter()
+        .map(|found| pairs::pair(&students, &owners, found));
     let page = page::page(&Contents {
         students: students.len(),
         pairs: shown.collect(),

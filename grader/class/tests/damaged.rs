@@ -214,8 +214,10 @@ fn damaged_units(seeds: impl Iterator<Item = u64>) {
         std::fs::write(&path, damaged_bytes_or_json(&whole, &value, seed)).expect("a file");
         let tables = class.tables(&out);
         let gradebook = String::from_utf8_lossy(&tables[Path::new("gradebook.csv")]);
-        let rows = csv::Reader::from_reader(gradebook.as_bytes()).into_records();
-        let rows: Vec<_> = rows.map(|row| row.expect("a row")).collect();
+        let rows: Vec<_> = csv::Reader::from_reader(gradebook.as_bytes())
+            .into_records()
+            .map(|row| row.expect("a row"))
+            .collect();
         assert_eq!(rows.len(), 4, "{gradebook}");
         // Nobody has more points than there are, whatever a report says.
         for row in rows {

@@ -23,8 +23,12 @@ const TIMEOUT: Duration = Duration::from_secs(120);
 
 fn grade(class: &FakeClass, out: &Out, shard: usize, of: usize, behaviour: Behaviour) {
     let units = class.plan.units();
-    let jobs = units.into_iter().skip(shard).step_by(of);
-    let jobs: Vec<_> = jobs.filter(|(key, _)| !unit::is_stored(out, key)).collect();
+    let jobs: Vec<_> = units
+        .into_iter()
+        .skip(shard)
+        .step_by(of)
+        .filter(|(key, _)| !unit::is_stored(out, key))
+        .collect();
     let progress = Progress::start(jobs.len());
     pool::run(&jobs, 3, out, &progress, |key| {
         class.command(out, key, behaviour)
@@ -104,8 +108,10 @@ fn mistakes_are_grouped_by_idea_and_a_lecture_names_nobody() {
         }
     }
     // 40 has no unit of its own; 10, 21 and 32 have full points.
-    let section = page.split_once("how samples are drawn").expect("an idea").1;
-    let section = section
+    let section = page
+        .split_once("how samples are drawn")
+        .expect("an idea")
+        .1
         .split_once("units and lengths")
         .expect("another idea")
         .0;
@@ -212,8 +218,8 @@ fn what_could_not_be_read_is_a_question_and_no_zero() {
         says("gradebook.csv", row);
         says("class.html", heading);
         says("students/zz.html", page);
-        let read = Class::read(&out, class.plan.clone(), &options, |_, _, _, _| Ok(()));
-        let read = read.expect("a class");
+        let read =
+            Class::read(&out, class.plan.clone(), &options, |_, _, _, _| Ok(())).expect("a class");
         assert_eq!(read.is_complete(), on_unreadable == OnUnreadable::Zero);
         let names: Vec<&str> = read.rows.iter().map(|row| row.name.raw()).collect();
         let join = Join::of(&roster, &names);
@@ -353,8 +359,9 @@ fn the_seed_is_for_the_instructor_alone() {
     let out = class.out("out");
     grade(&class, &out, 0, 1, Behaviour::Fine);
     for key in class.plan.units().into_keys() {
-        let text = std::fs::read_to_string(out.unit(key)).expect("a unit");
-        let text = text.replace("\"seed\":7", "\"seed\":1234567");
+        let text = std::fs::read_to_string(out.unit(key))
+            .expect("a unit")
+            .replace("\"seed\":7", "\"seed\":1234567");
         assert!(text.contains("1234567"), "{text}");
         std::fs::write(out.unit(key), text).expect("a unit");
     }

@@ -189,8 +189,9 @@ fn quantile(sorted: &[f64], share: f64) -> Option<f64> {
 /// Returns the distribution of sorted numbers: pairs (number, fraction of numbers that are at most
 /// this).
 fn distribution(sorted: &[f64]) -> Vec<(f64, f64)> {
-    let shares = (1..CDF_POINTS).map(|i| i as f64 / CDF_POINTS as f64);
-    let shares = shares.chain([0.99, 0.999, 1.0]);
+    let shares = (1..CDF_POINTS)
+        .map(|i| i as f64 / CDF_POINTS as f64)
+        .chain([0.99, 0.999, 1.0]);
     shares
         .filter_map(|share| Some((quantile(sorted, share)?, share)))
         .collect()

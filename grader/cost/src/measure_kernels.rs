@@ -134,8 +134,9 @@ fn accuracies<S: StudentShape, W: Into<Answer> + Send + Sync + 'static>(
     let student_result = match student {
         Err(missing) => Err(missing.clone()),
         Ok(student) => {
-            let each = by_family.iter();
-            let each = each.map(|(_, test_set)| student.accuracy(test_set));
+            let each = by_family
+                .iter()
+                .map(|(_, test_set)| student.accuracy(test_set));
             each.collect::<Result<Result<Vec<Accuracy>, MissingReason>, GraderError>>()?
         }
     };
@@ -205,8 +206,8 @@ impl Times {
         }
         let rounds = Rounds::measure(&SystemClock::start(), &mut contenders, size.rounds)?;
         let timings = |first: usize, end: usize| {
-            let timings = (first..end).map(|i| rounds.timing(i, first));
-            let timings: Result<Vec<Timing>, MissingReason> = timings.collect();
+            let timings: Result<Vec<Timing>, MissingReason> =
+                (first..end).map(|i| rounds.timing(i, first)).collect();
             timings.map_err(GraderError::new)
         };
         Ok(Times {

@@ -226,8 +226,10 @@ fn by_family(
     cell: impl Fn(&Accuracy) -> String,
     last: Option<LastColumn>,
 ) -> Table {
-    let columns = family.columns.iter();
-    let columns = columns.map(|column| heading(column.family).to_string());
+    let columns = family
+        .columns
+        .iter()
+        .map(|column| heading(column.family).to_string());
     let corner = format!("{}: {what}", family.shape.name());
     let header = std::iter::once(corner).chain(columns);
     let mut table = narrow(header.chain(last.map(|(heading, _)| heading.to_string())));

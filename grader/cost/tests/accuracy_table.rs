@@ -13,8 +13,10 @@ fn written(row: &KernelRow) -> String {
     } else {
         &row.name
     };
-    let operations = row.operations.as_ref();
-    let operations = operations.map_or(String::new(), |all| format!("{:.0} ", all.total()));
+    let operations = row
+        .operations
+        .as_ref()
+        .map_or(String::new(), |all| format!("{:.0} ", all.total()));
     let leaks = row.leaks_per_million.expect("triangles leak or do not");
     // Fewer than 50 in a million count as none.
     let leaks = if leaks < 50.0 { 0.0 } else { leaks };

@@ -15,8 +15,11 @@ fn damage_one(value: &mut Value, random: &mut Random) {
     let goes_deeper = random.below(8) > 0;
     match value {
         Value::Object(fields) if goes_deeper && !fields.is_empty() => {
-            let name = fields.keys().nth(random.below(fields.len())).cloned();
-            let name = name.unwrap_or_default();
+            let name = fields
+                .keys()
+                .nth(random.below(fields.len()))
+                .cloned()
+                .unwrap_or_default();
             if random.below(12) == 0 {
                 fields.remove(&name);
             } else if let Some(inside) = fields.get_mut(&name) {

@@ -143,8 +143,10 @@ impl System {
         choices: &Choices,
         programs: &[&str],
     ) -> Result<Vec<(&'static str, String)>, GraderError> {
-        let packages = programs.iter().map(|name| format!("--package {name}"));
-        let packages: Vec<String> = packages.collect();
+        let packages: Vec<String> = programs
+            .iter()
+            .map(|name| format!("--package {name}"))
+            .collect();
         let mut options = choices.options();
         let unsandboxed = match choices.unsandboxed {
             true => " --unsandboxed",

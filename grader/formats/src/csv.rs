@@ -33,8 +33,11 @@ pub fn write(outcome: &Outcome, settings: &Settings) -> Result<String, GraderErr
     let results = || report.tasks.iter().map(|task| &task.result);
     let not_built = |task: &&TaskResult| task.status == Status::DoesNotCompile;
     let is_refused = |task: &&TaskResult| graded.refused.contains_key(&task.stage);
-    let broken = results().filter(not_built).filter(|task| !is_refused(task));
-    let broken: Vec<&str> = broken.map(|task| task.key.as_str()).collect();
+    let broken: Vec<&str> = results()
+        .filter(not_built)
+        .filter(|task| !is_refused(task))
+        .map(|task| task.key.as_str())
+        .collect();
     let broken = (!broken.is_empty()).then(|| format!("does not compile: {}", broken.join(" ")));
     let notes = broken.into_iter().chain(about_refused(&graded.refused));
     let line = Line {

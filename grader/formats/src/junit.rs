@@ -70,8 +70,7 @@ fn document(writer: &mut Xml, graded: &Graded) -> io::Result<()> {
     writer.write_event(Event::Decl(BytesDecl::new("1.0", Some("UTF-8"), None)))?;
     let tasks = &graded.report.tasks;
     let all = Counts::of(tasks.iter().flat_map(|task| &task.result.cases));
-    let tag = writer.create_element("testsuites");
-    let tag = tag.with_attributes([
+    let tag = writer.create_element("testsuites").with_attributes([
         ("name", "First Light"),
         ("tests", &*all.tests.to_string()),
         ("failures", &*all.failures.to_string()),
@@ -100,8 +99,9 @@ fn suite(writer: &mut Xml, graded: &Graded, task: &TaskReport) -> io::Result<()>
         tag.write_inner_content(|writer| {
             points.iter().try_for_each(|(name, points)| {
                 let value = rounded(*points).to_string();
-                let tag = writer.create_element("property");
-                let tag = tag.with_attributes([("name", *name), ("value", &value)]);
+                let tag = writer
+                    .create_element("property")
+                    .with_attributes([("name", *name), ("value", &value)]);
                 tag.write_empty().map(|_| ())
             })
         })?;
@@ -132,14 +132,14 @@ fn with_counts<'a>(
 }
 
 fn test(writer: &mut Xml, task: &str, case: &CaseResult) -> io::Result<()> {
-    let tag = writer.create_element("testcase");
-    let tag = tag.with_attributes([("name", &*case.name), ("classname", task)]);
+    let tag = writer
+        .create_element("testcase")
+        .with_attributes([("name", &*case.name), ("classname", task)]);
     let Some(ending) = ending(case) else {
         return tag.write_empty().map(|_| ());
     };
     tag.write_inner_content(|writer| {
-        let tag = writer.create_element(ending.element);
-        let tag = tag.with_attributes([
+        let tag = writer.create_element(ending.element).with_attributes([
             ("type", ending.kind),
             ("message", &*printable(&ending.message)),
         ]);
@@ -201,17 +201,21 @@ fn not_graded(writer: &mut Xml, test: &OnlyTest, why: &str) -> io::Result<()> {
     let OnlyTest([element, kind, message], [failures, errors]) = *test;
     writer.write_event(Event::Decl(BytesDecl::new("1.0", Some("UTF-8"), None)))?;
     let counts = [("tests", "1"), ("failures", failures), ("errors", errors)];
-    let tag = writer.create_element("testsuites");
-    let tag = tag.with_attribute(("name", "First Light"));
+    let tag = writer
+        .create_element("testsuites")
+        .with_attribute(("name", "First Light"));
     tag.with_attributes(counts).write_inner_content(|writer| {
-        let tag = writer.create_element("testsuite");
-        let tag = tag.with_attribute(("name", "grader"));
+        let tag = writer
+            .create_element("testsuite")
+            .with_attribute(("name", "grader"));
         tag.with_attributes(counts).write_inner_content(|writer| {
-            let tag = writer.create_element("testcase");
-            let tag = tag.with_attributes([("name", "grading"), ("classname", "grader")]);
+            let tag = writer
+                .create_element("testcase")
+                .with_attributes([("name", "grading"), ("classname", "grader")]);
             tag.write_inner_content(|writer| {
-                let tag = writer.create_element(element);
-                let tag = tag.with_attributes([("type", kind), ("message", message)]);
+                let tag = writer
+                    .create_element(element)
+                    .with_attributes([("type", kind), ("message", message)]);
                 tag.write_text_content(BytesText::new(&printable(why)))?;
                 Ok(())
             })?;

@@ -70,8 +70,9 @@ impl Target {
 }
 
 fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
-    let targets = matches.get_many::<String>("write").unwrap_or_default();
-    let targets: Vec<Target> = targets
+    let targets: Vec<Target> = matches
+        .get_many::<String>("write")
+        .unwrap_or_default()
         .map(|text| Target::parse(text))
         .collect::<Result<_, _>>()?;
     // `table` and `json` are not formats of course systems only: the report is printed in them.
@@ -124,8 +125,9 @@ fn write_all(
 fn settings(matches: &ArgMatches) -> Settings {
     let text = |name| matches.get_one::<String>(name).cloned();
     let submission = matches.get_one::<PathBuf>("submission");
-    let folder = submission.and_then(|path| path.file_name());
-    let folder = folder.map(|name| name.to_string_lossy().into_owned());
+    let folder = submission
+        .and_then(|path| path.file_name())
+        .map(|name| name.to_string_lossy().into_owned());
     let now = SystemTime::now().duration_since(UNIX_EPOCH);
     let visibility = text("visibility").and_then(|name| Visibility::named(&name));
     Settings {

@@ -223,8 +223,10 @@ fn unwound(task: &str, payload: &(dyn Any + Send)) -> Outcome {
 }
 
 fn message(payload: &(dyn Any + Send)) -> String {
-    let text = payload.downcast_ref::<&str>().copied();
-    let text = text.or_else(|| payload.downcast_ref::<String>().map(String::as_str));
+    let text = payload
+        .downcast_ref::<&str>()
+        .copied()
+        .or_else(|| payload.downcast_ref::<String>().map(String::as_str));
     shortened(text.unwrap_or("a panic without a message")).into()
 }
 

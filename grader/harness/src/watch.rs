@@ -43,9 +43,11 @@ pub(crate) struct Job {
 /// run; afterwards nothing on this thread may print or panic, since a panic calls a hook that may be
 /// the student's.
 pub(crate) fn watch(job: Job, records: &'static Mutex<FrameWriter>) -> Result<(), String> {
-    let limits = job.cases.iter();
-    let limits = limits.map(|case| Duration::from_millis(case.limit_ms));
-    let limits: Vec<Duration> = limits.collect();
+    let limits: Vec<Duration> = job
+        .cases
+        .iter()
+        .map(|case| Duration::from_millis(case.limit_ms))
+        .collect();
     let (first, sealed, memory_mb) = (job.first, job.sealed, job.memory_mb);
     let (to_student, numbers) = mpsc::channel::<u32>();
     let (to_watch, finished) = mpsc::channel::<Record>();

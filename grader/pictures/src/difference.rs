@@ -166,8 +166,9 @@ fn beyond_noise(golden: &Image, yours: &Image) -> Vec<Option<Mark>> {
         for left in (0..w).step_by(BLOCK as usize) {
             let columns = left..w.min(left + BLOCK);
             let rows = top..h.min(top + BLOCK);
-            let places = rows.flat_map(|y| columns.clone().map(move |x| (x, y)));
-            let places: Vec<(u32, u32)> = places.collect();
+            let places: Vec<(u32, u32)> = rows
+                .flat_map(|y| columns.clone().map(move |x| (x, y)))
+                .collect();
             let Some(mark) = of_block(golden, yours, &places) else {
                 continue;
             };

@@ -130,8 +130,10 @@ impl Axis {
         let fits = |step: &f64| (to - from) / (step * power) <= 6.0;
         let step = power * [1.0, 2.0, 5.0].into_iter().find(fits).unwrap_or(10.0);
         let ticks = (from / step).ceil() as i64..=(to / step).floor() as i64;
-        let ticks = ticks.map(|i| i as f64 * step);
-        let ticks = ticks.map(|value| (value, number(value))).collect();
+        let ticks = ticks
+            .map(|i| i as f64 * step)
+            .map(|value| (value, number(value)))
+            .collect();
         Axis::linear(name, from, to, ticks)
     }
 

@@ -44,8 +44,10 @@ pub fn of_case(
             Ok(Some(of_probes(work, intervals, calls)))
         }
         (Work::SceneHits(traced), _, Ok(together)) => {
-            let rays = calls.iter().map(|&call| traced.rays[call as usize]);
-            let rays: Vec<Ray> = rays.collect();
+            let rays: Vec<Ray> = calls
+                .iter()
+                .map(|&call| traced.rays[call as usize])
+                .collect();
             let work = Work::Visits(VisitsWork {
                 scene: traced.scene.clone(),
                 tree: traced.tree.clone(),
@@ -60,14 +62,18 @@ pub fn of_case(
             let Some(Outcome::Answered(Answer::Visits(visits))) = outcome else {
                 return Ok(None);
             };
-            let walks = visits.rays.iter().zip(&rays).zip(hits);
-            let walks = walks.map(|((visits, ray), hit)| {
-                let visits = visits.iter().map(|visit| (visit.node, visit.met));
-                let actual: Vec<(u32, bool)> = visits.collect();
-                let ray = convert::ray(ray);
-                let needed = box_walk::needed(&traced.tree, &ray, hit.unwrap_or(ray.max_t));
-                box_walk::beside(&needed, &actual)
-            });
+            let walks = visits
+                .rays
+                .iter()
+                .zip(&rays)
+                .zip(hits)
+                .map(|((visits, ray), hit)| {
+                    let visits = visits.iter().map(|visit| (visit.node, visit.met));
+                    let actual: Vec<(u32, bool)> = visits.collect();
+                    let ray = convert::ray(ray);
+                    let needed = box_walk::needed(&traced.tree, &ray, hit.unwrap_or(ray.max_t));
+                    box_walk::beside(&needed, &actual)
+                });
             Ok(Some(BoxTests {
                 walks: walks.collect(),
                 boxes: of_tree(&traced.tree.nodes),

@@ -115,8 +115,10 @@ pub(super) fn rows(
             answer: answer.clone(),
             ..Line::default()
         };
-        let old = golden.row(call).cloned();
-        let old = old.or_else(|| (hits == Some(false)).then(|| line(&Fields::new())));
+        let old = golden
+            .row(call)
+            .cloned()
+            .or_else(|| (hits == Some(false)).then(|| line(&Fields::new())));
         let new = actual.row(call).or_else(|| full.row(call)).cloned();
         let cause = match (&old, &new) {
             (Some(old), Some(new)) => Cause::of(old, new, true),

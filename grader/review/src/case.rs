@@ -131,8 +131,9 @@ impl Case {
             .picture
             .as_ref()
             .and_then(|picture| picture.pixels.as_ref());
-        let calls = differing(snapshots, &changes, pixels_of, whole.wrong_calls());
-        let calls: Vec<u32> = calls.into_iter().collect();
+        let calls: Vec<u32> = differing(snapshots, &changes, pixels_of, whole.wrong_calls())
+            .into_iter()
+            .collect();
         let first = &calls[..calls.len().min(ROWS)];
         let hits = pixels_of.and_then(|pixels| pixels.golden_hits.as_deref());
         let causes = pixels_of.map(|pixels| pixels.causes.as_slice());

@@ -134,8 +134,11 @@ impl Review {
     ) -> Result<Review, GraderError> {
         let mut review = Review::default();
         for stage in grade::stages(tasks) {
-            let of_stage = tasks.iter().copied().filter(|task| task.stage == stage);
-            let of_stage: Vec<&Task> = of_stage.collect();
+            let of_stage: Vec<&Task> = tasks
+                .iter()
+                .copied()
+                .filter(|task| task.stage == stage)
+                .collect();
             match submission.stages.get(stage) {
                 None => review
                     .add_without_answer(&grade::chosen(&of_stage, specs)?, &Status::NotAttempted),

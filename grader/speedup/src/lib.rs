@@ -25,8 +25,8 @@ mod tests {
 
     #[test]
     fn the_command_line_has_every_mesh() {
-        let named = MESHES.iter().map(|name| name.parse::<MeshKind>());
-        let named: Result<Vec<MeshKind>, String> = named.collect();
+        let named: Result<Vec<MeshKind>, String> =
+            MESHES.iter().map(|name| name.parse::<MeshKind>()).collect();
         let named = named.expect("every name is a mesh");
         assert!(MeshKind::ALL.iter().all(|kind| named.contains(kind)));
     }

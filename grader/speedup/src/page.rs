@@ -363,8 +363,13 @@ mod tests {
     fn points_are_at_their_sizes_and_speeds() {
         let file = plot(&ladder());
         let number = |element: &str, name: &str| -> f64 {
-            let value = element.split(&format!(" {name}=\"")).nth(1).expect(name);
-            let value = value.split('"').next().expect("a quote");
+            let value = element
+                .split(&format!(" {name}=\""))
+                .nth(1)
+                .expect(name)
+                .split('"')
+                .next()
+                .expect("a quote");
             value.parse().expect("a number")
         };
         let points: Vec<(f64, f64)> = file

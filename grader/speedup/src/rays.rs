@@ -46,8 +46,9 @@ impl RaySets {
                 continue;
             };
             let triangle = &triangles[id.0 as usize];
-            let normal = (triangle.p1 - triangle.p0).cross(triangle.p2 - triangle.p0);
-            let normal = normal.normalize_or(Vec3::Y);
+            let normal = (triangle.p1 - triangle.p0)
+                .cross(triangle.p2 - triangle.p0)
+                .normalize_or(Vec3::Y);
             let normal = if normal.dot(ray.d) > 0.0 {
                 -normal
             } else {

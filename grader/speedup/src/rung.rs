@@ -91,10 +91,12 @@ impl<'a> Rung<'a> {
         match &self.tree {
             Tree::None => {
                 counts.prim_tests += triangles.len() as u64;
-                let hits = (0..).map(PrimId).zip(triangles);
-                let hits = hits.filter_map(|(id, triangle)| {
-                    Some((intersect::test_triangle(triangle, ray)?.t, id))
-                });
+                let hits = (0..)
+                    .map(PrimId)
+                    .zip(triangles)
+                    .filter_map(|(id, triangle)| {
+                        Some((intersect::test_triangle(triangle, ray)?.t, id))
+                    });
                 hits.reduce(|a, b| if b.0 < a.0 { b } else { a })
             }
             Tree::Binary(tree) => {

@@ -132,8 +132,10 @@ impl CompileErrors {
     /// Adds the crates whose compiler ended without a message, which only cargo's last words
     /// `says` tell. `killed` says whether cargo was, because it took too long.
     fn add_crashes(&mut self, says: &str, killed: bool) {
-        let crashed = says.split("could not compile `").skip(1);
-        let crashed = crashed.filter_map(|rest| rest.split_once('`'));
+        let crashed = says
+            .split("could not compile `")
+            .skip(1)
+            .filter_map(|rest| rest.split_once('`'));
         for (name, why) in crashed {
             let is_new = self.failed_crates.insert(name.to_string());
             let limit = BuildLimit::of_compiler(why, says);
@@ -158,8 +160,9 @@ impl BuildLimit {
     /// The limit that ended a compiler: `why` is cargo's sentence about it, `says` contains what
     /// it printed itself.
     fn of_compiler(why: &str, says: &str) -> Option<BuildLimit> {
-        let signal = why.split_once("(signal: ");
-        let signal = signal.and_then(|(_, rest)| rest.split([',', ')']).next());
+        let signal = why
+            .split_once("(signal: ")
+            .and_then(|(_, rest)| rest.split([',', ')']).next());
         let no_memory = [
             "memory allocation of",
             "out of memory",

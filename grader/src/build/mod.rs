@@ -140,8 +140,9 @@ impl BuildRoot<'_> {
         if features.contains(&SCENES_FEATURE) {
             linked.extend(INTERSECTION_STAGES);
         }
-        let folders = linked.into_iter();
-        let folders = folders.map(|stage| (stage, Path::new("stages").join(stage)));
+        let folders = linked
+            .into_iter()
+            .map(|stage| (stage, Path::new("stages").join(stage)));
         let stages = folders.filter(|(_, folder)| self.root.join(folder).is_dir());
         let mut crates: Vec<(&str, PathBuf)> = stages.collect();
         crates.push((WORKER, Path::new("grader").join(WORKER)));

@@ -49,8 +49,10 @@ pub fn run(
     let (known, changed): (Vec<_>, Vec<_>) = asked.iter().partition(is_known);
     let mut waiting = Vec::new();
     for Asked { task, code } in known {
-        let findings = code.as_ref().map(|_| stored.of_task(&task.key));
-        let findings = findings.unwrap_or_default();
+        let findings = code
+            .as_ref()
+            .map(|_| stored.of_task(&task.key))
+            .unwrap_or_default();
         match only_with_others(findings) {
             true => waiting.push(*task),
             false => desk.show(task, findings)?,
@@ -69,8 +71,11 @@ pub fn run(
             desk.store(stored)
         })?;
     }
-    let attempted = asked.iter().filter(|asked| asked.code.is_some());
-    let attempted: Vec<&str> = attempted.map(|asked| asked.task.key.as_str()).collect();
+    let attempted: Vec<&str> = asked
+        .iter()
+        .filter(|asked| asked.code.is_some())
+        .map(|asked| asked.task.key.as_str())
+        .collect();
     let findings = stored.of_tasks(&attempted);
     for task in waiting {
         desk.show(

@@ -67,8 +67,9 @@ pub fn run(
             }
         }
     }
-    let status = child.wait();
-    let status = status.map_err(|e| GraderError::new(format!("cannot wait for cargo: {e}")))?;
+    let status = child
+        .wait()
+        .map_err(|e| GraderError::new(format!("cannot wait for cargo: {e}")))?;
     checked.compiles = status.success();
     Ok(checked)
 }

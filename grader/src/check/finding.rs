@@ -210,8 +210,7 @@ impl Finding {
 /// The simplest call with the result and the expected one.
 fn shown(call: &SimplestCall) -> String {
     let (input, found) = (message::input(call), message::found(call));
-    let only = call.only.iter().map(|only| format!(" ({only})"));
-    let only: String = only.collect();
+    let only: String = call.only.iter().map(|only| format!(" ({only})")).collect();
     format!("simplest case: {input}: {found}{only}")
 }
 

@@ -6,10 +6,13 @@ use std::collections::BTreeSet;
 /// or compares with every name of the function's code that the clue mentions. `None` if there is no
 /// such line, or several. The first line, the signature, does not count.
 pub fn of(body: &str, clue: &str) -> Option<usize> {
-    let lines = body.lines().map(|line| line.split("//").next());
-    let lines = lines.map(Option::unwrap_or_default).enumerate().skip(1);
-    let lines = lines.filter(|(_, line)| line.contains(OPERATORS));
-    let lines: Vec<(usize, BTreeSet<&str>)> = lines
+    let lines: Vec<(usize, BTreeSet<&str>)> = body
+        .lines()
+        .map(|line| line.split("//").next())
+        .map(Option::unwrap_or_default)
+        .enumerate()
+        .skip(1)
+        .filter(|(_, line)| line.contains(OPERATORS))
         .map(|(number, line)| (number, names(line).collect()))
         .collect();
     let occurs = |name: &&str| lines.iter().any(|(_, names)| names.contains(name));

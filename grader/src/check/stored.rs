@@ -38,8 +38,10 @@ impl StoredFindings {
     /// What is wrong in the tasks `keys`. A task is left out whose failed cases run functions of
     /// other tasks, too, if one of those is wrong by itself.
     pub fn of_tasks<'a>(&self, keys: &[&'a str]) -> BTreeMap<&'a str, &[Finding]> {
-        let wrong = keys.iter().map(|key| (*key, self.of_task(key)));
-        let wrong = wrong.filter(|(_, findings)| !findings.is_empty());
+        let wrong = keys
+            .iter()
+            .map(|key| (*key, self.of_task(key)))
+            .filter(|(_, findings)| !findings.is_empty());
         let mut findings: BTreeMap<&str, &[Finding]> = wrong.collect();
         if !findings.values().all(|findings| only_with_others(findings)) {
             findings.retain(|_, findings| !only_with_others(findings));

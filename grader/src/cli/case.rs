@@ -43,8 +43,10 @@ pub(super) fn run(
     let (task, entry) = find(&course, &request.what, name)?;
     let specs = grade::specs(request.seed)?;
     let spec = grade::chosen(&[task], &specs)?;
-    let spec = spec.into_iter().find(|spec| spec.name == name);
-    let spec = spec.ok_or_else(|| no_case(task, name))?;
+    let spec = spec
+        .into_iter()
+        .find(|spec| spec.name == name)
+        .ok_or_else(|| no_case(task, name))?;
     if let Some(call) = call.filter(|call| *call as usize >= spec.calls()) {
         return Err(GraderError::new(format!(
             "{}/{name} has {}, numbered from 0: it has no call {call}",
@@ -67,8 +69,10 @@ pub(super) fn run(
     for spec in &runs {
         let mut printed = Vec::new();
         let endings = workers.run(&[spec], &mut printed)?;
-        let ending = endings.into_iter().next();
-        let ending = ending.ok_or_else(|| GraderError::new("the worker returned no result"))?;
+        let ending = endings
+            .into_iter()
+            .next()
+            .ok_or_else(|| GraderError::new("the worker returned no result"))?;
         let answer = grade::answered(&task.key, &ending, &course)?;
         ran.push((answer.cloned(), grade::holes(&ending).to_vec(), printed));
     }
@@ -298,8 +302,9 @@ fn alike<'a>(wrong: impl Iterator<Item = &'a WrongAnswer>) -> Vec<Vec<&'a WrongA
     for one in wrong {
         let (result, _) = message::parts(&one.message);
         let is_of_number = |c: char| c.is_ascii_digit() || ".-e".contains(c);
-        let words = result.split_whitespace();
-        let words = words.filter(|word| !word.starts_with(|c: char| is_of_number(c) || c == '('));
+        let words = result
+            .split_whitespace()
+            .filter(|word| !word.starts_with(|c: char| is_of_number(c) || c == '('));
         let kind = format!(
             "{} {}",
             one.aspect.label(),

@@ -87,8 +87,7 @@ const FOR_THE_WINDOW: [u32; 2] = [1, 95];
 
 fn toolchain(workspace: &Workspace) -> Finding {
     let name = "toolchain";
-    let manifest = std::fs::read_to_string(workspace.root().join("Cargo.toml"));
-    let manifest = manifest.unwrap_or_default();
+    let manifest = std::fs::read_to_string(workspace.root().join("Cargo.toml")).unwrap_or_default();
     let needed = manifest
         .lines()
         .find_map(|line| line.strip_prefix("rust-version = "));
@@ -229,8 +228,11 @@ fn editor(root: &Path) -> Finding {
         let text = std::fs::read_to_string(root.join(path));
         text.is_ok_and(|text| text.contains("\"grader\"") && text.contains("\"check\""))
     };
-    let editors = EDITOR_FILES.iter().filter(|(path, _)| is_set_up(path));
-    let editors: Vec<&str> = editors.map(|(_, name)| *name).collect();
+    let editors: Vec<&str> = EDITOR_FILES
+        .iter()
+        .filter(|(path, _)| is_set_up(path))
+        .map(|(_, name)| *name)
+        .collect();
     let check = "set rust-analyzer's `check.overrideCommand` to [\"cargo\", \"grader\", \"check\", \"--message-format=json\"]";
     if editors.is_empty() {
         let how = format!("no editor is set up in this folder: {check}");

@@ -39,12 +39,14 @@ pub(super) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
         }
         Some((key, name)) => {
             let (task, entry) = find(&course, key, name)?;
-            let spec = specs.iter().find(|spec| spec.is(&task.key, name));
-            let spec = spec.ok_or_else(|| {
-                GraderError::new(format!(
-                    "course.toml lists {what}, which the grader does not have"
-                ))
-            })?;
+            let spec = specs
+                .iter()
+                .find(|spec| spec.is(&task.key, name))
+                .ok_or_else(|| {
+                    GraderError::new(format!(
+                        "course.toml lists {what}, which the grader does not have"
+                    ))
+                })?;
             let golden = golden(&workspace, spec, seed_of(matches));
             out!("{}", explain::case(entry, spec, golden.as_ref(), page));
         }

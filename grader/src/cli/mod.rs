@@ -109,8 +109,9 @@ fn command() -> Command {
             .hide(!help::is_for_students(name))
             .arg(rest)
     });
-    let for_instructors = grade::submission_arguments().into_iter();
-    let for_instructors = for_instructors.chain(course_systems::arguments());
+    let for_instructors = grade::submission_arguments()
+        .into_iter()
+        .chain(course_systems::arguments());
     grade::arguments(Command::new("grader"), HintLevel::Findings)
         .args(grade::student_arguments())
         .args(for_instructors.map(|argument| argument.hide(true)))
@@ -236,8 +237,10 @@ mod tests {
 
     #[test]
     fn a_call_needs_its_case_and_a_case_its_task() {
-        let error = command().try_get_matches_from(["grader", "part1.task3", "--call", "2"]);
-        let error = error.expect_err("no case").to_string();
+        let error = command()
+            .try_get_matches_from(["grader", "part1.task3", "--call", "2"])
+            .expect_err("no case")
+            .to_string();
         assert!(error.contains("--case"), "{error}");
         let matches = command().get_matches_from(["grader", "--case", "range"]);
         let error = run(&matches).expect_err("no task").to_string();

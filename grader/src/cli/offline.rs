@@ -35,8 +35,10 @@ pub(super) fn is_complete(root: &Path) -> bool {
 
 /// The target triple of this machine, which cargo builds for.
 fn host() -> Result<String, GraderError> {
-    let output = Command::new("rustc").arg("-vV").output();
-    let output = output.map_err(|e| GraderError::new(format!("cannot run rustc: {e}")))?;
+    let output = Command::new("rustc")
+        .arg("-vV")
+        .output()
+        .map_err(|e| GraderError::new(format!("cannot run rustc: {e}")))?;
     let text = String::from_utf8_lossy(&output.stdout).into_owned();
     let host = text.lines().find_map(|line| line.strip_prefix("host: "));
     host.map(str::to_owned)
@@ -53,8 +55,9 @@ fn fetch(root: &Path, host: &str, offline: bool) -> Result<(), GraderError> {
         cargo.args(["--offline", "--quiet"]);
         cargo.stderr(std::process::Stdio::null());
     }
-    let status = cargo.status();
-    let status = status.map_err(|e| GraderError::new(format!("cannot run cargo: {e}")))?;
+    let status = cargo
+        .status()
+        .map_err(|e| GraderError::new(format!("cannot run cargo: {e}")))?;
     match status.success() {
         true => Ok(()),
         false => Err(GraderError::new(

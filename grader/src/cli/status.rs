@@ -37,27 +37,28 @@ fn format_status(all: &[Known], page: Page) -> String {
         lines.extend(task_lines(known, is_given, widest, page));
     }
     lines.push(String::new());
-    let parts = all.chunk_by(|a, b| a.part_key() == b.part_key());
-    let parts = parts.map(|part_tasks| {
-        let last = || part_tasks.iter().filter_map(|known| known.last.as_ref());
-        let name = part_tasks[0].part_key();
-        match last().count() {
-            0 if next_task::is_given(all, name) => format!("{name} given"),
-            0 => format!("{name} not graded yet"),
-            graded => {
-                let sum = |points: fn(f64, f64) -> f64| -> String {
-                    number(last().map(|last| points(last.score, last.max_score)).sum())
-                };
-                let whole = graded == part_tasks.len();
-                let more = if whole { "" } else { " so far" };
-                format!(
-                    "{name} {} of {}{more}",
-                    sum(|score, _| score),
-                    sum(|_, max| max)
-                )
+    let parts = all
+        .chunk_by(|a, b| a.part_key() == b.part_key())
+        .map(|part_tasks| {
+            let last = || part_tasks.iter().filter_map(|known| known.last.as_ref());
+            let name = part_tasks[0].part_key();
+            match last().count() {
+                0 if next_task::is_given(all, name) => format!("{name} given"),
+                0 => format!("{name} not graded yet"),
+                graded => {
+                    let sum = |points: fn(f64, f64) -> f64| -> String {
+                        number(last().map(|last| points(last.score, last.max_score)).sum())
+                    };
+                    let whole = graded == part_tasks.len();
+                    let more = if whole { "" } else { " so far" };
+                    format!(
+                        "{name} {} of {}{more}",
+                        sum(|score, _| score),
+                        sum(|_, max| max)
+                    )
+                }
             }
-        }
-    });
+        });
     let parts: Vec<String> = parts.collect();
     lines.extend(wrap_to(&parts.join(", "), 2, page.width, 2));
     let next = match next_task::first_open(all, &[]) {

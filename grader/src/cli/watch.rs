@@ -39,8 +39,11 @@ pub(super) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
         course.select(limit)?;
     }
     let known = next_task::known(&workspace, &course)?;
-    let complete = known.iter().filter(|known| known.is_complete());
-    let complete = complete.map(|known| known.place.key.clone()).collect();
+    let complete = known
+        .iter()
+        .filter(|known| known.is_complete())
+        .map(|known| known.place.key.clone())
+        .collect();
     let single_keys = SingleKeys::start();
     let mut terminal = Terminal {
         files: WatchedFiles::new(&workspace, &course.stages()),

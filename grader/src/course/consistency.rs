@@ -90,8 +90,10 @@ mod tests {
         let mut probes = 0;
         for task in course.tasks() {
             for entry in task.cases.iter().filter(|case| case.tier == Tier::Core) {
-                let spec = specs.iter().find(|spec| spec.is(&task.key, &entry.name));
-                let spec = spec.expect("the grader has every case of the course");
+                let spec = specs
+                    .iter()
+                    .find(|spec| spec.is(&task.key, &entry.name))
+                    .expect("the grader has every case of the course");
                 let expected = spec.expected(Tier::Core);
                 let count = |decision| expected.iter().filter(|e| e.decision() == decision).count();
                 let (hits, undecidable) = (count(HitOrMiss::Hit), count(HitOrMiss::Either));

@@ -77,8 +77,8 @@ fn find(packed: &[u8], path: &Path) -> Result<Option<String>, String> {
 
 /// The files of a pack: their paths in it, and their contents.
 pub fn unpack(packed: &[u8]) -> Result<Vec<(PathBuf, Vec<u8>)>, String> {
-    let all = decompress(packed, MAX_UNPACKED);
-    let all = all.map_err(|e| format!("it is damaged: {e}. Restore it from the handout"))?;
+    let all = decompress(packed, MAX_UNPACKED)
+        .map_err(|e| format!("it is damaged: {e}. Restore it from the handout"))?;
     let damaged =
         || "it is damaged: expected `BYTES NAME`. Restore it from the handout".to_string();
     let mut files = Vec::new();

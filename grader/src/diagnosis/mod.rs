@@ -168,8 +168,11 @@ pub fn candidates(known: &[Known], student: &Signature) -> Vec<(Vec<String>, f64
 /// function that is written does not show there.
 pub fn leave_out_unwritten(known: &mut [Known], cases: &[CaseResult]) {
     let is_unwritten = |case: &&CaseResult| case.status == Status::NotAttempted;
-    let unwritten = cases.iter().filter(is_unwritten);
-    let unwritten: BTreeSet<&str> = unwritten.map(|case| case.name.as_str()).collect();
+    let unwritten: BTreeSet<&str> = cases
+        .iter()
+        .filter(is_unwritten)
+        .map(|case| case.name.as_str())
+        .collect();
     let judged_in_part: BTreeMap<&str, BTreeSet<Aspect>> = cases
         .iter()
         .filter(|case| case.has_hole())

@@ -78,11 +78,13 @@ pub fn of_wrong(
     specs: &[Spec],
     choice: &Choice<'_>,
 ) -> Result<Option<SimplestCall>, GraderError> {
-    let failed = order::failed_cases_that_count(task).into_iter();
-    let failed = failed.take(MOST_CASES).filter_map(|case| {
-        let spec = specs.iter().find(|spec| spec.is(&task.key, &case.name));
-        Some((case, spec.filter(|spec| !spec.needs_all_stages())?))
-    });
+    let failed = order::failed_cases_that_count(task)
+        .into_iter()
+        .take(MOST_CASES)
+        .filter_map(|case| {
+            let spec = specs.iter().find(|spec| spec.is(&task.key, &case.name));
+            Some((case, spec.filter(|spec| !spec.needs_all_stages())?))
+        });
     let failed: Vec<(&CaseResult, &Spec)> = failed.collect();
     let of = |workers| Answers::of(workers, choice);
     let mut answers = of(workers);
@@ -107,8 +109,11 @@ pub fn of_wrong(
             }
         }
     }
-    let extreme = failed.iter().filter(|(case, _)| case.crash.is_none());
-    let extreme: Vec<_> = extreme.take(MOST_EXTREME_CASES).collect();
+    let extreme: Vec<_> = failed
+        .iter()
+        .filter(|(case, _)| case.crash.is_none())
+        .take(MOST_EXTREME_CASES)
+        .collect();
     for exponent in SCALES {
         for (case, spec) in &extreme {
             let scaled = variations::scaled(spec, exponent);
@@ -174,8 +179,7 @@ fn shortest(
         shorter.retain(|spec| digits(spec) < before);
         shorter.sort_by_key(digits);
         let mut answers = Answers::of(known.workers, known.choice);
-        let found = answered(case, &shorter, answers.to(&shorter)?, known.choice);
-        let found = found
+        let found = answered(case, &shorter, answers.to(&shorter)?, known.choice)
             .iter()
             .find_map(|asked| Some((asked.spec, alike(case, std::slice::from_ref(asked))?)));
         let Some((spec, call)) = found else {
@@ -281,8 +285,11 @@ fn answered<'a>(
         let Outcome::Answered(answer) = &record.outcome else {
             return None;
         };
-        let holes = record.holes.iter().map(|hole| hole.called.clone());
-        let holes: Vec<String> = holes.collect();
+        let holes: Vec<String> = record
+            .holes
+            .iter()
+            .map(|hole| hole.called.clone())
+            .collect();
         let (findings, wrong) = judge::judge_each(spec, case.tier, answer, &holes);
         Some(Asked {
             spec,

@@ -40,11 +40,13 @@ pub struct Review {
 /// Judges the examples of `task`, numbered in their order. An example that is wrong touches
 /// nothing. `None` for a task whose examples cannot be judged.
 pub fn review(task: &str, examples: &[Example]) -> Option<Review> {
-    let of_task = examples.iter().filter(|of| of.task() == task);
-    let of_task: Vec<&Example> = of_task.collect();
+    let of_task: Vec<&Example> = examples.iter().filter(|of| of.task() == task).collect();
     let verdicts: Vec<Option<String>> = of_task.iter().map(|of| verdict(of)).collect();
-    let right = of_task.iter().zip(&verdicts).enumerate();
-    let right = right.filter(|(_, (_, verdict))| verdict.is_none());
+    let right = of_task
+        .iter()
+        .zip(&verdicts)
+        .enumerate()
+        .filter(|(_, (_, verdict))| verdict.is_none());
     let touched: Vec<(usize, Vec<&str>)> = right
         .map(|(at, (of, _))| (at + 1, of.situations()))
         .collect();
@@ -146,8 +148,9 @@ mod tests {
 
     #[test]
     fn what_cannot_be_read_is_named_with_its_line() {
-        let unknown = parse("[[triangle]]\nq0 = [0, 0, 0]\n").expect_err("q0 is no field");
-        let unknown = unknown.to_string();
+        let unknown = parse("[[triangle]]\nq0 = [0, 0, 0]\n")
+            .expect_err("q0 is no field")
+            .to_string();
         assert!(
             unknown.contains("line 2") && unknown.contains("q0"),
             "{unknown}"

@@ -48,8 +48,11 @@ pub(super) fn sensor(rays: &[&ShownRay]) -> Option<Drawing> {
     let first = inputs.first()?.0.pos;
     let mut plot = square();
     // Every camera has the same points.
-    let points = inputs.iter().take_while(|(camera, _)| camera.pos == first);
-    let points: Vec<[f64; 2]> = points.map(|(_, point)| point.to_array()).collect();
+    let points: Vec<[f64; 2]> = inputs
+        .iter()
+        .take_while(|(camera, _)| camera.pos == first)
+        .map(|(_, point)| point.to_array())
+        .collect();
     let inside = points
         .iter()
         .filter(|point| plot.mark(**point, '+'))

@@ -58,8 +58,9 @@ fn counts<T>(all: &[(&ShownRay, T)]) -> String {
         (of(HitOrMiss::Miss), "must miss"),
         (of(HitOrMiss::Either), "may do either"),
     ];
-    let parts = parts.iter().filter(|(count, _)| *count > 0);
     let parts: Vec<String> = parts
+        .iter()
+        .filter(|(count, _)| *count > 0)
         .map(|(count, what)| format!("{count} {what}"))
         .collect();
     text.push_str(&format!(": {}", parts.join(", ")));
@@ -193,8 +194,9 @@ fn boxes(all: &[(&ShownRay, &Aabb)]) -> Drawing {
         // From the origin to far behind the box, as far as the drawing shows it.
         plot.line(flat(ray.o), flat(end));
         // At the origin, or where the ray enters the drawing.
-        let steps = (0..400).map(|step| ray.o.lerp(end, f64::from(step) / 400.0));
-        let mut steps = steps.map(flat);
+        let mut steps = (0..400)
+            .map(|step| ray.o.lerp(end, f64::from(step) / 400.0))
+            .map(flat);
         outside += usize::from(!steps.any(|point| plot.mark(point, mark(shown))));
     }
     let axes = ["x", "y", "z"];

@@ -223,8 +223,11 @@ fn run(
         printed: Vec::new(),
     };
     for stage in stages(tasks) {
-        let of_stage = tasks.iter().copied().filter(|task| task.stage == stage);
-        let of_stage: Vec<&Task> = of_stage.collect();
+        let of_stage: Vec<&Task> = tasks
+            .iter()
+            .copied()
+            .filter(|task| task.stage == stage)
+            .collect();
         let results = match workers.workers(stage) {
             None => of_stage.into_iter().map(does_not_compile).collect(),
             Some(workers) => grade_tasks(course, &of_stage, specs, &workers, &mut run.printed)?,
@@ -374,8 +377,8 @@ pub fn score_tasks(
             let (status, findings) = match answered(&task.key, ending, course)? {
                 Err(status) => (with_input(status, crash, spec), Vec::new()),
                 Ok(answer) => {
-                    let called = holes.iter().map(|hole| hole.called.clone());
-                    let called: Vec<String> = called.collect();
+                    let called: Vec<String> =
+                        holes.iter().map(|hole| hole.called.clone()).collect();
                     let findings = judge::judge_written(spec, entry.tier, answer, &called);
                     (Status::Passed, findings)
                 }

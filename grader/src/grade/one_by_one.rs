@@ -66,8 +66,9 @@ pub fn in_place(
     };
     let workers = workers(&build_root, tasks, &specs, false)?;
     for task in tasks {
-        let of_stage = workers.workers(&task.stage);
-        let of_stage = of_stage.map(|workers| workers.with(Patience::OneTimeout));
+        let of_stage = workers
+            .workers(&task.stage)
+            .map(|workers| workers.with(Patience::OneTimeout));
         let results = match &of_stage {
             None => vec![super::does_not_compile(task)],
             Some(workers) => grade_tasks(course, &[task], &specs, workers, &mut Vec::new())?,

@@ -138,8 +138,8 @@ fn calls(
     shortest.sort_by_key(|(_, (length, ..))| *length);
     let mut texts = Vec::new();
     for (case, (_, call, aspect, input)) in shortest {
-        let golden = packed::read_snapshot(workspace, &task.key, &case)?;
-        let golden = golden.and_then(|text| snapshot::parse(&text).ok());
+        let golden = packed::read_snapshot(workspace, &task.key, &case)?
+            .and_then(|text| snapshot::parse(&text).ok());
         let answer = golden
             .as_ref()
             .and_then(|golden| Some(golden.row(call)?.answer_text()));

@@ -55,8 +55,10 @@ pub fn of(workspace: &Workspace, key: &str) -> Result<Vec<Question>, GraderError
 /// The questions of the section "Predict" in a chapter: the items of its list, without the marks of
 /// Markdown.
 pub fn texts(chapter: &str) -> Vec<String> {
-    let section = chapter::under(chapter, "Predict");
-    let section = section.split("<details>").next().unwrap_or_default();
+    let section = chapter::under(chapter, "Predict")
+        .split("<details>")
+        .next()
+        .unwrap_or_default();
     let mut found: Vec<String> = Vec::new();
     for line in section.lines() {
         let number = format!("{}. ", found.len() + 1);

@@ -267,9 +267,10 @@ cases = [
     }
 
     fn graded_as(task: &Task, each: [Vec<Finding>; 3], holes: &[HoleCall]) -> TaskResult {
-        let cases = task.cases.iter().zip(each);
-        let cases = cases
-            .map(|(entry, findings)| CaseResult::new(entry, "", Status::Passed, findings, holes));
+        let cases =
+            task.cases.iter().zip(each).map(|(entry, findings)| {
+                CaseResult::new(entry, "", Status::Passed, findings, holes)
+            });
         let cases = cases.collect();
         TaskResult::new(task, cases)
     }
@@ -328,9 +329,10 @@ cases = [
         let course = Course::parse(&or_in).expect("it is valid");
         let task = course.tasks().next().expect("it has a task");
         let score = |each: [Vec<Finding>; 3]| {
-            let cases = task.cases.iter().zip(each);
-            let cases = cases
-                .map(|(entry, findings)| CaseResult::new(entry, "", Status::Passed, findings, &[]));
+            let cases =
+                task.cases.iter().zip(each).map(|(entry, findings)| {
+                    CaseResult::new(entry, "", Status::Passed, findings, &[])
+                });
             TaskResult::new(task, cases.collect()).score
         };
         let right = || findings(RIGHT, RIGHT);

@@ -296,8 +296,11 @@ fn require_others(task: &Task, cases: &mut [CaseResult]) {
     let failed = |case: &&CaseResult| {
         matches!(case.status, Status::Crashed(_)) || !case.findings.iter().all(Finding::passed)
     };
-    let failed = cases.iter().filter(failed);
-    let failed: BTreeSet<String> = failed.map(|case| case.name.clone()).collect();
+    let failed: BTreeSet<String> = cases
+        .iter()
+        .filter(failed)
+        .map(|case| case.name.clone())
+        .collect();
     for case in cases {
         let entry = task.cases.iter().find(|entry| entry.name == case.name);
         let other = entry.and_then(|entry| entry.only_with.as_ref());
@@ -319,8 +322,11 @@ pub fn earns_extra(core: f64, of: f64) -> bool {
 
 /// Takes the robust points away from a task with few core points.
 fn require_core(task: &Task, cases: &mut [CaseResult]) {
-    let core = cases.iter().filter(|case| case.tier == Tier::Core);
-    let core: f64 = core.map(|case| case.score).sum();
+    let core: f64 = cases
+        .iter()
+        .filter(|case| case.tier == Tier::Core)
+        .map(|case| case.score)
+        .sum();
     if earns_extra(core, task.points_of_cases(Tier::Core)) {
         return;
     }

@@ -77,8 +77,9 @@ fn that_count(cases: &[CaseResult]) -> Vec<&CaseResult> {
     let crashed = |case: &CaseResult| case.tier == Tier::Core && case.crash.is_some();
     let core_crashed = cases.iter().any(crashed);
     let of_tier = |tier: Tier| -> Vec<&CaseResult> {
-        let cases = cases.iter();
-        let cases = cases.filter(|case| case.tier == tier && !case.with_neighbours);
+        let cases = cases
+            .iter()
+            .filter(|case| case.tier == tier && !case.with_neighbours);
         cases.filter(|case| !case.findings.is_empty()).collect()
     };
     let core = of_tier(Tier::Core);
@@ -280,12 +281,15 @@ fn where_wrong(
     let mut counts: BTreeMap<&str, [usize; 2]> = BTreeMap::new();
     for case in cases {
         let spec = specs.iter().find(|spec| spec.is(task, &case.name))?;
-        let of_calls = case.findings.iter();
-        let of_calls = of_calls.filter(|finding| !finding.aspect.is_of_all_calls());
+        let of_calls = case
+            .findings
+            .iter()
+            .filter(|finding| !finding.aspect.is_of_all_calls());
         let faults = of_calls.clone().flat_map(|finding| &finding.faults);
         let wrong_calls: BTreeSet<u32> = faults.map(|fault| fault.call).collect();
-        let judged = of_calls.filter(|finding| finding.aspect == aspect);
-        let judged = judged.flat_map(|finding| finding.judged_calls.iter().copied());
+        let judged = of_calls
+            .filter(|finding| finding.aspect == aspect)
+            .flat_map(|finding| finding.judged_calls.iter().copied());
         for call in judged
             .chain(wrong_calls.iter().copied())
             .collect::<BTreeSet<u32>>()
@@ -310,8 +314,11 @@ fn where_wrong(
         .map(|(circumstance, [_, of_others])| (of_others, circumstance))
         .collect();
     telling.sort_unstable();
-    let telling = telling.iter().take(CIRCUMSTANCES);
-    let telling: Vec<&str> = telling.map(|(_, circumstance)| *circumstance).collect();
+    let telling: Vec<&str> = telling
+        .iter()
+        .take(CIRCUMSTANCES)
+        .map(|(_, circumstance)| *circumstance)
+        .collect();
     (!telling.is_empty()).then(|| format!("{ONLY_WHERE}{}", telling.join(" and ")))
 }
 

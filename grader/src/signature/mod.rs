@@ -70,8 +70,9 @@ impl Signature {
     /// may be there.
     pub fn of(cases: &[CaseResult]) -> Signature {
         let of_tier = |tier: Tier| {
-            let cases = cases.iter();
-            let cases = cases.filter(|case| case.tier == tier && !case.with_neighbours);
+            let cases = cases
+                .iter()
+                .filter(|case| case.tier == tier && !case.with_neighbours);
             cases.flat_map(codes_of).collect()
         };
         Signature {

@@ -94,9 +94,12 @@ pub(super) fn lit_point(shown: &ShownPoint) -> Option<Sketch> {
     });
     let lamps: Vec<(Vec3, bool)> = lamps.take(MOST).collect();
     // The farthest light fits, the nearest is still beside the point.
-    let reach = panels.iter().flat_map(|(corners, _)| corners);
-    let reach = reach.chain(lamps.iter().filter(|lamp| !lamp.1).map(|lamp| &lamp.0));
-    let reach = reach.map(|v| v.length()).fold(1.0, f64::max);
+    let reach = panels
+        .iter()
+        .flat_map(|(corners, _)| corners)
+        .chain(lamps.iter().filter(|lamp| !lamp.1).map(|lamp| &lamp.0))
+        .map(|v| v.length())
+        .fold(1.0, f64::max);
     if !reach.is_finite() {
         return None;
     }

@@ -242,8 +242,11 @@ fn of_scene(shown: &ShownRay, view: &View) -> Option<Vec<Stroke>> {
         shapes.extend(sides([[x0, y0], [x1, y0], [x1, y1], [x0, y1]]));
     }
     let hits = shown.expected.iter().chain(&shown.yours);
-    let others = hits.map(|t| shown.ray.at(*t));
-    let others: Vec<[f64; 2]> = others.chain([shown.ray.o]).map(|p| view.place(p)).collect();
+    let others: Vec<[f64; 2]> = hits
+        .map(|t| shown.ray.at(*t))
+        .chain([shown.ray.o])
+        .map(|p| view.place(p))
+        .collect();
     let frame = Frame::around(&shapes.concat(), &others)?;
     let lines = shapes.into_iter();
     let mut strokes: Vec<Stroke> = lines.map(|ends| Stroke::Line(Ink::Shape, ends)).collect();

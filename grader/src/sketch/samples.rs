@@ -62,8 +62,9 @@ pub(super) fn camera(camera: &Camera, sensor: Vec2, ray: &Ray) -> Sketch {
     strokes.push(Stroke::Mark(Ink::Expected, sensor.to_array()));
     let local = camera.c2w.transpose() * (ray.o + ray.d - camera.pos);
     let half = [camera.h_fov, camera.v_fov].map(half_tan);
-    let place = [local.x, local.y].into_iter().zip(half);
-    let place: Vec<f64> = place
+    let place: Vec<f64> = [local.x, local.y]
+        .into_iter()
+        .zip(half)
         .map(|(along, half)| 0.5 + 0.5 * along / -local.z / half)
         .collect();
     let at = [place[0], place[1]];

@@ -123,8 +123,11 @@ impl Sketch {
         let svg = self.svg();
         let (start, rest) = svg.split_once('>').unwrap_or_default();
         let start = start.replacen("<svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"", 1);
-        let signs = self.signs().map(|(_, meaning)| meaning);
-        let signs = signs.collect::<Vec<_>>().join(" · ");
+        let signs = self
+            .signs()
+            .map(|(_, meaning)| meaning)
+            .collect::<Vec<_>>()
+            .join(" · ");
         Drawing {
             svg: format!("{start}><style>{OF_PAGES}{STYLE}</style>{rest}"),
             caption: match signs.is_empty() {

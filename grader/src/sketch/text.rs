@@ -135,8 +135,11 @@ impl Sketch {
             (self.shows(Ink::Light), "L light"),
             (self.shows(Ink::Outside), ": out of range or not traced"),
         ];
-        let all = meanings.into_iter().filter(|(is_there, _)| *is_there);
-        let all: Vec<&str> = all.map(|(_, meaning)| meaning).collect();
+        let all: Vec<&str> = meanings
+            .into_iter()
+            .filter(|(is_there, _)| *is_there)
+            .map(|(_, meaning)| meaning)
+            .collect();
         all.join(", ")
     }
 }

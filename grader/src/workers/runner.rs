@@ -210,8 +210,9 @@ pub fn run(worker: &Worker, cases: &[Case]) -> Result<Run, GraderError> {
             let after = first + read.endings.len();
             read.endings.push(stalled(&cases[after], &read));
             if stalls == MOST_STALLS {
-                let rest = cases[after + 1..].iter();
-                let rest = rest.map(|case| stalled(case, &Records::default()));
+                let rest = cases[after + 1..]
+                    .iter()
+                    .map(|case| stalled(case, &Records::default()));
                 read.endings.extend(rest);
             }
         } else if read.next_began {
@@ -309,8 +310,9 @@ impl Process<'_> {
             if has_stalled || !records.is_in_order() {
                 running.kill();
             }
-            let status = running.wait(&mut child, ENDING);
-            let status = status.map_err(|e| GraderError::file("wait for", program, e));
+            let status = running
+                .wait(&mut child, ENDING)
+                .map_err(|e| GraderError::file("wait for", program, e));
             let output = output
                 .join()
                 .unwrap_or_else(|panic| std::panic::resume_unwind(panic));
@@ -336,8 +338,10 @@ impl Process<'_> {
         let Some(launcher) = &self.worker.launcher else {
             return Command::new(program);
         };
-        let limits = self.cases[first..].iter().map(|case| case.limit_ms);
-        let limits = limits.fold(0, u64::saturating_add);
+        let limits = self.cases[first..]
+            .iter()
+            .map(|case| case.limit_ms)
+            .fold(0, u64::saturating_add);
         launcher.worker(
             program,
             WorkerLimits {

@@ -91,8 +91,10 @@ fn moved_back(spec: &Spec, mut ending: Ending) -> Ending {
 /// Code that changes its counts in one case may have done so in the others of its task, in whole
 /// scenes for example: all of them end so. `tasks` has the task of each ending.
 fn fail_tasks_with_changed_counts(tasks: &[&str], endings: &mut [Result<Ending, String>]) {
-    let changed = tasks.iter().zip(endings.iter()).rev();
-    let changed: BTreeMap<&str, Ending> = changed
+    let changed: BTreeMap<&str, Ending> = tasks
+        .iter()
+        .zip(endings.iter())
+        .rev()
         .filter_map(|(task, ending)| match ending {
             Ok(ending @ Ending::ChangedCounts(_)) => Some((*task, ending.clone())),
             _ => None,

@@ -256,11 +256,14 @@ mod tests {
     fn answers_from_a_table_are_right_in_all_cases_but_the_fresh_ones() {
         let result = |wrong: [u32; 3], earned: [f64; 3]| {
             let names = ["a", "b", "fresh_rays"];
-            let cases = names.iter().zip(wrong).zip(earned);
-            let cases = cases.map(|((name, wrong), earned)| CaseResult {
-                earned,
-                ..case(name, wrong)
-            });
+            let cases = names
+                .iter()
+                .zip(wrong)
+                .zip(earned)
+                .map(|((name, wrong), earned)| CaseResult {
+                    earned,
+                    ..case(name, wrong)
+                });
             cases.collect::<Vec<_>>()
         };
         assert!(has_answers_from_a_table(&result(

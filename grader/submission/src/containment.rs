@@ -265,8 +265,11 @@ impl fmt::Display for Containment {
             ("another user", held.other_user),
             ("a network of its own", own_network.is_some()),
         ];
-        let means = means.iter().filter(|(_, holds)| *holds);
-        let means: Vec<&str> = means.map(|(name, _)| *name).collect();
+        let means: Vec<&str> = means
+            .iter()
+            .filter(|(_, holds)| *holds)
+            .map(|(name, _)| *name)
+            .collect();
         write!(
             f,
             "sandbox ({}) for the compiler and the code; not held: ",

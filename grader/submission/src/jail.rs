@@ -44,8 +44,10 @@ impl Launcher for Jail {
             LIBRARY_CACHE.into(),
             "/dev/urandom".into(),
         ];
-        let write = [&self.home, &self.target, &self.temporary];
-        let mut write: Vec<PathBuf> = write.into_iter().cloned().collect();
+        let mut write: Vec<PathBuf> = [&self.home, &self.target, &self.temporary]
+            .into_iter()
+            .cloned()
+            .collect();
         write.push("/dev/null".into());
         let policy = Policy {
             read,

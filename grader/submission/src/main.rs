@@ -70,8 +70,9 @@ fn grade_one(
 /// What to run instead of `grader part2 --class DIR`.
 fn moved(matches: &ArgMatches, folder: &Path) -> GraderError {
     let what = matches.get_one::<String>("what").map(String::as_str);
-    let part = what.and_then(|what| what.strip_prefix("part"));
-    let part: Option<u32> = part.and_then(|number| number.parse().ok());
+    let part: Option<u32> = what
+        .and_then(|what| what.strip_prefix("part"))
+        .and_then(|number| number.parse().ok());
     let part = part.map_or_else(String::new, |number| format!(" --part {number}"));
     GraderError::new(format!(
         "a class is graded by a command of its own: run `grader class {} --out OUT{part}`",

@@ -110,8 +110,8 @@ pub fn grade_one(
     folder: &Path,
     options: &Options,
 ) -> Result<GradedSubmission, NotGraded> {
-    let submission = Submission::read(folder, &course.course, course.workspace.root());
-    let submission = submission.map_err(|why| NotGraded::Refused(why.to_string()))?;
+    let submission = Submission::read(folder, &course.course, course.workspace.root())
+        .map_err(|why| NotGraded::Refused(why.to_string()))?;
     grade_read(course, &submission, options)
         .map_err(|why| NotGraded::Infrastructure(why.to_string()))
 }

@@ -213,8 +213,9 @@ fn sources(top: &Path, src: &Path, notes: &mut Notes) -> Result<Files, GraderErr
         ))
     };
     // Below a folder that is reached without a link, only links lead out.
-    let real = src.canonicalize();
-    let real = real.map_err(|e| GraderError::file("read", src, e))?;
+    let real = src
+        .canonicalize()
+        .map_err(|e| GraderError::file("read", src, e))?;
     if !real.starts_with(top) {
         return Err(link(src));
     }

@@ -121,8 +121,13 @@ fn places(tokens: &[Token]) -> Vec<(usize, &str, &'static str)> {
         let is_in_path = in_use || i > 0 && text(i - 1) == ":";
         let is_renamed = is_in_path && text(i + 1) == "as" && reason(&MACROS, word).is_some();
         let renamed = (is_renamed || in_use && word == "$").then_some(ALIAS);
-        let why = of_macro.or(reason(&WORDS, word)).or(of_lifetimes);
-        let why = why.or(of_attribute).or(unstable).or(hidden).or(renamed);
+        let why = of_macro
+            .or(reason(&WORDS, word))
+            .or(of_lifetimes)
+            .or(of_attribute)
+            .or(unstable)
+            .or(hidden)
+            .or(renamed);
         if let Some(why) = why {
             found.push((token.line, word, why));
         }

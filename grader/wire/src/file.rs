@@ -152,8 +152,10 @@ impl FrameReader {
         let Some(found) = self.bytes(HEADER_BYTES as u32)? else {
             return Ok(None);
         };
-        let length = found[..4].iter().rev();
-        let length = length.fold(0, |n, &b| n << 8 | u32::from(b));
+        let length = found[..4]
+            .iter()
+            .rev()
+            .fold(0, |n, &b| n << 8 | u32::from(b));
         if found != header(length, self.key, self.number) {
             return Err("something else than the worker wrote into its channel".to_string());
         }

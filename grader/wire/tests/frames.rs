@@ -107,8 +107,9 @@ fn all_records_together_have_a_limit() {
         frame: Cursor::default(),
         written: 0,
     };
-    let read = FrameReader::new(Box::new(endless), *KEY);
-    let read: Vec<Option<String>> = read.map(Result::err).collect();
+    let read: Vec<Option<String>> = FrameReader::new(Box::new(endless), *KEY)
+        .map(Result::err)
+        .collect();
     let (end, frames) = read.split_last().expect("there are frames");
     // Each has some bytes more than 16 MB, all may have 512 MB.
     assert_eq!(frames, [const { None }; 31]);

@@ -67,8 +67,8 @@ mod tests {
     fn the_map_shows_the_sky_in_the_renderers_projection() {
         let texels = map();
         let texels = texels.pixels().map(|p| Spectrum::from(p.0.map(f64::from)));
-        let map = Environment::new(WIDTH as usize, WIDTH as usize / 2, texels.collect());
-        let map = map.expect("radiances");
+        let map = Environment::new(WIDTH as usize, WIDTH as usize / 2, texels.collect())
+            .expect("radiances");
         for w in [
             sun_direction(),
             Vec3::Y,

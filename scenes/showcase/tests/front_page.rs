@@ -55,10 +55,18 @@ fn strips() -> BTreeMap<String, (String, u32)> {
     let mut strips = BTreeMap::new();
     for (_, words) in commands {
         // Labels are in quotation marks, and no path has any.
-        let paths = words.split('"').step_by(2).map(str::trim);
-        let mut paths = paths.filter(|path| !path.is_empty());
-        let strip = paths.next().expect("a strip");
-        let strip = strip.rsplit('/').next().expect("a name").to_owned();
+        let mut paths = words
+            .split('"')
+            .step_by(2)
+            .map(str::trim)
+            .filter(|path| !path.is_empty());
+        let strip = paths
+            .next()
+            .expect("a strip")
+            .rsplit('/')
+            .next()
+            .expect("a name")
+            .to_owned();
         for (i, path) in (0..).zip(paths) {
             strips.insert(path.to_owned(), (strip.clone(), i));
         }
@@ -109,8 +117,10 @@ fn pixels(flags: &[String], made: &Path, cell: Cell) -> (Pixels, Option<Pixels>)
         let samples = rendered.film.get(x, y).samples;
         viridis(f64::from(samples) / f64::from(args.samples))
     };
-    let rates = args.adaptive.is_some();
-    let rates = rates.then(|| cell.pixels().map(rate).collect());
+    let rates = args
+        .adaptive
+        .is_some()
+        .then(|| cell.pixels().map(rate).collect());
     (cell.pixels().map(color).collect(), rates)
 }
 
@@ -194,13 +204,14 @@ fn every_picture_has_the_pixels_of_its_command() {
         assert!(checked.remove(&name), "no command makes {name} of {strip}");
         checked.insert(strip);
     }
-    let files = fs::read_dir(root().join("scenes/pictures")).expect("a folder");
-    let files = files.map(|file| {
-        file.expect("a file")
-            .file_name()
-            .to_string_lossy()
-            .into_owned()
-    });
+    let files = fs::read_dir(root().join("scenes/pictures"))
+        .expect("a folder")
+        .map(|file| {
+            file.expect("a file")
+                .file_name()
+                .to_string_lossy()
+                .into_owned()
+        });
     let pictures: BTreeSet<String> = files.filter(|name| name.ends_with(".png")).collect();
     assert_eq!(checked, pictures, "each picture has its command");
 }

@@ -50,8 +50,11 @@ impl<'r, 'a> Finding<'r, 'a> {
     }
 
     fn located(&self) -> Diagnostic {
-        let diagnostic = Diagnostic::about_file(self.doc.file(), &self.title);
-        let diagnostic = diagnostic.at(self.doc.source(), self.mark.clone(), &self.label);
+        let diagnostic = Diagnostic::about_file(self.doc.file(), &self.title).at(
+            self.doc.source(),
+            self.mark.clone(),
+            &self.label,
+        );
         match &self.help {
             Some(help) => diagnostic.help(help),
             None => diagnostic,

@@ -33,8 +33,8 @@ impl<'a> IndexLists<'a> {
         doc: &Document<'a>,
         element: Element<'a>,
     ) -> Result<IndexLists<'a>, SceneError> {
-        let inputs = children(element).filter(|child| tag(*child) == "input");
-        let inputs = inputs
+        let inputs = children(element)
+            .filter(|child| tag(*child) == "input")
             .map(|input| {
                 let offset = offset(doc, input)?;
                 Ok(InputAt {

@@ -168,8 +168,8 @@ fn warn_of_transparency<'a>(doc: &Document<'a>, shader: Element<'a>) {
         let number = element.and_then(|element| child(element, name));
         number.and_then(|number| floats(doc, number).ok())
     };
-    let transparency = numbers(child(shader, "transparency"), "float");
-    let transparency = transparency.and_then(|list| list.first().copied());
+    let transparency =
+        numbers(child(shader, "transparency"), "float").and_then(|list| list.first().copied());
     let color = numbers(transparent, "color").filter(|list| list.len() == 4);
     let is_alpha = transparent
         .and_then(|transparent| transparent.attribute("opaque"))

@@ -48,8 +48,8 @@ pub(super) fn read<'a>(
     // Outside of this range the missing angle would round to 0 or 180 degrees.
     let is_valid = |aspect| (0.001..=1000.0).contains(&aspect);
     let expected = "a number from 0.001 to 1000";
-    let aspect = optional(doc, perspective, "aspect_ratio", expected, is_valid);
-    let aspect = aspect.unwrap_or(DEFAULT_ASPECT);
+    let aspect =
+        optional(doc, perspective, "aspect_ratio", expected, is_valid).unwrap_or(DEFAULT_ASPECT);
     let (h_fov, v_fov) = match (degrees("xfov"), degrees("yfov")) {
         (Some(x), Some(y)) => (x, y),
         (Some(x), None) => (x, scale_fov(x, 1.0 / aspect)),

@@ -174,8 +174,8 @@ mod tests {
 
     #[test]
     fn self_intersecting_polygons_give_all_triangles() {
-        let star = (0..5).map(|i| f64::from(i) * 2.0 * std::f64::consts::TAU / 5.0);
-        let star: Vec<_> = star
+        let star: Vec<_> = (0..5)
+            .map(|i| f64::from(i) * 2.0 * std::f64::consts::TAU / 5.0)
             .map(|angle| (math::cos(angle), math::sin(angle)))
             .collect();
         assert_eq!(triangulated(&flat(&star)).triangles.len(), 3);

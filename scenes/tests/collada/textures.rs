@@ -116,8 +116,8 @@ fn texture_coordinates_are_not_read_without_a_texture() {
 fn damaged(from: &str, to: &str) -> (Scene, String) {
     let text = textured(PARAMETERS, "t", IMAGES);
     assert!(text.contains(from), "`{from}` is not in the file");
-    let loaded = scenes::parse("small.dae", &text.replacen(from, to, 1));
-    let loaded = loaded.unwrap_or_else(|e| panic!("{e}"));
+    let loaded =
+        scenes::parse("small.dae", &text.replacen(from, to, 1)).unwrap_or_else(|e| panic!("{e}"));
     assert_eq!(loaded.warnings.len(), 1, "{:?}", loaded.warnings);
     (loaded.scene, loaded.warnings[0].0.title().to_owned())
 }

@@ -15,11 +15,12 @@ pub fn complete(
 ) -> Result<String, String> {
     let depth = path.components().count().saturating_sub(1);
     let to_book = "../".repeat(depth);
-    let html = with_formulas(html, formulas).map_err(|why| format!("{}: {why}", path.display()))?;
-    let html = html.replace(
-        &format!("href=\"{PROJECT}"),
-        &format!("href=\"{to_book}{to_project}/"),
-    );
+    let html = with_formulas(html, formulas)
+        .map_err(|why| format!("{}: {why}", path.display()))?
+        .replace(
+            &format!("href=\"{PROJECT}"),
+            &format!("href=\"{to_book}{to_project}/"),
+        );
     // The page to print shows the figures as they are without a script.
     if path == Path::new("print.html") {
         return Ok(html);

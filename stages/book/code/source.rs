@@ -212,8 +212,11 @@ pub const OWN_PICTURES: &str = "so-far";
 
 /// The element of a picture that readers make themselves, if the book is read alone.
 fn own_picture(comment: &str, links: Links) -> String {
-    let inside = comment.trim_end().trim_end_matches(OWN_PICTURE[1]);
-    let inside = inside.trim_start_matches(OWN_PICTURE[0]).trim();
+    let inside = comment
+        .trim_end()
+        .trim_end_matches(OWN_PICTURE[1])
+        .trim_start_matches(OWN_PICTURE[0])
+        .trim();
     match (links, inside.split_once(" | ")) {
         (Links::Nowhere, Some((file, text))) => {
             format!("<img src=\"{file}\" alt=\"{}\">\n", escaped(text))

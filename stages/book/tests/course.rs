@@ -382,8 +382,9 @@ fn pictures_of_mistakes_are_shown_and_named() {
 /// What the grader says about the mistake `id` of a task.
 fn description(task: &Task, id: &str) -> String {
     let corpus = Corpus::read(&workspace(), task).expect("the list of mistakes");
-    let found = corpus.mistake(id);
-    let found = found.unwrap_or_else(|| panic!("{}: there is no mistake {id}", task.key));
+    let found = corpus
+        .mistake(id)
+        .unwrap_or_else(|| panic!("{}: there is no mistake {id}", task.key));
     found.description.clone()
 }
 
@@ -411,8 +412,9 @@ fn doc_comments_name_their_chapter() {
         let line = format!("/// Chapter: stages/book/src/{}", chapter.path.display());
         for hole in &task.holes {
             let (path, source) = source_of(&task, hole);
-            let comment = source.split("pub fn ").zip(source.split("pub fn ").skip(1));
-            let comment = comment
+            let comment = source
+                .split("pub fn ")
+                .zip(source.split("pub fn ").skip(1))
                 .filter(|(_, after)| {
                     after.starts_with(&format!("{hole}(")) || after.starts_with(&format!("{hole}<"))
                 })

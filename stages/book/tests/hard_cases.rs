@@ -144,8 +144,10 @@ fn every_hard_case_of_the_code_is_listed_with_its_tests() {
         "the rows of hard-cases.md"
     );
     for (number, tests) in &listed {
-        let expected = found.get(number).map(|tests| tests.join(", "));
-        let expected = expected.unwrap_or_else(|| panic!("no test says `Hard case {number}`"));
+        let expected = found
+            .get(number)
+            .map(|tests| tests.join(", "))
+            .unwrap_or_else(|| panic!("no test says `Hard case {number}`"));
         assert_eq!(
             tests, &expected,
             "hard-cases.md, case {number}: the tests that name it"

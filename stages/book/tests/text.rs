@@ -103,8 +103,10 @@ fn the_pictures_of_the_site_exist_and_each_is_shown() {
             shown.insert(paths::normal(&file));
         }
     }
-    let files = fs::read_dir(folder).expect("the pictures");
-    let files: BTreeSet<_> = files.map(|file| file.expect("a file").path()).collect();
+    let files: BTreeSet<_> = fs::read_dir(folder)
+        .expect("the pictures")
+        .map(|file| file.expect("a file").path())
+        .collect();
     assert_eq!(files, shown);
 }
 
@@ -113,8 +115,8 @@ fn formulas_are_latex_and_code_blocks_have_a_language() {
     for chapter in chapters() {
         let at = chapter.path.display();
         for formula in maths::formulas(&chapter.text) {
-            let markup = maths::mathml(&formula.latex, formula.display);
-            let markup = markup.unwrap_or_else(|error| panic!("{at}: {error}"));
+            let markup = maths::mathml(&formula.latex, formula.display)
+                .unwrap_or_else(|error| panic!("{at}: {error}"));
             // XML has no entity for the no-break space.
             let xml = markup.replace("&nbsp;", " ");
             let parsed = roxmltree::Document::parse(&xml);

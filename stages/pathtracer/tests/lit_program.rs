@@ -413,8 +413,9 @@ fn a_missing_texture_is_grey_with_a_warning() {
     fs::remove_file(&moved).expect("it is removed");
     let targa = [&[0, 0, 2][..], &[0; 9], &[1, 0, 1, 0, 24, 0], &[0, 0, 255]].concat();
     fs::write(folder.path().join("wall.tga"), targa).expect("a texture");
-    let text = fs::read_to_string(folder.path().join("textured.dae")).expect("the scene");
-    let text = text.replace("wall.png", "wall.tga");
+    let text = fs::read_to_string(folder.path().join("textured.dae"))
+        .expect("the scene")
+        .replace("wall.png", "wall.tga");
     fs::write(folder.path().join("targa.dae"), text).expect("a scene file");
     let (targa, output) = picture("targa.png", "targa.dae");
     assert_eq!(output, "");

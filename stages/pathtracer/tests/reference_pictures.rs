@@ -103,8 +103,9 @@ fn compare(scenes: &Path, reference: &Path, name: &str) -> Pixels {
     let view = CameraFile::load(reference.join(format!("{name}.cam.txt")))
         .expect("a camera")
         .view;
-    let picture = image::open(reference.join(format!("{name}.png"))).expect("a picture");
-    let picture = picture.to_rgb8();
+    let picture = image::open(reference.join(format!("{name}.png")))
+        .expect("a picture")
+        .to_rgb8();
     let (w, h) = picture.dimensions();
 
     let normals = original_normals(&scene);

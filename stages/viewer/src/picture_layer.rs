@@ -36,8 +36,9 @@ const NO_PRIMITIVE: f32 = u32::MAX as f32;
 impl Layer {
     /// The layers of a file that have the size of its picture, without the picture itself.
     pub fn load(path: &Path, size: FilmSize) -> Result<Vec<Layer>, String> {
-        let layers = read_layers(path)?.into_iter();
-        let layers = layers.filter(|layer| layer.size == [size.w, size.h]);
+        let layers = read_layers(path)?
+            .into_iter()
+            .filter(|layer| layer.size == [size.w, size.h]);
         Ok(layers
             .filter(|layer| !layer.name.is_empty())
             .map(Layer::new)
@@ -63,8 +64,12 @@ impl Layer {
             (Some(color), _) => Look::Color(color),
             (None, Some(direction)) => Look::Direction(direction),
             (None, None) => {
-                let numbers = values.first().into_iter().flatten().copied();
-                let numbers = numbers.filter(|x| x.is_finite() && *x != NO_PRIMITIVE);
+                let numbers = values
+                    .first()
+                    .into_iter()
+                    .flatten()
+                    .copied()
+                    .filter(|x| x.is_finite() && *x != NO_PRIMITIVE);
                 let least = numbers.clone().fold(f32::INFINITY, f32::min);
                 Look::Number(least, numbers.fold(f32::NEG_INFINITY, f32::max))
             }

@@ -41,8 +41,12 @@ pub fn take(session: Session, shot: Shot, size: [usize; 2]) -> ColorImage {
     let mut window = Headless::new(session, size);
     window.settle();
     let rect = Point::new(0.42, 0.42);
-    let pixel = window.app.session.settings().map(|settings| settings.film);
-    let pixel = pixel.map(|film| Command::Inspect(film.w * 2 / 5, film.h * 2 / 5));
+    let pixel = window
+        .app
+        .session
+        .settings()
+        .map(|settings| settings.film)
+        .map(|film| Command::Inspect(film.w * 2 / 5, film.h * 2 / 5));
     let commands = match shot {
         Shot::Edit => {
             window.app.session.point_at_view(Some(rect));

@@ -33,8 +33,10 @@ impl StageFailure {
         if let Some(hole) = payload.downcast_ref::<Hole>() {
             return StageFailure::Hole(hole.task);
         }
-        let text = payload.downcast_ref::<&str>().map(|text| text.to_string());
-        let text = text.or_else(|| payload.downcast_ref::<String>().cloned());
+        let text = payload
+            .downcast_ref::<&str>()
+            .map(|text| text.to_string())
+            .or_else(|| payload.downcast_ref::<String>().cloned());
         StageFailure::Panic(text.unwrap_or_else(|| "without a message".to_owned()))
     }
 }

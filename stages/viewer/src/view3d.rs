@@ -179,8 +179,9 @@ impl View3d {
             FIRST_RATE
         };
         let rays = rate * time.as_secs_f64();
-        let scale = (rays / (f64::from(w) * f64::from(h))).sqrt();
-        let scale = scale.clamp(MIN_SCALE, 1.0);
+        let scale = (rays / (f64::from(w) * f64::from(h)))
+            .sqrt()
+            .clamp(MIN_SCALE, 1.0);
         let scaled = |size: u32| ((f64::from(size) * scale) as u32).max(1);
         (scaled(w), scaled(h))
     }

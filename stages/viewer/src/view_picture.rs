@@ -222,8 +222,13 @@ impl<'a> Surfaces<'a> {
         }
         let scene = self.data.scene();
         let material = scene.material_of(hit.prim);
-        let color = self.data.prepared.textures.at(scene, hit);
-        let color = color.unwrap_or(Spectrum::WHITE) * layers::albedo(material);
+        let color = self
+            .data
+            .prepared
+            .textures
+            .at(scene, hit)
+            .unwrap_or(Spectrum::WHITE)
+            * layers::albedo(material);
         match color.is_black() && matches!(material, kit::Material::Emission { .. }) {
             true => Spectrum::WHITE,
             // Nothing is so dark that its edges disappear.

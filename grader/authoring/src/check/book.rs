@@ -53,8 +53,13 @@ pub fn problems(workspace: &Workspace, course: &Course) -> Result<Vec<String>, G
             ));
         }
         let checkpoint = checkpoint(task);
-        let section = text.split_once("\n## Checkpoint").unwrap_or_default().1;
-        let section = section.split("\n## ").next().unwrap_or_default();
+        let section = text
+            .split_once("\n## Checkpoint")
+            .unwrap_or_default()
+            .1
+            .split("\n## ")
+            .next()
+            .unwrap_or_default();
         if !section.contains(&checkpoint) {
             problems.push(format!(
                 "{path}: expected \"{checkpoint}\" in the section Checkpoint"

@@ -40,15 +40,18 @@ fn part_number(value: &str) -> Result<u32, String> {
 
 /// What students of the handout of `part` write: "To write: 11 functions of 4 tasks in Part 1".
 fn to_write(course: &Course, part: u32) -> String {
-    let parts = course.parts.iter().filter(|other| other.number >= part);
-    let parts = parts.map(|part| {
-        let functions: usize = part.tasks.iter().map(|task| task.holes.len()).sum();
-        format!(
-            "{functions} functions of {} tasks in Part {}",
-            part.tasks.len(),
-            part.number
-        )
-    });
+    let parts = course
+        .parts
+        .iter()
+        .filter(|other| other.number >= part)
+        .map(|part| {
+            let functions: usize = part.tasks.iter().map(|task| task.holes.len()).sum();
+            format!(
+                "{functions} functions of {} tasks in Part {}",
+                part.tasks.len(),
+                part.number
+            )
+        });
     format!("To write: {}", parts.collect::<Vec<_>>().join(", "))
 }
 

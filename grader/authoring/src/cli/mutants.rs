@@ -140,8 +140,8 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
             continue;
         }
         if let Some(file) = matches.get_one::<PathBuf>("examples") {
-            let text = std::fs::read_to_string(file);
-            let text = text.map_err(|e| GraderError::file("read", file, e))?;
+            let text =
+                std::fs::read_to_string(file).map_err(|e| GraderError::file("read", file, e))?;
             let written = grader::examples::parse(&text)?;
             show_caught(
                 &task.key,
@@ -319,8 +319,9 @@ fn show_blessings(task: &str, graded: &[run::Graded], in_full: bool) -> bool {
         .map(|graded| (graded.name.as_str(), graded.blessings.as_slice()))
         .collect();
     let of = |wanted: BlessVerdict| {
-        let of = mutants.iter();
-        let of = of.filter(move |(_, blessings)| blessing::verdict(blessings) == Some(wanted));
+        let of = mutants
+            .iter()
+            .filter(move |(_, blessings)| blessing::verdict(blessings) == Some(wanted));
         of.map(|(name, _)| *name).collect::<Vec<&str>>()
     };
     let accepted = of(BlessVerdict::Confirmed);
@@ -457,8 +458,7 @@ fn show_simplest(task: &str, found: &Simplest) {
     for shown in &found.shown {
         let call = match &shown.call {
             Some(call) => {
-                let only = call.only.iter().map(|only| format!(" ({only})"));
-                let only: String = only.collect();
+                let only: String = call.only.iter().map(|only| format!(" ({only})")).collect();
                 format!("{} -> {}{only}", call.input, call.result)
             }
             None => "no simple call".into(),

@@ -157,8 +157,7 @@ impl Handout {
             if is_hidden {
                 continue;
             }
-            let contents = std::fs::read(&file);
-            let contents = contents.map_err(|e| GraderError::file("read", &file, e))?;
+            let contents = std::fs::read(&file).map_err(|e| GraderError::file("read", &file, e))?;
             let original = book::original(path).and_then(|path| self.files.get(&path));
             if original != Some(&contents) {
                 files.push((path.to_path_buf(), contents));
@@ -313,8 +312,10 @@ impl Handout {
                 path.extension().is_some_and(|extension| extension == "rs")
                     && selection.owner(path) == Some(owner)
             };
-            let code = self.files.iter().filter(|(path, _)| is_of_owner(path));
-            let code: Vec<_> = code
+            let code: Vec<_> = self
+                .files
+                .iter()
+                .filter(|(path, _)| is_of_owner(path))
                 .map(|(_, text)| String::from_utf8_lossy(text))
                 .collect();
             let is_used = |name: &str| {

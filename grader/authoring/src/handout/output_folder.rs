@@ -24,8 +24,10 @@ pub fn check(workspace: &Workspace, out: &Path) -> Result<(), GraderError> {
     {
         return Err(error("expected the name of the folder itself, not `..`"));
     }
-    let parent = out.parent().filter(|parent| !parent.as_os_str().is_empty());
-    let parent = parent.unwrap_or(Path::new("."));
+    let parent = out
+        .parent()
+        .filter(|parent| !parent.as_os_str().is_empty())
+        .unwrap_or(Path::new("."));
     let parent = parent
         .canonicalize()
         .map_err(|_| error("its parent folder does not exist. Create it first"))?;

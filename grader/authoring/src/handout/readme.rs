@@ -14,8 +14,11 @@ const TEMPLATE: &str = include_str!("student.md");
 
 /// Formats the README of the handout of `part`, whose code is in `files`.
 pub fn write(course: &Course, part: u32, files: &Files) -> Result<String, GraderError> {
-    let here = course.parts.iter().find(|p| p.number == part);
-    let here = here.ok_or_else(|| GraderError::new(format!("the course has no part {part}")))?;
+    let here = course
+        .parts
+        .iter()
+        .find(|p| p.number == part)
+        .ok_or_else(|| GraderError::new(format!("the course has no part {part}")))?;
     let mut tasks = String::new();
     let to_write = course.parts.iter().filter(|p| p.number >= part);
     for part in to_write.clone() {

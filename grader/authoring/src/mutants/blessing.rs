@@ -208,8 +208,9 @@ pub fn markdown(task: &str, mutants: &[(&str, &[Blessing])]) -> String {
             .iter()
             .filter_map(|blessing| blessing.confirmed.as_ref());
         let differences = differences.map(|change| change.difference);
-        let difference = differences.reduce(f64::max);
-        let difference = difference.map_or(String::new(), |most| format!("{most:.0e}"));
+        let difference = differences
+            .reduce(f64::max)
+            .map_or(String::new(), |most| format!("{most:.0e}"));
         for blessing in *blessings {
             let Blessing { case, changed, .. } = blessing;
             let named = format!("{case} ({changed})");

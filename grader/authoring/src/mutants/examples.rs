@@ -41,8 +41,7 @@ pub fn of_task(
     let questions: Vec<Spec> = right.filter_map(Example::question).collect();
     let worker = VersionsWorker::of_mutants(workspace, course, task)?;
     let specs = cases::all(0);
-    let each = (0..worker.versions.len()).into_par_iter();
-    let each = each.map(|version| {
+    let each = (0..worker.versions.len()).into_par_iter().map(|version| {
         let graded = worker.grade_one(task, &specs, version, None)?;
         let Graded { kind, result, .. } = &graded;
         if !matches!(kind, Kind::Mutant(_)) || result.score >= result.max_score {

@@ -196,8 +196,10 @@ impl Questions {
             format!("{:?}", known.work) != format!("{:?}", other.work)
         };
         let pairs = known.iter().zip(&other);
-        let fresh = pairs.filter(is_fresh).map(|(known, _)| known.name);
-        let fresh: BTreeSet<&'static str> = fresh.collect();
+        let fresh: BTreeSet<&'static str> = pairs
+            .filter(is_fresh)
+            .map(|(known, _)| known.name)
+            .collect();
         let depends = |name: &str| {
             let is_moved = |spec: &Spec| spec.name == name && spec.is_moved();
             fresh.contains(name) || other.iter().any(is_moved)

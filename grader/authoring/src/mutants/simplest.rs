@@ -78,8 +78,8 @@ pub fn of_task(
 ) -> Result<Simplest, GraderError> {
     let worker = VersionsWorker::of_mutants(workspace, course, task)?;
     let specs = cases::all(0);
-    let each = (0..worker.versions.len()).into_par_iter();
-    let each: Vec<Simplest> = each
+    let each: Vec<Simplest> = (0..worker.versions.len())
+        .into_par_iter()
         .map(|version| of_version(&worker, task, &specs, version))
         .collect::<Result<_, _>>()?;
     Ok(each.into_iter().fold(Simplest::default(), |mut all, one| {

@@ -455,8 +455,9 @@ fn own_copy(program: &Path, folder: &Path) -> Result<TempPath, GraderError> {
     let copy = tempfile::Builder::new()
         .prefix("worker-")
         .tempfile_in(folder);
-    let copy = copy.map_err(|e| GraderError::file("write", folder, e))?;
-    let copy = copy.into_temp_path();
+    let copy = copy
+        .map_err(|e| GraderError::file("write", folder, e))?
+        .into_temp_path();
     std::fs::copy(program, &copy).map_err(|e| GraderError::file("copy", program, e))?;
     Ok(copy)
 }

@@ -220,8 +220,8 @@ fn learn_task(
             ));
             continue;
         }
-        let named = diagnose(&all, &Signature::of(&graded.result.cases));
-        let named = named.map_or(Vec::new(), |diagnosis| diagnosis.mistakes);
+        let named = diagnose(&all, &Signature::of(&graded.result.cases))
+            .map_or(Vec::new(), |diagnosis| diagnosis.mistakes);
         if !mutant.mistakes.iter().all(|made| named.contains(made)) {
             let named = match named.is_empty() {
                 true => "not named at all".to_string(),

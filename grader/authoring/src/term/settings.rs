@@ -146,8 +146,11 @@ impl Changes {
 
     /// What is left out. A case to which the teacher gives points is not.
     pub fn left_out(&self) -> Vec<&str> {
-        let kept = self.kept.leave_out.iter();
-        let kept = kept.filter(|name| !self.settings.points.contains_key(*name));
+        let kept = self
+            .kept
+            .leave_out
+            .iter()
+            .filter(|name| !self.settings.points.contains_key(*name));
         let all = self.settings.leave_out.iter().chain(kept);
         all.map(String::as_str).collect()
     }

@@ -26,8 +26,9 @@ fn meaning(of: &str) -> Meaning {
 /// A type without references, lifetimes, paths and blanks.
 fn plain(of: &str) -> String {
     let compact: String = of.split_whitespace().collect::<Vec<_>>().join(" ");
-    let compact = compact.trim_start_matches('&').trim_start_matches("mut ");
     let compact = compact
+        .trim_start_matches('&')
+        .trim_start_matches("mut ")
         .replace("&'a ", "")
         .replace("<'_>", "")
         .replace("<'a>", "");

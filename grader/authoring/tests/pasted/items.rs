@@ -78,8 +78,11 @@ impl Sources {
                 Item::Type(t) => t.ident.to_string(),
                 Item::Trait(t) => t.ident.to_string(),
                 Item::Impl(i) => {
-                    let of = text_at(&lines, &*i.self_ty);
-                    let of = of.split('<').next().unwrap_or_default().to_string();
+                    let of = text_at(&lines, &*i.self_ty)
+                        .split('<')
+                        .next()
+                        .unwrap_or_default()
+                        .to_string();
                     for item in &i.items {
                         if let ImplItem::Fn(f) = item {
                             self.add_function(path, Some(&of), &f.sig, &lines);

@@ -205,8 +205,11 @@ fn a_handout_has_a_table_for_the_formulas_that_it_lacks() {
 /// The signature of a function of `task`.
 fn hole_of(task: &Task, stage: &Sources, name: &str) -> Hole {
     let is_it = |function: &&Function| function.path == name;
-    let function = stage.functions.iter().find(is_it);
-    let function = function.unwrap_or_else(|| panic!("{}: no {name}", task.key));
+    let function = stage
+        .functions
+        .iter()
+        .find(is_it)
+        .unwrap_or_else(|| panic!("{}: no {name}", task.key));
     Hole {
         name: name.to_string(),
         parameters: function.parameters.clone(),
@@ -298,8 +301,10 @@ fn stage_of(task: &Task) -> Sources {
 
 /// The names of the attempts at `task` that `sources` offer.
 fn names(course: &Course, task: &str, sources: &Sources) -> BTreeSet<String> {
-    let task = course.tasks().find(|other| other.key == task);
-    let task = task.expect("it is in the course");
+    let task = course
+        .tasks()
+        .find(|other| other.key == task)
+        .expect("it is in the course");
     let attempts = attempts(task, sources, &stage_of(task)).into_iter();
     attempts
         .map(|attempt| attempt.mistakes[0].clone())
@@ -481,8 +486,10 @@ fn functions_of_a_handout_earn_nothing() {
             .filter(|graded| !graded.name.contains(CONSTANT))
         {
             let result = &graded.result;
-            let free = for_nothing.get(&hole(&graded.name)).copied();
-            let free = free.unwrap_or_default();
+            let free = for_nothing
+                .get(&hole(&graded.name))
+                .copied()
+                .unwrap_or_default();
             let row = format!(
                 "{}: {:.2}+{:.2} by {} (a constant: {free:.2})",
                 task.key, result.score, result.robust_score, graded.name

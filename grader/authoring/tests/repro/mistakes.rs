@@ -233,8 +233,10 @@ pub(crate) const REPRODUCTIONS: [Reproduction; 20] = [
 impl Reproduction {
     /// The call and its test. `usize::MAX` means the first call whose test expects a hit.
     pub(crate) fn test(&self, specs: &[Spec]) -> (usize, String) {
-        let spec = specs.iter().find(|spec| spec.is(self.task, self.case));
-        let spec = spec.expect("the case is there");
+        let spec = specs
+            .iter()
+            .find(|spec| spec.is(self.task, self.case))
+            .expect("the case is there");
         let test = |call| Some((call, repro::test(spec, Tier::Core, call)?));
         let found = match self.call {
             usize::MAX => (0..100).filter_map(test).find(|(_, test)| {

@@ -64,8 +64,10 @@ fn write_job(workspace: &Workspace, stage: &str, tasks: &[&Task], folder: &Path)
     let mut modules: BTreeMap<String, BTreeMap<String, String>> = BTreeMap::new();
     for task in tasks {
         for entry in &task.cases {
-            let spec = specs.iter().find(|spec| spec.is(&task.key, &entry.name));
-            let spec = spec.expect("the case is there");
+            let spec = specs
+                .iter()
+                .find(|spec| spec.is(&task.key, &entry.name))
+                .expect("the case is there");
             let tests = modules.entry(module(&task.key, entry.tier)).or_default();
             for (call, test) in tests_of(spec, entry.tier) {
                 tests.insert(format!("{}_{call}", entry.name), test);

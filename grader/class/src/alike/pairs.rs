@@ -307,8 +307,11 @@ fn compare<'a>(
             expected *= (*others as f64 + 0.5) / (n - 1.0);
         }
         let shorter = one.text.own().min(other.text.own());
-        let rare = passages.iter().filter(|(_, others)| is_few(others + 2));
-        let rare: usize = rare.map(|(passage, _)| passage.length).sum();
+        let rare: usize = passages
+            .iter()
+            .filter(|(_, others)| is_few(others + 2))
+            .map(|(passage, _)| passage.length)
+            .sum();
         let share = if shorter < SMALLEST {
             0.0
         } else {

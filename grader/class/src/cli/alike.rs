@@ -81,8 +81,11 @@ pub(super) fn run(
     }
     let owners = Owners::new(&students);
     let pairs = pairs::pairs(&students, &owners, pairs::COMPARED);
-    let strongest = pairs.listed.iter().take(page::LISTED);
-    let strongest = strongest.map(|found| pairs::pair(&students, &owners, found));
+    let strongest = pairs
+        .listed
+        .iter()
+        .take(page::LISTED)
+        .map(|found| pairs::pair(&students, &owners, found));
     let (common, more_common) = common::common(&students, &owners, page::LISTED);
     let grader = the_grader(workspace, &students, &known)?;
     let (pasted, with_pasted) = pairs::pasted(&grader, &students, page::LISTED);

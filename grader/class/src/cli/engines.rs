@@ -19,8 +19,9 @@ pub(super) struct Shard {
 impl Shard {
     /// Reads `2/17`.
     pub(super) fn parse(text: &str) -> Result<Shard, String> {
-        let numbers = text.split_once('/');
-        let numbers = numbers.and_then(|(index, of)| Some((index.parse().ok()?, of.parse().ok()?)));
+        let numbers = text
+            .split_once('/')
+            .and_then(|(index, of)| Some((index.parse().ok()?, of.parse().ok()?)));
         match numbers {
             Some((index, of)) if 1 <= index && index <= of => Ok(Shard { index, of }),
             _ => Err(format!(
@@ -94,18 +95,24 @@ impl UnitCommand {
     /// The command for this unit as a line of a shell.
     pub(super) fn line(&self, key: &str) -> Result<String, GraderError> {
         let command = self.of(key);
-        let words = std::iter::once(command.get_program()).chain(command.get_args());
-        let words: Result<Vec<String>, GraderError> = words.map(quoted).collect();
+        let words: Result<Vec<String>, GraderError> = std::iter::once(command.get_program())
+            .chain(command.get_args())
+            .map(quoted)
+            .collect();
         Ok(words?.join(" "))
     }
 }
 
 /// A word as a POSIX shell reads it.
 fn quoted(word: &OsStr) -> Result<String, GraderError> {
-    let word = word.to_str().filter(|word| !word.contains('\n'));
-    let word = word.ok_or_else(|| {
-        GraderError::new("a path of the class is not UTF-8 or has a line end: rename the folder")
-    })?;
+    let word = word
+        .to_str()
+        .filter(|word| !word.contains('\n'))
+        .ok_or_else(|| {
+            GraderError::new(
+                "a path of the class is not UTF-8 or has a line end: rename the folder",
+            )
+        })?;
     let is_plain = |c: char| c.is_ascii_alphanumeric() || "/._-+:@%,=".contains(c);
     Ok(match !word.is_empty() && word.chars().all(is_plain) {
         true => word.to_string(),

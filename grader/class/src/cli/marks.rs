@@ -99,8 +99,11 @@ fn about_maximum(marks: &Marks, roster: &Roster, possible: f64) -> Option<String
         System::Canvas => {
             let mut all = roster.assignments.iter();
             let Some((_, maximum)) = all.find(|(name, _)| *name == assignment) else {
-                let names = roster.assignments.iter().map(|(name, _)| name.line());
-                let names: Vec<String> = names.collect();
+                let names: Vec<String> = roster
+                    .assignments
+                    .iter()
+                    .map(|(name, _)| name.line())
+                    .collect();
                 return (!names.is_empty()).then(|| {
                     format!(
                         "the roster has no assignment `{assignment}`, and Canvas will make a new one; `--assignment` takes one of: {}",

@@ -274,8 +274,7 @@ fn collect(matches: &ArgMatches, out: &Out) -> Result<Exit, GraderError> {
     if matches.get_flag("regrade") {
         return show_regrade(matches, out);
     }
-    let plan = Plan::load(&out.plan())?;
-    let plan = plan.ok_or_else(|| GraderError::new("class.json is gone"))?;
+    let plan = Plan::load(&out.plan())?.ok_or_else(|| GraderError::new("class.json is gone"))?;
     write_tables(matches, out, plan)
 }
 
@@ -288,8 +287,10 @@ fn write_tables(matches: &ArgMatches, out: &Out, plan: Plan) -> Result<Exit, Gra
             .find(|hint| hint.number().to_string() == *level)
     });
     let hint = hint.unwrap_or(HintLevel::Findings);
-    let roster = matches.get_one::<PathBuf>("roster");
-    let roster = roster.map(|path| Roster::read(path)).transpose()?;
+    let roster = matches
+        .get_one::<PathBuf>("roster")
+        .map(|path| Roster::read(path))
+        .transpose()?;
     let names: Vec<&str> = (plan.submissions.iter())
         .map(|planned| planned.name.raw())
         .collect();

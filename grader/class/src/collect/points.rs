@@ -32,13 +32,14 @@ fn apply_to_task(task: &mut Task, unit: &Unit, planned: &PlannedTask) -> Result<
     let earned = unit.earned.get(&task.key);
     let mut points = [0.0; 2];
     for case in &planned.cases {
-        let earned = earned.and_then(|cases| cases.get(&case.name));
-        let earned = earned.ok_or_else(|| {
-            GraderError::new(format!(
-                "the result units/{}.json has no case {} of {}. Run again with `--regrade`",
-                unit.key, case.name, task.key
-            ))
-        })?;
+        let earned = earned
+            .and_then(|cases| cases.get(&case.name))
+            .ok_or_else(|| {
+                GraderError::new(format!(
+                    "the result units/{}.json has no case {} of {}. Run again with `--regrade`",
+                    unit.key, case.name, task.key
+                ))
+            })?;
         let tier = usize::from(case.tier == Tier::Robust);
         points[tier] += case.points * earned;
         if let Some(reported) = task

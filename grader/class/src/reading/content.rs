@@ -97,8 +97,12 @@ pub fn read(
     for path in &submission.ignored {
         hasher.part(path.raw());
     }
-    let notes = opened.notes.iter().chain(&submission.notes);
-    let notes = notes.map(|note| Untrusted::from(note.as_str())).collect();
+    let notes = opened
+        .notes
+        .iter()
+        .chain(&submission.notes)
+        .map(|note| Untrusted::from(note.as_str()))
+        .collect();
     Ok(Content {
         submission,
         hash: hasher.finish(),

@@ -279,8 +279,10 @@ pub fn run(arguments: impl IntoIterator<Item = std::ffi::OsString>) -> Result<()
         [course, path, revision] => (course, path, revision.to_str()),
         _ => return Err(expected()),
     };
-    let revision = revision.map(serde_json::from_str::<Revision>).transpose();
-    let revision = revision.map_err(|_| expected())?;
+    let revision = revision
+        .map(serde_json::from_str::<Revision>)
+        .transpose()
+        .map_err(|_| expected())?;
     // In the sandbox nothing beside the course can be read, nor the teacher's files of a term.
     let workspace = Workspace::above_as_it_is(Path::new(course))?;
     let course = Course::read(&workspace)?;

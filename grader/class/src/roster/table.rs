@@ -206,11 +206,12 @@ fn gradebook_of(
         .map(|task| task.key.as_str())
         .collect();
     let lines = students.iter().map(|(student, row)| {
-        let line = row.map(|row| crate::gradebook::line(row, &tasks));
-        let mut line = line.unwrap_or_else(|| gradebook::Line {
-            status: "not handed in".into(),
-            ..gradebook::Line::default()
-        });
+        let mut line = row
+            .map(|row| crate::gradebook::line(row, &tasks))
+            .unwrap_or_else(|| gradebook::Line {
+                status: "not handed in".into(),
+                ..gradebook::Line::default()
+            });
         let ids = [&student.id, &student.login, &student.email, &student.number];
         let id = ids.into_iter().find(|id| !id.is_empty());
         line.id = id.map(Untrusted::line).unwrap_or_default();

@@ -8,8 +8,10 @@ use kernels::{Instructions, Kernel, OperationCounts, RayAndShapes};
 /// changes hits to misses.
 fn hard_pairs<S: Target>() -> Vec<RayAndShapes<S>> {
     let families = [RayFamily::Ordinary, RayFamily::Edge, RayFamily::Vertex];
-    let pairs = families.map(|family| pairs::<S>(family, 3, 1000));
-    let pairs = pairs.into_iter().flatten();
+    let pairs = families
+        .map(|family| pairs::<S>(family, 3, 1000))
+        .into_iter()
+        .flatten();
     pairs
         .map(|(shape, ray)| RayAndShapes {
             ray,

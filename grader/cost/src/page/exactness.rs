@@ -110,8 +110,10 @@ fn rate(row: &ExactnessRow) -> Quartiles {
 fn finding(rows: &[ExactnessRow]) -> Option<String> {
     let first = rows.first()?;
     let fastest = |loses: bool| {
-        let rows = rows.iter().filter(|row| row.split == first.split);
-        let rows = rows.filter(|row| (row.lost_per_million() > 0.0) == loses);
+        let rows = rows
+            .iter()
+            .filter(|row| row.split == first.split)
+            .filter(|row| (row.lost_per_million() > 0.0) == loses);
         rows.min_by(|a, b| a.time.ratio.median.total_cmp(&b.time.ratio.median))
     };
     let (exact, lossy) = (fastest(false), fastest(true));

@@ -92,8 +92,11 @@ pub(crate) fn figure(family: &KernelFamily) -> Figure {
 
 /// Draws the plot. On a telephone its markers have numbers, the fastest kernel the first.
 fn draw(canvas: &Canvas, family: &KernelFamily, is_narrow: bool) {
-    let times = family.rows.iter().map(|row| row.ranked_time().ratio);
-    let times = times.flat_map(|ratio| [ratio.lower, ratio.upper]);
+    let times = family
+        .rows
+        .iter()
+        .map(|row| row.ranked_time().ratio)
+        .flat_map(|ratio| [ratio.lower, ratio.upper]);
     let x_name = match is_narrow {
         false => format!("time / time of the textbook's test ({})", textbook(family)),
         true => "time / time of the textbook's test".into(),

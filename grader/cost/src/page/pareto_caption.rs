@@ -19,8 +19,12 @@ pub(super) fn caption(family: &KernelFamily) -> String {
     text += &fastest_without_failures(family);
     text += &with_and_without_fma(family);
     if let Some(yours) = family.rows.iter().find(|row| row.student) {
-        let better = family.rows.iter().filter(|row| beats(row, yours));
-        let better: Vec<String> = better.map(name).collect();
+        let better: Vec<String> = family
+            .rows
+            .iter()
+            .filter(|row| beats(row, yours))
+            .map(name)
+            .collect();
         text += &format!(
             "Your code (star) takes {} and has {} correct bits; {}.",
             times_as_long(&yours.time),

@@ -136,8 +136,9 @@ pub(crate) fn measure(
     }
     let mut by_precision = Vec::new();
     for (i, tree) in rounded.iter_mut().enumerate() {
-        let time = rounds.timing(first_rounded + i, first_rounded);
-        let time = time.map_err(in_process)?;
+        let time = rounds
+            .timing(first_rounded + i, first_rounded)
+            .map_err(in_process)?;
         let mut row = ExactnessRow::new(builders[0].name, tree, time);
         exactness::count(&mut row, &mut tree.closest, &aimed, &truth);
         by_precision.push(row);
@@ -186,8 +187,9 @@ impl Scene {
         let triangles = generate(MESH, size.mesh);
         let rays: Vec<Ray> = speedup::rays().iter().map(convert::ray).collect();
         // The worker chooses the same ones.
-        let checked = (0..CHECKED_RAYS).map(|i| rays[i * rays.len() / CHECKED_RAYS]);
-        let checked = checked.map(|ray| (ray, brute_force(&triangles, &ray)));
+        let checked = (0..CHECKED_RAYS)
+            .map(|i| rays[i * rays.len() / CHECKED_RAYS])
+            .map(|ray| (ray, brute_force(&triangles, &ray)));
         Scene {
             checked: checked.collect(),
             coplanar: CoplanarScenes::new(seed, size.rays),

@@ -44,8 +44,9 @@ fn by_slack(trees: &TreeReport) -> Table {
 }
 
 fn by_build(trees: &TreeReport) -> Table {
-    let header = ["split".into(), "build, ms".into(), "nodes".into()];
-    let header = header.into_iter().chain(headings());
+    let header = ["split".into(), "build, ms".into(), "nodes".into()]
+        .into_iter()
+        .chain(headings());
     let mut table = narrow(header.chain(["break-even, rays".into()]));
     for tree in &trees.by_build {
         let star = if tree.student { "* " } else { "" };

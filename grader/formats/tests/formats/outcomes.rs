@@ -64,14 +64,18 @@ fn finding(wrong: u32, message: &str) -> Finding {
 fn graded(statuses: [Status; 4], wrong: [u32; 4], said: &str) -> Outcome {
     let course = Course::parse(COURSE).expect("it is valid");
     let task = course.tasks().next().expect("it has a task");
-    let cases = task.cases.iter().zip(statuses).zip(wrong);
-    let cases = cases.map(|((entry, status), wrong)| {
-        let findings = match status {
-            Status::Passed => vec![finding(wrong, said)],
-            _ => Vec::new(),
-        };
-        CaseResult::new(entry, "Rays at it. Pitfall: signs.", status, findings, &[])
-    });
+    let cases = task
+        .cases
+        .iter()
+        .zip(statuses)
+        .zip(wrong)
+        .map(|((entry, status), wrong)| {
+            let findings = match status {
+                Status::Passed => vec![finding(wrong, said)],
+                _ => Vec::new(),
+            };
+            CaseResult::new(entry, "Rays at it. Pitfall: signs.", status, findings, &[])
+        });
     let report = TaskReport {
         regularities: vec!["wrong where t is large".into()],
         worst_as_test: (wrong[0] + wrong[1] > 0).then(|| "#[test]\nfn worst() {}\n".to_owned()),

@@ -168,8 +168,9 @@ impl fmt::Display for Counts {
             (self.confirmed, "confirmed"),
             (self.not_judged, "not judged"),
         ];
-        let parts = parts.iter().filter(|(count, _)| *count > 0);
         let parts: Vec<String> = parts
+            .iter()
+            .filter(|(count, _)| *count > 0)
             .map(|(count, what)| format!("{count} {what}"))
             .collect();
         f.write_str(&parts.join(", "))

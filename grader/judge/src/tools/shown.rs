@@ -166,8 +166,13 @@ pub(crate) fn tree_rows(
             let label = match tree.nodes.get(at)?.kind {
                 NodeKind::Interior { .. } => String::new(),
                 NodeKind::Leaf { first, count } => {
-                    let ids = tree.order.iter().skip(first as usize).take(count as usize);
-                    let ids: Vec<String> = ids.map(u32::to_string).collect();
+                    let ids: Vec<String> = tree
+                        .order
+                        .iter()
+                        .skip(first as usize)
+                        .take(count as usize)
+                        .map(u32::to_string)
+                        .collect();
                     ids.join(" ")
                 }
             };

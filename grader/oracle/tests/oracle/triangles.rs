@@ -54,8 +54,9 @@ fn disagreements(seed: u64, count: u64, cycle: u64) {
             && let Some((t, _)) = rational_hit(&tri, &ray)
             && r.below(4) == 0
         {
-            let near = oracle::triangle(&tri, &ray);
-            let near = near.crossing.map_or(0.0, |at| at.t.to_f64());
+            let near = oracle::triangle(&tri, &ray)
+                .crossing
+                .map_or(0.0, |at| at.t.to_f64());
             if near.is_finite() && agrees(&oracle::BigFloat::new(near), &t) {
                 boundary += 1;
             }

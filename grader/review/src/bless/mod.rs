@@ -50,8 +50,7 @@ pub fn propose(workspace: &Workspace, keys: &[&str]) -> Result<Proposal, GraderE
                 task.stage
             )));
         };
-        let chosen = grade::chosen(&[task], &specs)?;
-        let chosen: Vec<&Spec> = chosen
+        let chosen: Vec<&Spec> = grade::chosen(&[task], &specs)?
             .into_iter()
             .filter(|spec| selected.has_case(spec.name))
             .collect();
@@ -106,7 +105,7 @@ pub(crate) fn golden_snapshot(
     case: &str,
 ) -> Result<Snapshot, GraderError> {
     let path = workspace.snapshot(task, case);
-    let text = packed::read_snapshot(workspace, task, case)?;
-    let text = text.ok_or_else(|| GraderError::file("read", &path, "it does not exist"))?;
+    let text = packed::read_snapshot(workspace, task, case)?
+        .ok_or_else(|| GraderError::file("read", &path, "it does not exist"))?;
     parse(&text).map_err(|e| GraderError::file("understand", &path, e))
 }

@@ -7,8 +7,9 @@ use std::process::Command;
 
 /// The text of `golden/provenance.toml`.
 pub(super) fn text(workspace: &Workspace) -> Result<String, GraderError> {
-    let rustc = Command::new("rustc").arg("--version").output();
-    let rustc = rustc
+    let rustc = Command::new("rustc")
+        .arg("--version")
+        .output()
         .map(|output| String::from_utf8_lossy(&output.stdout).trim().to_string())
         .unwrap_or_default();
     let mut text = String::from("# Written by `grader bless`: what the goldens were made with.\n");

@@ -110,8 +110,10 @@ impl Figure<'_> {
     fn draw_shape(&self, view: &View, svg: &mut String) {
         match &self.shape {
             Shape::Triangle(t) => {
-                let corners = [t.p0, t.p1, t.p2].map(|p| view.project(p));
-                let corners = corners.map(|[x, y]| format!("{x:.1},{y:.1}")).join(" ");
+                let corners = [t.p0, t.p1, t.p2]
+                    .map(|p| view.project(p))
+                    .map(|[x, y]| format!("{x:.1},{y:.1}"))
+                    .join(" ");
                 let _ = write!(svg, "<polygon class=\"shape\" points=\"{corners}\"/>");
             }
             Shape::Sphere(sphere) => {

@@ -123,8 +123,13 @@ fn simplest(call: &SimplestCall) -> String {
 
 /// The picture of the task: expected and yours with a slider, and where they differ.
 fn task_picture(rendered: &Rendered) -> String {
-    let about = rendered.picture.panels.iter().map(|kind| kind.about);
-    let about = about.collect::<Vec<_>>().join("; below: ");
+    let about = rendered
+        .picture
+        .panels
+        .iter()
+        .map(|kind| kind.about)
+        .collect::<Vec<_>>()
+        .join("; below: ");
     let about = escape(&about);
     let (yours, comparison) = match &rendered.yours {
         Ok(yours) => yours,
@@ -201,8 +206,11 @@ fn cases(failed: &[&FailedCase]) -> String {
 
 /// The key by which cases are grouped: the status, and the wrong aspects with their functions.
 fn what_is_wrong(case: &CaseResult) -> String {
-    let wrong = case.findings.iter().filter(|finding| finding.wrong > 0);
-    let wrong = wrong.map(|finding| format!("{} {:?}", finding.aspect.label(), finding.functions));
+    let wrong = case
+        .findings
+        .iter()
+        .filter(|finding| finding.wrong > 0)
+        .map(|finding| format!("{} {:?}", finding.aspect.label(), finding.functions));
     format!(
         "{} {}",
         status_text(&case.status),
@@ -322,8 +330,10 @@ mod tests {
         let workspace = Workspace::above(Path::new(env!("CARGO_MANIFEST_DIR")))
             .expect("the crate is in a workspace");
         let course = Course::read(&workspace).expect("the course is sound");
-        let task = course.tasks().find(|task| task.key == "part1.task3");
-        let task = task.expect("the course has it");
+        let task = course
+            .tasks()
+            .find(|task| task.key == "part1.task3")
+            .expect("the course has it");
         let finding = Finding {
             aspect: Aspect::HitOrMiss,
             expected: 4,

@@ -45,8 +45,7 @@ pub fn write(review: &Review, author: &Author) -> String {
     }
     content.push_str(&overview(review));
     for cases in review.cases.chunk_by(|a, b| a.task == b.task) {
-        let changed = cases.iter().filter(|case| differs(&case.state));
-        let changed: Vec<&Case> = changed.collect();
+        let changed: Vec<&Case> = cases.iter().filter(|case| differs(&case.state)).collect();
         if changed.is_empty() {
             continue;
         }
@@ -106,8 +105,11 @@ fn article(case: &Case, listed: usize, decide: bool) -> String {
 
 /// The cases without an answer, by the reason.
 fn without_answers(review: &Review) -> String {
-    let silent = review.cases.iter().filter(|case| is_silent(&case.state));
-    let silent: Vec<&Case> = silent.collect();
+    let silent: Vec<&Case> = review
+        .cases
+        .iter()
+        .filter(|case| is_silent(&case.state))
+        .collect();
     let mut text = String::new();
     for of_reason in silent.chunk_by(|a, b| a.state == b.state) {
         if let State::Silent(why) = &of_reason[0].state {
@@ -135,8 +137,11 @@ fn unchanged(review: &Review) -> String {
         plural(all, "golden is", "goldens are")
     );
     for cases in review.cases.chunk_by(|a, b| a.task == b.task) {
-        let same = cases.iter().filter(is_same).map(|case| escape(case.name));
-        let same: Vec<String> = same.collect();
+        let same: Vec<String> = cases
+            .iter()
+            .filter(is_same)
+            .map(|case| escape(case.name))
+            .collect();
         if !same.is_empty() {
             let _ = writeln!(
                 text,
@@ -238,12 +243,14 @@ fn overview(review: &Review) -> String {
                 counts.push(format!("{count} {what}"));
             }
         }
-        let links = cases.iter().filter(|case| differs(&case.state));
-        let links = links.map(|case| {
-            let class = if is_refuted(&case.state) { "bad" } else { "" };
-            let (path, name) = (escape(&case.path()), escape(case.name));
-            format!("<a class=\"{class}\" href=\"#{path}\">{name}</a>")
-        });
+        let links = cases
+            .iter()
+            .filter(|case| differs(&case.state))
+            .map(|case| {
+                let class = if is_refuted(&case.state) { "bad" } else { "" };
+                let (path, name) = (escape(&case.path()), escape(case.name));
+                format!("<a class=\"{class}\" href=\"#{path}\">{name}</a>")
+            });
         let _ = writeln!(
             text,
             "<li><a href=\"#{task}\"><code>{task}</code></a> {}: {}</li>",

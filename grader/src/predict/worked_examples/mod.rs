@@ -176,8 +176,12 @@ mod tests {
                 .split(", ")
                 .map(|x| x.parse().expect("a number"))
                 .collect();
-            let length = split.given[1].split(' ').nth(4).expect("a length");
-            let length: f64 = length.parse().expect("a number");
+            let length: f64 = split.given[1]
+                .split(' ')
+                .nth(4)
+                .expect("a length")
+                .parse()
+                .expect("a number");
             let bounds = |i: usize| {
                 let half = if i == 5 { 0.5 * length } else { 0.5 };
                 kit::Aabb {

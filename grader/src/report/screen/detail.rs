@@ -185,8 +185,8 @@ fn wrong(out: &mut Lines, report: &TaskReport, reveal: Reveal) {
         out.add(1, 2, &format!("  {}: {reduction}", first.name));
     }
     if let Some([copy, test]) = worst_test::commands(report) {
-        let lines = [format!("  As a test: {copy}"), format!("    {test}")];
-        let lines = lines.map(|line| one_line(&line, out.page.width));
+        let lines = [format!("  As a test: {copy}"), format!("    {test}")]
+            .map(|line| one_line(&line, out.page.width));
         out.blocks.push(Block {
             rank: 2,
             lines: lines.into(),

@@ -30,8 +30,7 @@ pub fn known(root: &Path, stage: &str) -> Result<Known, GraderError> {
 /// The files of a stage without its solutions, by their paths below `src/`.
 pub fn given(root: &Path, stage: &str) -> Result<Files, GraderError> {
     let folder = root.join("stages").join(stage).join("src");
-    let files = sources::paths(root, stage)?.into_iter();
-    let files = files.map(|path| {
+    let files = sources::paths(root, stage)?.into_iter().map(|path| {
         let text =
             std::fs::read_to_string(&path).map_err(|e| GraderError::file("read", &path, e))?;
         let below: PathBuf = path.strip_prefix(&folder).unwrap_or(&path).into();
@@ -58,8 +57,8 @@ pub(crate) fn in_folders(root: &Path, folders: &[&str]) -> Result<Files, GraderE
             false => Vec::from_iter(folder.is_file().then_some(folder)),
         };
         for path in paths {
-            let text = std::fs::read_to_string(&path);
-            let text = text.map_err(|e| GraderError::file("read", &path, e))?;
+            let text =
+                std::fs::read_to_string(&path).map_err(|e| GraderError::file("read", &path, e))?;
             let name = path.strip_prefix(root).unwrap_or(&path).into();
             files.insert(name, without_solutions(&text).into_bytes());
         }

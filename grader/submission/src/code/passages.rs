@@ -80,8 +80,9 @@ impl Text {
             }
         }
         fingerprints.retain(|_, places| places.len() <= MOST_PLACES);
-        let all = fingerprints.iter();
-        let all = all.flat_map(|(hash, places)| places.iter().map(|place| (*place, *hash)));
+        let all = fingerprints
+            .iter()
+            .flat_map(|(hash, places)| places.iter().map(|place| (*place, *hash)));
         let mut by_place: Vec<(usize, u64)> = all.collect();
         by_place.sort_unstable();
         Text {

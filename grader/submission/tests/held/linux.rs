@@ -141,8 +141,9 @@ fn attempts_that_lead_out(level: &Containment, attempts: &[Attempt], mark: &str)
     let listener = UnixDatagram::bind(&path).expect("a socket can be bound");
     open_to(&path, 0o777);
     listener.set_nonblocking(true).expect("it can be set");
-    let names = attempts.iter().map(|Attempt { name, .. }| *name);
-    let names: Vec<String> = names
+    let names: Vec<String> = attempts
+        .iter()
+        .map(|Attempt { name, .. }| *name)
         .map(|name| format!("{name}:{mark}{}", path.display()))
         .collect();
     let run = run(level, &names);

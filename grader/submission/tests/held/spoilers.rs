@@ -309,8 +309,8 @@ fn reads_memory() -> bool {
     static SECRET: [u8; 8] = *b"a secret";
     let path = format!("/proc/self/task/{}/mem", std::process::id());
     let mut read = [0; 8];
-    let got = std::fs::File::open(path);
-    let got = got.and_then(|it| it.read_exact_at(&mut read, black_box(&SECRET).as_ptr() as u64));
+    let got = std::fs::File::open(path)
+        .and_then(|it| it.read_exact_at(&mut read, black_box(&SECRET).as_ptr() as u64));
     got.is_ok() && read == SECRET
 }
 

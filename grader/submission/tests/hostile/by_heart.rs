@@ -124,8 +124,9 @@ fn returning_early(stage: &str, file: &str, function: &str, early: &str) -> File
 }
 
 fn change(files: &mut Files, path: &str, change: &dyn Fn(&str) -> String) {
-    let contents = files.get_mut(path.as_ref() as &std::path::Path);
-    let contents = contents.expect("the stage has the file");
+    let contents = files
+        .get_mut(path.as_ref() as &std::path::Path)
+        .expect("the stage has the file");
     let text = String::from_utf8(contents.clone()).expect("sources are UTF-8");
     let changed = change(&text);
     assert_ne!(changed, text, "{path} has no place for it");

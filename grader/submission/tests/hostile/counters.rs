@@ -126,8 +126,11 @@ pub fn occludes_bvh<W: World>(bvh: &Bvh, ray: &Ray, world: &mut W) -> bool {
 fn counters_that_are_set_back_earn_nothing() {
     let sandboxed = Class::open();
     let files = reference("bvh");
-    let honest = sandboxed.grade_stage("bvh", &files, "part2.task3", 1);
-    let honest = honest.expect("it is graded").report.scores;
+    let honest = sandboxed
+        .grade_stage("bvh", &files, "part2.task3", 1)
+        .expect("it is graded")
+        .report
+        .scores;
     assert_eq!(honest.score, honest.max_score);
     assert_eq!(honest.robust_score, honest.robust_max_score);
 

@@ -88,8 +88,9 @@ fn forbidden_code_that_is_not_scanned_does_not_compile() {
 #[test]
 #[ignore = "builds each submission: minutes"]
 fn files_that_the_compiler_could_read_are_no_use() {
-    let open = corpus::levels().into_iter();
-    let mut open = open.filter(|level| !level.closes_files() && level.seals());
+    let mut open = corpus::levels()
+        .into_iter()
+        .filter(|level| !level.closes_files() && level.seals());
     let class = Class::with(open.next_back().expect("a level without Landlock"));
     let mut wrong = Vec::new();
     for case in cases("scan") {

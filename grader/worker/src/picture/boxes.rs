@@ -18,8 +18,10 @@ pub(super) fn boxes(
     let eye = Eye::new(view);
     two_panels(size, |x, y| {
         let ray = eye.through(x, y);
-        let hits = boxes.iter().zip(0_u32..);
-        let hits = hits.filter_map(|(b, i)| Some((bbox::intersect_bbox(b, &ray)?, i)));
+        let hits = boxes
+            .iter()
+            .zip(0_u32..)
+            .filter_map(|(b, i)| Some((bbox::intersect_bbox(b, &ray)?, i)));
         let (mut inside, mut nearest) = (0.0, None);
         for (interval, i) in hits {
             inside += interval.max - interval.min;

@@ -17,8 +17,11 @@ fn scripts() -> PathBuf {
 /// Runs `tests/explore/SCRIPT` with node, which `.ci/nightly` has looked for.
 fn run_node(script: &str, arguments: &[&Path]) {
     let script = book::folder().join("tests/explore").join(script);
-    let status = Command::new("node").arg(script).args(arguments).status();
-    let status = status.unwrap_or_else(|error| panic!("cannot run node: {error}"));
+    let status = Command::new("node")
+        .arg(script)
+        .args(arguments)
+        .status()
+        .unwrap_or_else(|error| panic!("cannot run node: {error}"));
     assert!(
         status.success(),
         "node ended with {status}; its output says why"
@@ -96,8 +99,9 @@ fn each_explorable_figure_contains_a_picture_and_a_caption() {
 fn scripts_ask_nothing_of_a_server() {
     for file in fs::read_dir(scripts()).expect("the scripts") {
         let file = file.expect("a file").path();
-        let text = fs::read_to_string(&file).expect("it is text");
-        let text = text.replace("http://www.w3.org/2000/svg", "");
+        let text = fs::read_to_string(&file)
+            .expect("it is text")
+            .replace("http://www.w3.org/2000/svg", "");
         for forbidden in [
             "://",
             "import ",

@@ -76,8 +76,9 @@ fn constant(path: &str, name: &str) -> f64 {
     let source = source.expect("the source");
     let after = source.split(&format!("{name}: ")).nth(1);
     let line = after.and_then(|rest| rest.lines().next());
-    let value = line.and_then(|line| line.rsplit("= ").next());
-    let value = value.expect("the constant");
+    let value = line
+        .and_then(|line| line.rsplit("= ").next())
+        .expect("the constant");
     let number = value.split([';', ',', ' ']).next().unwrap_or_default();
     number.replace('_', "").parse().expect("a number")
 }

@@ -111,8 +111,8 @@ fn halvings() -> Vec<Claim> {
 /// Rays through the edges of boxes, by naive slabs, and with the exit made later by the factor of
 /// the reference.
 fn corners_of_boxes() -> Vec<Claim> {
-    let source = std::fs::read_to_string(book::folder().join("../bbox/src/lib.rs"));
-    let source = source.expect("the stage");
+    let source =
+        std::fs::read_to_string(book::folder().join("../bbox/src/lib.rs")).expect("the stage");
     let constant = source.split("const EXIT_WIDENING: f64 = ").nth(1);
     let factor = constant.and_then(|rest| rest.split(" * f64::EPSILON;").next());
     let widening: f64 = factor.and_then(|x| x.parse().ok()).expect("a number");

@@ -153,8 +153,9 @@ pub(super) fn claims() -> Vec<Claim> {
         let (digits, exponent) = text.split_once('e').expect("an exponent");
         format!("${digits} \\cdot 10^{{{exponent}}}$")
     };
-    let blind = EXPONENTS.into_iter().zip(TEXTBOOK);
-    let blind = blind
+    let blind = EXPONENTS
+        .into_iter()
+        .zip(TEXTBOOK)
         .filter(|(_, error)| *error > 0.1)
         .map(|(exponent, _)| exponent)
         .min();

@@ -251,10 +251,14 @@ fn tests(ui: &mut Ui, inspector: &Inspector, commands: &mut Vec<Command>) {
     {
         short(ui, &line, SMALL);
     }
-    let parting = inspected.truth.first_wrong.as_ref();
-    let parting = parting.filter(|(s, r, _)| (*s, *r) == (sample, ray));
-    let wrong = parting.and_then(|(_, _, truth)| truth.parting.as_ref()?.test);
-    let wrong = wrong.map(|test| (test, "WRONG"));
+    let parting = inspected
+        .truth
+        .first_wrong
+        .as_ref()
+        .filter(|(s, r, _)| (*s, *r) == (sample, ray));
+    let wrong = parting
+        .and_then(|(_, _, truth)| truth.parting.as_ref()?.test)
+        .map(|test| (test, "WRONG"));
     if let Some(test) = test_list(ui, scene, record, step, wrong) {
         commands.push(Command::SelectTest(test));
     }
@@ -292,8 +296,9 @@ pub(super) fn test_list(
                     (false, false) => RichText::new(shown).color(test_color(ui, test)),
                 };
                 let line = line.size(SMALL);
-                let response = ui.add(Label::new(line).wrap().sense(Sense::click()));
-                let response = response.on_hover_text(full);
+                let response = ui
+                    .add(Label::new(line).wrap().sense(Sense::click()))
+                    .on_hover_text(full);
                 if i + 1 == step {
                     response.scroll_to_me(None);
                 }

@@ -184,8 +184,10 @@ impl App {
                 let text = RichText::new(format!("{} ({key})", mode.name())).strong();
                 let selected = self.session.mode() == mode;
                 // Without camera rays and intersections there is no picture to render.
-                let why = self.session.missing().why(Feature::Pictures);
-                let why = why
+                let why = self
+                    .session
+                    .missing()
+                    .why(Feature::Pictures)
                     .filter(|_| mode == Mode::Render)
                     .map(ToString::to_string);
                 let button = egui::Button::selectable(selected, text);

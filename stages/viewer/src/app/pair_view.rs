@@ -38,8 +38,10 @@ impl PairTextures {
 /// A picture as egui has it.
 pub(super) fn color_image(image: &Image) -> ColorImage {
     let [w, h] = image.size();
-    let pixels = image.pixels().iter();
-    let pixels = pixels.map(|[r, g, b]| Color32::from_rgb(*r, *g, *b));
+    let pixels = image
+        .pixels()
+        .iter()
+        .map(|[r, g, b]| Color32::from_rgb(*r, *g, *b));
     ColorImage::new([w as usize, h as usize], pixels.collect())
 }
 

@@ -325,8 +325,10 @@ fn orders(ui: &mut Ui, orders: &[ChildOrder], commands: &mut Vec<Command>) {
     if orders.is_empty() {
         return;
     }
-    let wrong = orders.iter().filter(|order| !order.is_nearer_first());
-    let wrong = wrong.count();
+    let wrong = orders
+        .iter()
+        .filter(|order| !order.is_nearer_first())
+        .count();
     ui.label(RichText::new("Order of children").strong());
     ui.weak(format!(
         "nearer first at {} of {} nodes",

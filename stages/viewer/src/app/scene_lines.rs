@@ -59,8 +59,9 @@ fn selection(lines: &Lines<'_>, session: &Session) {
         let stroke = Stroke::new(3.0, color);
         match element {
             Element::Vertex(v) => {
-                let moved = session.selected_vertex_position();
-                let moved = moved.filter(|_| session.selection() == Some(element));
+                let moved = session
+                    .selected_vertex_position()
+                    .filter(|_| session.selection() == Some(element));
                 lines.disc(moved.unwrap_or(topology.position(v)), 5.0, color);
             }
             Element::Edge(a, b) => {

@@ -94,8 +94,8 @@ pub(super) fn settings(ui: &mut Ui, session: &mut Session, commands: &mut Vec<Co
                 let mut is_on = settings.light.adaptive.is_some();
                 let is_written = missing.why(Feature::Adaptive).is_none();
                 let checkbox = egui::Checkbox::without_text(&mut is_on);
-                let checkbox = outlined(ui, |ui| ui.add_enabled(is_written, checkbox));
-                let checkbox = checkbox.labelled_by(label);
+                let checkbox =
+                    outlined(ui, |ui| ui.add_enabled(is_written, checkbox)).labelled_by(label);
                 if checkbox.changed() {
                     commands.push(Command::ToggleAdaptive);
                 }
@@ -164,12 +164,15 @@ const CURVES: [(ToneCurve, &str); 3] = [
 fn tone(ui: &mut Ui, tone: &mut Tone) {
     let label = ui.label("exposure, tone").id;
     ui.horizontal(|ui| {
-        let stops = DragValue::new(&mut tone.exposure).range(-20.0..=20.0);
-        let stops = stops.speed(0.05).max_decimals(2);
+        let stops = DragValue::new(&mut tone.exposure)
+            .range(-20.0..=20.0)
+            .speed(0.05)
+            .max_decimals(2);
         ui.add(stops).labelled_by(label);
         let name = CURVES.iter().find(|(curve, _)| *curve == tone.curve);
-        let field = ComboBox::from_id_salt("tone").width(80.0);
-        let field = field.selected_text(name.map_or("", |(_, name)| name));
+        let field = ComboBox::from_id_salt("tone")
+            .width(80.0)
+            .selected_text(name.map_or("", |(_, name)| name));
         let shown = field.show_ui(ui, |ui| {
             for (curve, name) in CURVES {
                 ui.selectable_value(&mut tone.curve, curve, name);
@@ -306,8 +309,9 @@ pub(super) fn progress(ui: &mut Ui, session: &mut Session, commands: &mut Vec<Co
     facts(ui, "render", &rows);
     ui.horizontal_wrapped(|ui| {
         let name = if is_running { "Stop (P)" } else { "Resume (P)" };
-        let button = ui.add_enabled(!is_done, egui::Button::new(name));
-        let button = button.on_disabled_hover_text("The picture is complete");
+        let button = ui
+            .add_enabled(!is_done, egui::Button::new(name))
+            .on_disabled_hover_text("The picture is complete");
         if button.clicked() {
             commands.push(Command::StopOrResume);
         }
@@ -322,8 +326,9 @@ pub(super) fn progress(ui: &mut Ui, session: &mut Session, commands: &mut Vec<Co
         let compares = session.comparison().is_some();
         let toggle_alone = |ui: &mut Ui, is_on: bool, label: &str| {
             let button = egui::Button::selectable(is_on && !compares, label);
-            let response = ui.add_enabled(!compares, button);
-            let response = response.on_disabled_hover_text("A and B are shown: end the comparison");
+            let response = ui
+                .add_enabled(!compares, button)
+                .on_disabled_hover_text("A and B are shown: end the comparison");
             response.clicked()
         };
         if toggle_alone(ui, session.cell_mode(), "Cell (C)") {
@@ -443,8 +448,11 @@ fn of_file(ui: &mut Ui, session: &mut Session, picture: &Reference, commands: &m
             rows.push(("linear", radiance.map(|c| format!("{c:.5}")).join(" ")));
         }
         if let Some((_, layer)) = session.layer() {
-            let values = layer.get(x, y).into_iter().map(|value| value.to_string());
-            let values: Vec<String> = values.collect();
+            let values: Vec<String> = layer
+                .get(x, y)
+                .into_iter()
+                .map(|value| value.to_string())
+                .collect();
             rows.push((
                 "layer",
                 format!("{}: {}", layer.channels.join(" "), values.join(" ")),

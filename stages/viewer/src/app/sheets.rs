@@ -74,8 +74,9 @@ fn path_sheet(
         let heading = ui.heading(heading).id;
         ui.label(about);
         let field = TextEdit::singleline(&mut text).desired_width(f32::INFINITY);
-        let field = ui.add(field.hint_text("scenes/dae/cornell_whale.dae"));
-        let field = field.labelled_by(heading);
+        let field = ui
+            .add(field.hint_text("scenes/dae/cornell_whale.dae"))
+            .labelled_by(heading);
         if !field.has_focus() && !field.lost_focus() {
             field.request_focus();
         }
@@ -91,8 +92,10 @@ fn path_sheet(
         ui.label(RichText::new(session.message()).size(text::SMALL));
         if path_use == PathUse::Open {
             let recent = session.recent();
-            let others = session.course_scenes().iter();
-            let others = others.filter(|scene| !recent.contains(scene));
+            let others = session
+                .course_scenes()
+                .iter()
+                .filter(|scene| !recent.contains(scene));
             let known = recent.iter().chain(others);
             ScrollArea::vertical().max_height(180.0).show(ui, |ui| {
                 for path in known {

@@ -146,8 +146,12 @@ impl CaseView {
                 boxes.fold(Aabb::EMPTY, |all, b| all.union(*b))
             }
             CaseView::Visits(case) => {
-                let boxes = case.tree.nodes.iter().map(|node| node.bounds);
-                let boxes = boxes.filter(is_drawn);
+                let boxes = case
+                    .tree
+                    .nodes
+                    .iter()
+                    .map(|node| node.bounds)
+                    .filter(is_drawn);
                 let all = boxes.fold(case.scene.bounds(), Aabb::union);
                 all.grown_by(case.record.ray.o)
             }

@@ -149,8 +149,10 @@ impl LightCase {
         let corners = self.panels.iter().flat_map(|panel| panel.corners);
         let points = self.points.iter().map(|point| point.p);
         let origins = self.rays.iter().map(|traced| traced.ray.o);
-        let all = corners.chain(points).chain(origins);
-        let all = all.chain(self.lights.iter().copied());
+        let all = corners
+            .chain(points)
+            .chain(origins)
+            .chain(self.lights.iter().copied());
         all.filter(|p| p.is_finite())
             .fold(Aabb::EMPTY, Aabb::grown_by)
     }

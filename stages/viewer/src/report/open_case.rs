@@ -75,8 +75,11 @@ impl CaseContent {
                     let findings = judge::judge_written(spec, case.tier, &answer, &not_written);
                     let is_judged =
                         |finding: &&Finding| finding.judged > 0 || not_written.is_empty();
-                    let wrong = findings.iter().filter(|finding| !finding.passed());
-                    let wrong = wrong.filter(is_judged).map(sentence);
+                    let wrong = findings
+                        .iter()
+                        .filter(|finding| !finding.passed())
+                        .filter(is_judged)
+                        .map(sentence);
                     content.wrong_now = Some(wrong.collect());
                     if !not_written.is_empty() {
                         let names = not_written.join(", ");

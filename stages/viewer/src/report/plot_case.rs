@@ -246,8 +246,8 @@ mod tests {
 
     #[test]
     fn reflectances_of_one_glass_are_beside_the_right_ones() {
-        let calls = [(1.0, 1.5), (0.0, 1.5), (1.0, 2.0), (0.5, 1.5)];
-        let calls = calls.map(|(cos_i, eta)| Fresnel { cos_i, eta });
+        let calls = [(1.0, 1.5), (0.0, 1.5), (1.0, 2.0), (0.5, 1.5)]
+            .map(|(cos_i, eta)| Fresnel { cos_i, eta });
         let answers = [0.25, 1.0, 0.0, f64::NAN].map(Share);
         let plot = PlotCase::of_fresnel(&calls, &answers, 0).expect("a call of this function");
         // From grazing to straight: all of the light, and ((1.5 - 1) / (1.5 + 1))².

@@ -60,8 +60,9 @@ impl ScatterCase {
             points.collect::<Vec<Vec3>>()
         };
         let pairs = probes.iter().zip(answers);
-        let samples = pairs.filter(|(probe, _)| probe.wo[2] * side > 0.0);
-        let samples = samples.filter_map(|(_, answer)| answer.sample);
+        let samples = pairs
+            .filter(|(probe, _)| probe.wo[2] * side > 0.0)
+            .filter_map(|(_, answer)| answer.sample);
         Some(ScatterCase {
             wo: upright(probe.wo),
             wi: Some(upright(probe.wi)),
@@ -100,8 +101,10 @@ impl ScatterCase {
 
     /// A box around the surface and unit directions on both of its sides.
     pub fn bounds(&self) -> Aabb {
-        let ends = [Some(self.wo), self.wi, self.expected, self.yours];
-        let ends = ends.into_iter().flatten().chain(self.samples.clone());
+        let ends = [Some(self.wo), self.wi, self.expected, self.yours]
+            .into_iter()
+            .flatten()
+            .chain(self.samples.clone());
         let flat = Aabb::of([Vec3::new(-1.0, 0.0, -1.0), Vec3::ONE]);
         ends.filter(|p| p.is_finite())
             .map(|p| p.clamp_length_max(LONGEST))

@@ -57,8 +57,9 @@ impl Session {
         cell: Cell,
         rate: Option<u32>,
     ) -> Result<(), String> {
-        let output = Output::create(path).map_err(|why| why.to_string())?;
-        let output = output.with_tone(self.tone);
+        let output = Output::create(path)
+            .map_err(|why| why.to_string())?
+            .with_tone(self.tone);
         let written = match rate {
             Some(samples) => output.write_rate(film, cell, samples),
             None => output.write(film, cell),

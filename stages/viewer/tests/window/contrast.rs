@@ -34,8 +34,10 @@ fn contrast(picture: &image::RgbaImage, rect: egui::Rect) -> f64 {
             *counts.entry([r, g, b]).or_default() += 1;
         }
     }
-    let background = counts.iter().max_by_key(|(_, count)| **count);
-    let background = background.map_or(0.0, |(color, _)| luminance(*color));
+    let background = counts
+        .iter()
+        .max_by_key(|(_, count)| **count)
+        .map_or(0.0, |(color, _)| luminance(*color));
     let contrasts = counts.keys().map(|color| {
         let text = luminance(*color);
         (text.max(background) + 0.05) / (text.min(background) + 0.05)

@@ -197,8 +197,9 @@ fn differing_pixels_of_a_case_have_their_cause() {
         lost += usize::from(hit.take().is_some());
     }
     let goldens = golden_folder(Path::new(env!("CARGO_MANIFEST_DIR"))).expect("the project's");
-    let pair = of_case(&goldens, &spec, judge::Tier::Core, &answer);
-    let pair = pair.expect("a picture").expect("a golden one");
+    let pair = of_case(&goldens, &spec, judge::Tier::Core, &answer)
+        .expect("a picture")
+        .expect("a golden one");
     let [cause] = pair.legend.as_slice() else {
         panic!("one cause: {:?}", pair.legend)
     };

@@ -159,13 +159,14 @@ pub(super) fn unpack(
             })?
         }
         Revision::Before(time) => {
-            let found = git.text(&["rev-list", "-1", &format!("--before={time}"), "HEAD", "--"]);
-            let found = found.map_err(|error| match error {
-                Unreadable::Damaged(why) if why.contains("bad revision 'HEAD'") => {
-                    Unreadable::Damaged("is a clone without a commit".into())
-                }
-                error => error,
-            })?;
+            let found = git
+                .text(&["rev-list", "-1", &format!("--before={time}"), "HEAD", "--"])
+                .map_err(|error| match error {
+                    Unreadable::Damaged(why) if why.contains("bad revision 'HEAD'") => {
+                        Unreadable::Damaged("is a clone without a commit".into())
+                    }
+                    error => error,
+                })?;
             if found.is_empty() {
                 return Err(Unreadable::Damaged(format!(
                     "has no commit before {time}: its first commit is later"
@@ -217,8 +218,10 @@ fn clone_in(folder: &Path) -> Result<PathBuf, Unreadable> {
     if let Some(found) = candidates.into_iter().find(|path| is_git(path)) {
         return Ok(found);
     }
-    let below = std::fs::read_dir(folder).into_iter().flatten().flatten();
-    let mut below: Vec<PathBuf> = below
+    let mut below: Vec<PathBuf> = std::fs::read_dir(folder)
+        .into_iter()
+        .flatten()
+        .flatten()
         .filter(|entry| entry.file_type().is_ok_and(|kind| kind.is_dir()))
         .map(|entry| entry.path().join(".git"))
         .filter(|path| is_git(path))
@@ -393,8 +396,8 @@ impl Git {
             &format!("{commit}^@"),
             "--",
         ]);
-        let parents = parents.unwrap_or_default();
         let parents: Vec<i64> = parents
+            .unwrap_or_default()
             .lines()
             .filter_map(|line| line.parse().ok())
             .collect();

@@ -242,8 +242,11 @@ fn spread(
             )
         });
     }
-    let offsets = samples.iter().flat_map(|samples| &samples.offsets);
-    let offsets: Vec<[f64; 2]> = offsets.copied().collect();
+    let offsets: Vec<[f64; 2]> = samples
+        .iter()
+        .flat_map(|samples| &samples.offsets)
+        .copied()
+        .collect();
     let mean_of =
         |f: &dyn Fn(&[f64; 2]) -> f64| offsets.iter().map(f).sum::<f64>() / offsets.len() as f64;
     let mut test = |fault, name: &str, mean: f64, right: f64, variance: f64| {

@@ -4,8 +4,8 @@ use wire::work::{PixelWork, PixelWorld};
 
 /// The simple questions about pixels: one sample first, then the means of a few.
 pub(crate) fn questions() -> Vec<PixelWork> {
-    let one_sample = [[1, 1], [2, 1], [1, 2], [2, 2], [4, 2]];
-    let one_sample = one_sample.map(|film| work(film, 1, PixelWorld::Ramp));
+    let one_sample =
+        [[1, 1], [2, 1], [1, 2], [2, 2], [4, 2]].map(|film| work(film, 1, PixelWorld::Ramp));
     let white = PixelWorld::Constant([1.0; 3]);
     let blinking = PixelWorld::Flicker([2.0; 3]);
     let bright = PixelWorld::Constant([8.0, 4.0, 2.0]);

@@ -38,8 +38,8 @@ fn triangles() -> Vec<[Xyz; 6]> {
         [a, b, c, n, n, n]
     };
     let upright = |turn| {
-        let corners = [[0.0; 3], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]];
-        let corners = corners.map(|corner| permuted(corner, turn));
+        let corners =
+            [[0.0; 3], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]].map(|corner| permuted(corner, turn));
         flat(corners, permuted([0.0, 0.0, 1.0], turn))
     };
     let [a, b, c, n, ..] = upright(0);

@@ -131,8 +131,10 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
 }
 
 fn case(name: &'static str, about: &'static str, probes: Vec<(Aabb, Ray)>) -> Spec {
-    let boxes = probes.iter().map(|(b, _)| [b.min.into(), b.max.into()]);
-    let boxes = boxes.collect();
+    let boxes = probes
+        .iter()
+        .map(|(b, _)| [b.min.into(), b.max.into()])
+        .collect();
     let probes = (0..).zip(&probes).map(|(shape, (_, ray))| Probe {
         shape,
         ray: wire_ray(ray),

@@ -41,8 +41,13 @@ impl Check for kind::Boxes {
     /// NaN.
     fn symmetries(work: &BoxWork) -> Symmetries {
         let rays = || work.probes.iter().map(|probe| &probe.ray);
-        let numbers = work.boxes.iter().flatten().flatten().copied();
-        let numbers = numbers.chain(rays().flat_map(ray_numbers));
+        let numbers = work
+            .boxes
+            .iter()
+            .flatten()
+            .flatten()
+            .copied()
+            .chain(rays().flat_map(ray_numbers));
         let is_plain = work.probes.iter().all(|probe| {
             let [min, max] = work.boxes[probe.shape as usize];
             let Ray { o, d, .. } = probe.ray;

@@ -60,8 +60,9 @@ pub(crate) fn questions() -> Vec<BoxWork> {
                 }
             }
             let corners = |probe: &Probe| BOXES[probe.shape as usize];
-            let simplest = sorted(of_kind, complexity_of).into_iter();
-            let simplest = simplest.filter(|probe| is_decided(&corners(probe), &probe.ray));
+            let simplest = sorted(of_kind, complexity_of)
+                .into_iter()
+                .filter(|probe| is_decided(&corners(probe), &probe.ray));
             decided.extend(simplest.take(MOST_OF_A_KIND));
         }
     }

@@ -9,13 +9,18 @@ use wire::work::{Node, NodeKind, ScriptedRay, ScriptedWorld, Tree};
 pub(super) fn input(world: &ScriptedWorld, call: usize) -> Option<String> {
     let scripted = world.rays.get(call)?;
     let nodes = plural(world.tree.nodes.len(), "node", "nodes");
-    let each = world.tree.nodes.iter().zip(&scripted.spans);
-    let each = each.enumerate().map(|(at, (node, span))| {
-        format!(
-            "node {at}: {}",
-            self::node(world, node, *span, &scripted.prims)
-        )
-    });
+    let each = world
+        .tree
+        .nodes
+        .iter()
+        .zip(&scripted.spans)
+        .enumerate()
+        .map(|(at, (node, span))| {
+            format!(
+                "node {at}: {}",
+                self::node(world, node, *span, &scripted.prims)
+            )
+        });
     let listed = few(each, "; ").filter(|listed| !listed.is_empty());
     let listed = match listed {
         Some(listed) => format!(": {listed}"),

@@ -417,8 +417,10 @@ fn layers() -> ScriptedWorld {
             rays.push(along(axis, -1.0, start));
         }
     }
-    let plan = stacks.into_iter().reduce(TreePlan::split);
-    let plan = plan.unwrap_or_else(|| leaf(&[]));
+    let plan = stacks
+        .into_iter()
+        .reduce(TreePlan::split)
+        .unwrap_or_else(|| leaf(&[]));
     CrossScene::new(crosses, &plan).closest(&rays)
 }
 

@@ -54,8 +54,10 @@ impl Check for kind::Traverse {
 
     fn moved(world: &ScriptedWorld, by: &Move) -> ScriptedWorld {
         let rays = world.rays.iter().map(|ray| {
-            let spans = ray.spans.iter();
-            let spans = spans.map(|span| span.map(|ends| ends.map(|t| by.t(t))));
+            let spans = ray
+                .spans
+                .iter()
+                .map(|span| span.map(|ends| ends.map(|t| by.t(t))));
             let prims = ray.prims.iter().map(|t| t.map(|t| by.t(t)));
             ScriptedRay {
                 ray: by.ray(&ray.ray),

@@ -97,9 +97,13 @@ assert_eq!(shortened, Ray {{ max_t: {t}, ..ray }});
 /// The primitives that are hit first in the ray's range, all at the same `t`.
 fn closest(scripted: &ScriptedRay) -> Vec<(usize, f64)> {
     let range = scripted.ray.min_t..=scripted.ray.max_t;
-    let met = scripted.prims.iter().enumerate();
-    let met = met.filter_map(|(id, t)| Some((id, (*t)?)));
-    let met: Vec<(usize, f64)> = met.filter(|(_, t)| range.contains(t)).collect();
+    let met: Vec<(usize, f64)> = scripted
+        .prims
+        .iter()
+        .enumerate()
+        .filter_map(|(id, t)| Some((id, (*t)?)))
+        .filter(|(_, t)| range.contains(t))
+        .collect();
     let first = met.iter().map(|(_, t)| *t).fold(f64::INFINITY, f64::min);
     met.into_iter().filter(|(_, t)| *t == first).collect()
 }

@@ -56,8 +56,10 @@ impl Check for kind::Roulette {
     }
 
     fn moved(work: &RouletteWork, by: &Move) -> RouletteWork {
-        let paths = work.paths.iter();
-        let paths = paths.map(|(throughput, bounces)| (by.permuted(*throughput), *bounces));
+        let paths = work
+            .paths
+            .iter()
+            .map(|(throughput, bounces)| (by.permuted(*throughput), *bounces));
         RouletteWork {
             paths: paths.collect(),
             numbers: work.numbers.clone(),

@@ -143,11 +143,13 @@ impl Check for kind::AdaptivePixels {
 
     fn moved_back(answers: &Vec<AdaptiveAnswer>, back: &Move) -> Vec<AdaptiveAnswer> {
         let each = answers.iter().map(|answer| {
-            let calls = answer.rule_calls.iter();
-            let calls = calls.map(|&(count, mean, variance, tolerance)| {
-                let [mean, variance] = [back.luminance(mean), back.squared_luminance(variance)];
-                (count, mean, variance, tolerance)
-            });
+            let calls = answer
+                .rule_calls
+                .iter()
+                .map(|&(count, mean, variance, tolerance)| {
+                    let [mean, variance] = [back.luminance(mean), back.squared_luminance(variance)];
+                    (count, mean, variance, tolerance)
+                });
             AdaptiveAnswer {
                 rule_calls: calls.collect(),
                 radiance: back.light(answer.radiance),

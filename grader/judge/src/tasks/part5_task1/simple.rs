@@ -11,8 +11,12 @@ pub(crate) fn rules() -> Vec<Vec<StopCall>> {
     let bright = [1, 2, 32].map(|count| vec![(count, 10.0), (count, 20.0)]);
     // The error is 1.96 / 1.964 of the mean.
     let seven_to_three = vec![(7, 0.0), (3, 2.0)];
-    let runs = [Vec::new()].into_iter().chain(equal);
-    let runs = runs.chain(different).chain(bright).chain([seven_to_three]);
+    let runs = [Vec::new()]
+        .into_iter()
+        .chain(equal)
+        .chain(different)
+        .chain(bright)
+        .chain([seven_to_three]);
     let many = [50, 200].map(|count| vec![(count, 0.0), (count, 2.0)]);
     let calls = |runs: Vec<(u32, f64)>, tolerances: &[f64]| {
         let call = |&tolerance: &f64| StopCall {

@@ -9,9 +9,11 @@ const FEWEST_SAMPLES: (&str, i64) = ("FEWEST_SAMPLES", 256);
 const NEAR: i64 = 50;
 
 pub(super) fn input(call: &StopCall) -> String {
-    let runs = call.runs.iter();
-    let runs = runs.map(|&(samples, luminance)| format!("{} of {luminance:?}", count(samples)));
-    let runs: Vec<String> = runs.collect();
+    let runs: Vec<String> = call
+        .runs
+        .iter()
+        .map(|&(samples, luminance)| format!("{} of {luminance:?}", count(samples)))
+        .collect();
     format!(
         "samples: {}; tolerance = {:?}; the plain rule returns {}",
         runs.join(", "),

@@ -151,8 +151,11 @@ impl Call<'_> {
     /// A hit beyond the range of the ray, and not only by the rounding of its `t`, is a false one.
     pub(crate) fn is_in_range(&mut self, expected: &Expected, t: f64) {
         let (min_t, max_t) = (self.ray.min_t, self.ray.max_t);
-        let rounding = expected.hits.iter().map(|hit| hit.t_bound);
-        let rounding = rounding.fold(0.0, f64::max);
+        let rounding = expected
+            .hits
+            .iter()
+            .map(|hit| hit.t_bound)
+            .fold(0.0, f64::max);
         let is_in_range = min_t - rounding <= t && t <= max_t + rounding;
         let class = wrong_unless(is_in_range, || Class::FalseHit);
         self.judge_class(Aspect::HitOrMiss, class, 1.0, |function| {

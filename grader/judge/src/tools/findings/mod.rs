@@ -266,8 +266,11 @@ mod tests {
     fn each_function_is_counted_by_itself_and_each_call_once() {
         let finding = judged(3);
         assert_eq!((finding.judged, finding.wrong), (4, 1));
-        let counts = finding.functions.iter();
-        let counts: Vec<_> = counts.map(|f| (f.function, f.judged, f.wrong)).collect();
+        let counts: Vec<_> = finding
+            .functions
+            .iter()
+            .map(|f| (f.function, f.judged, f.wrong))
+            .collect();
         assert_eq!(counts, [("test", 4, 0), ("record", 4, 1)]);
         assert_eq!(finding.passed_by("test"), Some(true));
         assert_eq!(finding.passed_by("record"), Some(false));

@@ -22,8 +22,10 @@ pub(crate) fn call(runs: Vec<(u32, f64)>, rule: bool) -> StopCall {
 /// The input of a call, as text.
 pub(crate) fn input(call: &StopCall) -> String {
     let samples: u64 = call.runs.iter().map(|(count, _)| u64::from(*count)).sum();
-    let runs = call.runs.iter();
-    let runs = runs.map(|(count, luminance)| format!("{count} of {luminance:?}"));
+    let runs = call
+        .runs
+        .iter()
+        .map(|(count, luminance)| format!("{count} of {luminance:?}"));
     let runs = few(runs, ", ").filter(|runs| !runs.is_empty());
     let runs = runs.map_or_else(String::new, |runs| format!(" ({runs})"));
     format!("samples: {samples}{runs}, tolerance = {:?}", call.tolerance)
@@ -63,8 +65,10 @@ pub(crate) fn moved(calls: &[StopCall], by: &Move) -> Vec<StopCall> {
 /// Answers, moved back.
 pub(crate) fn moved_back(answers: &[StopAnswer], back: &Move) -> Vec<StopAnswer> {
     let of_one = |answer: &StopAnswer| {
-        let calls = answer.rule_calls.iter();
-        let calls = calls.map(|&(count, mean, tolerance)| (count, back.luminance(mean), tolerance));
+        let calls = answer
+            .rule_calls
+            .iter()
+            .map(|&(count, mean, tolerance)| (count, back.luminance(mean), tolerance));
         StopAnswer {
             stop: answer.stop,
             rule_calls: calls.collect(),
@@ -121,8 +125,9 @@ pub(crate) const MOST_SAMPLES: usize = 40;
 
 /// Adds the lines that define `samples`; `None` if there are too many to read.
 pub(crate) fn define_samples(text: &mut String, call: &StopCall) -> Option<()> {
-    let runs = call.runs.iter();
-    let runs: Vec<String> = runs
+    let runs: Vec<String> = call
+        .runs
+        .iter()
         .map(|(count, x)| format!("({count}, {})", float(*x)))
         .collect();
     let _ = writeln!(

@@ -94,8 +94,9 @@ impl AxisMoves {
             AxisMoves::Fixed => vec![Axes::SAME],
             AxisMoves::HalfTurns => half_turns.to_vec(),
             AxisMoves::Permutations => {
-                let pairs = (0..3).flat_map(|x| [0, 1, 2].map(|y| [x, y]));
-                let pairs = pairs.filter(|[x, y]| x != y);
+                let pairs = (0..3)
+                    .flat_map(|x| [0, 1, 2].map(|y| [x, y]))
+                    .filter(|[x, y]| x != y);
                 pairs.map(|[x, y]| permuted([x, y, 3 - x - y])).collect()
             }
             AxisMoves::AroundZ => {

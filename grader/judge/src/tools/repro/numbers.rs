@@ -21,8 +21,7 @@ pub(crate) fn ray(text: &mut String, ray: &Ray) {
 
 /// The line that asserts that the variable `after` equals `ray`, which has this value.
 pub(crate) fn unchanged(after: &str, ray: &Ray) -> String {
-    let fields = ray.o.into_iter().chain(ray.d);
-    let mut fields = fields.chain([ray.min_t, ray.max_t]);
+    let mut fields = ray.o.into_iter().chain(ray.d).chain([ray.min_t, ray.max_t]);
     match fields.any(f64::is_nan) {
         // A NaN is not equal to itself.
         true => format!("assert_eq!(format!(\"{{{after}:?}}\"), format!(\"{{ray:?}}\"));\n"),

@@ -99,8 +99,9 @@ fn shortest(number: f64) -> String {
 impl Line {
     /// The question, as text.
     pub fn asked(&self) -> String {
-        let fields = self.question.iter();
-        let fields: Vec<String> = fields
+        let fields: Vec<String> = self
+            .question
+            .iter()
             .map(|(name, value)| format!("{name}={value}"))
             .collect();
         fields.join(" ")
@@ -113,8 +114,9 @@ impl Line {
         if self.is_miss() {
             return MISS.into();
         }
-        let fields = self.answer.iter();
-        let fields: Vec<String> = fields
+        let fields: Vec<String> = self
+            .answer
+            .iter()
             .map(|(name, value)| format!("{name}={value}"))
             .collect();
         fields.join(" ")

@@ -29,9 +29,11 @@ impl Calls {
     pub(super) fn of_x32_too(&mut self) {
         #[cfg(target_arch = "x86_64")]
         {
-            let doubled = self.0.iter();
-            let doubled = doubled.map(|(call, rules)| (*call | X32_BIT, rules.clone()));
-            let doubled: Vec<_> = doubled.collect();
+            let doubled: Vec<_> = self
+                .0
+                .iter()
+                .map(|(call, rules)| (*call | X32_BIT, rules.clone()))
+                .collect();
             self.0.extend(doubled);
         }
     }
@@ -53,8 +55,9 @@ impl Calls {
         conditions: &[Condition],
         length: SeccompCmpArgLen,
     ) -> Result<(), String> {
-        let conditions = conditions.iter().cloned();
         let conditions: Result<Vec<_>, _> = conditions
+            .iter()
+            .cloned()
             .map(|(argument, compare, value)| {
                 SeccompCondition::new(argument, length.clone(), compare, value)
             })

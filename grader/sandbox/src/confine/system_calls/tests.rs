@@ -30,8 +30,11 @@ impl Level {
 
     /// The outcome of a call: the newest filter that denies it decides.
     fn outcome(&self, call: i64, arguments: [u64; 6]) -> Outcome {
-        let outcomes = self.0.iter().rev();
-        let mut outcomes = outcomes.map(|filter| run(filter, call, arguments));
+        let mut outcomes = self
+            .0
+            .iter()
+            .rev()
+            .map(|filter| run(filter, call, arguments));
         let denied = outcomes.find(|outcome| *outcome != Outcome::Allowed);
         denied.unwrap_or(Outcome::Allowed)
     }
@@ -91,8 +94,10 @@ fn every_call_has_the_verdict_of_the_table() {
         let number: i64 = words.next().unwrap().parse().unwrap();
         let name = words.next().unwrap();
         let outcomes = ["compiler", "worker", "sealed"].into_iter().zip(&levels);
-        let allowed = outcomes.filter(|(_, level)| level.allows(number, [0; 6]));
-        let allowed: Vec<&str> = allowed.map(|(name, _)| name).collect();
+        let allowed: Vec<&str> = outcomes
+            .filter(|(_, level)| level.allows(number, [0; 6]))
+            .map(|(name, _)| name)
+            .collect();
         let expected: Vec<&str> = words.collect();
         if allowed != expected {
             wrong.push(format!("{number} {name} {}", allowed.join(" ")));
@@ -104,8 +109,9 @@ fn every_call_has_the_verdict_of_the_table() {
 #[test]
 fn the_table_has_every_number_up_to_its_last() {
     let lines = TABLE.lines().filter(|line| !line.starts_with('#'));
-    let numbers = lines.map(|line| line.split(' ').next().unwrap().parse().unwrap());
-    let numbers: Vec<u32> = numbers.collect();
+    let numbers: Vec<u32> = lines
+        .map(|line| line.split(' ').next().unwrap().parse().unwrap())
+        .collect();
     assert!(numbers.len() > 350);
     assert!(numbers.is_sorted_by(|a, b| a < b), "{numbers:?}");
 }

@@ -85,8 +85,10 @@ pub(super) fn not_a_number() -> TriangleWork {
         for axis in 0..3 {
             for vertex in 0..3 {
                 let mut t = sound;
-                let p = [&mut t.p0, &mut t.p1, &mut t.p2];
-                let p = p.into_iter().nth(vertex).expect("three vertices");
+                let p = [&mut t.p0, &mut t.p1, &mut t.p2]
+                    .into_iter()
+                    .nth(vertex)
+                    .expect("three vertices");
                 *p = with(*p, axis, x);
                 probes.triangle(&t);
                 probes.ray(ray);

@@ -15,8 +15,10 @@ pub(super) fn input(work: &BruteForceWork, call: usize) -> Option<String> {
         let [p0, p1, p2] = [p0, p1, p2].map(|p| point(*p));
         format!("triangle {p0} {p1} {p2}")
     });
-    let spheres = work.spheres.iter();
-    let spheres = spheres.map(|(center, radius)| format!("sphere {}, {radius:?}", point(*center)));
+    let spheres = work
+        .spheres
+        .iter()
+        .map(|(center, radius)| format!("sphere {}, {radius:?}", point(*center)));
     let shapes = few(triangles.chain(spheres), "; ");
     let shapes = shapes.unwrap_or_else(|| plural(count, "shape", "shapes"));
     Some(ray_and(work.rays.get(call)?, &shapes))

@@ -45,8 +45,10 @@ impl Check for kind::BruteForce {
             .triangles
             .iter()
             .flat_map(|[p0, p1, p2, ..]| [*p0, *p1, *p2]);
-        let spheres = work.spheres.iter();
-        let spheres = spheres.flat_map(|(center, radius)| [*center, [*radius; 3]]);
+        let spheres = work
+            .spheres
+            .iter()
+            .flat_map(|(center, radius)| [*center, [*radius; 3]]);
         Symmetries::of_space(triangles.chain(spheres), &work.rays)
     }
 

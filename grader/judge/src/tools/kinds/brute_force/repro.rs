@@ -29,13 +29,15 @@ pub(crate) fn first_of(
     let meets = |expected: Expected| !expected.hits.is_empty();
     let (kind, function, met): (&str, &str, Vec<(usize, String)>) = if spheres.is_empty() {
         let each = triangles.iter().zip(&scene.triangles).enumerate();
-        let met = each.filter(|(_, (_, shape))| meets(truth::triangle(tier, 0, shape, &line)));
-        let met = met.map(|(id, (numbers, _))| (id, triangle_literal(numbers)));
+        let met = each
+            .filter(|(_, (_, shape))| meets(truth::triangle(tier, 0, shape, &line)))
+            .map(|(id, (numbers, _))| (id, triangle_literal(numbers)));
         ("Triangle", "intersect_triangle", met.collect())
     } else if triangles.is_empty() {
         let each = spheres.iter().zip(&scene.spheres).enumerate();
-        let met = each.filter(|(_, (_, shape))| meets(truth::sphere(tier, 0, shape, &line)));
-        let met = met.map(|(id, (numbers, _))| (id, sphere_literal(numbers)));
+        let met = each
+            .filter(|(_, (_, shape))| meets(truth::sphere(tier, 0, shape, &line)))
+            .map(|(id, (numbers, _))| (id, sphere_literal(numbers)));
         ("Sphere", "intersect_sphere", met.collect())
     } else {
         return None;

@@ -188,8 +188,7 @@ impl Estimate<'_> {
     fn zero_bounce(&self, findings: &mut Findings) {
         let emitted = self.point.material.emitted();
         let in_front = self.place.ng.dot(self.point.wo.into()) > 0.0;
-        let right = emitted.filter(|_| in_front);
-        let right = right.map_or(Vec3::ZERO, Vec3::from);
+        let right = emitted.filter(|_| in_front).map_or(Vec3::ZERO, Vec3::from);
         self.radiance(findings, right, &[], &[]);
     }
 

@@ -14,8 +14,12 @@ pub(super) fn multiplied(work: &DirectWork, mut times: impl FnMut(Xyz) -> Xyz) -
             ..*panel
         });
     }
-    let lights = work.world.lights.iter();
-    let lights = lights.map(|light| of_light(*light, &mut times)).collect();
+    let lights = work
+        .world
+        .lights
+        .iter()
+        .map(|light| of_light(*light, &mut times))
+        .collect();
     let environment = work.world.environment.as_ref().map(|map| Surroundings {
         width: map.width,
         texels: map.texels.iter().map(|texel| times(*texel)).collect(),

@@ -59,8 +59,10 @@ pub(super) fn target(sources: &[Source], p: Vec3, recorded: &RecordedRay) -> Tar
             f64::INFINITY
         }
     };
-    let ways = sources.iter().enumerate();
-    let ways = ways.filter_map(|(i, source)| Some((i, along(source)?)));
+    let ways = sources
+        .iter()
+        .enumerate()
+        .filter_map(|(i, source)| Some((i, along(source)?)));
     let nearest = ways.filter(|(_, far)| *far > 0.0).min_by(|a, b| {
         let by_end = off(a.1).total_cmp(&off(b.1));
         by_end.then(a.1.total_cmp(&b.1))
@@ -91,8 +93,9 @@ mod tests {
             intensity: [6.0, 3.0, 1.0],
         };
         let place = ShadingPlace::of(&floor());
-        let sample = sample_of_delta_light(&light, place.p).flatten();
-        let sample = sample.expect("it shines on the floor");
+        let sample = sample_of_delta_light(&light, place.p)
+            .flatten()
+            .expect("it shines on the floor");
         let arriving = place.scattered(sample.wi) * Vec3::from(sample.radiance.to_array());
         let ray = RecordedRay {
             ray: Ray {

@@ -5,6 +5,7 @@ mod closed_pipe;
 mod dependencies;
 mod language_server;
 mod modules;
+mod names;
 mod palette;
 mod pictures;
 mod sizes;

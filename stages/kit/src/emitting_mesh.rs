@@ -4,6 +4,17 @@ use crate::warp;
 use crate::{Spectrum, Triangle, Vec2, Vec3};
 
 /// Emitting triangles as one light, with the running sums of their areas.
+///
+/// ```
+/// use kit::emitting_mesh::EmittingTriangle;
+/// use kit::{EmittingMesh, Spectrum, Vec3};
+/// let half = |p0, e1, e2| EmittingTriangle { p0, e1, e2, front: Vec3::Z };
+/// let square = vec![half(Vec3::ZERO, Vec3::X, Vec3::Y), half(Vec3::X + Vec3::Y, -Vec3::X, -Vec3::Y)];
+/// let mesh = EmittingMesh::new(square, Spectrum::grey(1.0)).expect("an area");
+/// assert_eq!((mesh.len(), mesh.area()), (2, 1.0));
+/// let second = mesh.part(1);
+/// assert_eq!((second.before, second.inverse_area), (0.5, 2.0));
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct EmittingMesh {
     triangles: Vec<EmittingTriangle>,

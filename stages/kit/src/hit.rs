@@ -3,10 +3,23 @@
 use crate::{Vec2, Vec3};
 
 /// Index of a primitive in its scene: triangles first, then spheres.
+///
+/// ```
+/// let first_sphere = kit::PrimId(12); // of a scene with 12 triangles
+/// assert!(kit::PrimId(11) < first_sphere);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct PrimId(pub u32);
 
 /// A ray/triangle hit without shading data: the distance along the ray and the barycentric weights.
+///
+/// ```
+/// use kit::{TriangleHit, Vec3};
+/// let [p0, p1, p2] = [Vec3::ZERO, 4.0 * Vec3::X, 4.0 * Vec3::Y];
+/// let hit = TriangleHit { t: 2.0, b1: 0.25, b2: 0.5 };
+/// let p = (1.0 - hit.b1 - hit.b2) * p0 + hit.b1 * p1 + hit.b2 * p2;
+/// assert_eq!(p, Vec3::new(1.0, 2.0, 0.0));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TriangleHit {
     /// Distance along the ray, in multiples of the length of `ray.d`.
@@ -18,6 +31,16 @@ pub struct TriangleHit {
 }
 
 /// A hit with the data that shading needs, in world space.
+///
+/// ```
+/// use kit::{Hit, PrimId, Ray, Vec2, Vec3};
+/// // A ball of radius 1 around the origin, from above.
+/// let ray = Ray::new(3.0 * Vec3::Z, -Vec3::Z);
+/// let (t, p) = (2.0, Vec3::Z);
+/// let hit = Hit { t, p, n: p, ng: p, uv: Vec2::ZERO, prim: PrimId(0) };
+/// assert_eq!(ray.at(hit.t), hit.p);
+/// assert!(hit.ng.dot(ray.d) < 0.0, "it is hit from outside");
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hit {
     /// Distance along the ray, in multiples of the length of `ray.d`.
@@ -36,6 +59,11 @@ pub struct Hit {
 }
 
 /// A closed interval of `t` along a ray, `min <= max`.
+///
+/// ```
+/// let inside = kit::Interval { min: 1.0, max: 1.0 };
+/// assert!((inside.min..=inside.max).contains(&1.0), "both ends count");
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Interval {
     /// Start of the interval.

@@ -7,6 +7,11 @@
 use std::cell::RefCell;
 
 /// A function that is not written yet: the payload with which a hole unwinds.
+///
+/// ```
+/// let hole = kit::hole::Hole { task: "part1.task3", function: "test_triangle" };
+/// assert_eq!(hole.to_string(), "part1.task3 is not written yet");
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Hole {
     /// Key of the task in `course.toml`, such as `part1.task3`.

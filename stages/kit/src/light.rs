@@ -3,6 +3,14 @@
 use crate::{Spectrum, Vec3};
 
 /// A light source as described in a scene file.
+///
+/// ```
+/// use kit::{Light, Spectrum, Vec3};
+/// let lamp = Light::Point { position: Vec3::Y, intensity: Spectrum::grey(8.0) };
+/// // 8 / 2² at a distance of 2.
+/// let Light::Point { position, intensity } = lamp else { unreachable!() };
+/// assert_eq!(intensity / position.distance_squared(-Vec3::Y), Spectrum::grey(2.0));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Light {
     /// A parallelogram that emits from one side.

@@ -10,6 +10,17 @@ count_cpu() {
     rm "$file"
 }
 
+# Runs a command in this shell, and sets `taken` to the CPU seconds of it. Its exit code is that of the command.
+measure_command() {
+    local before code=0
+    count_cpu
+    before=$cpu
+    "$@" || code=$?
+    count_cpu
+    taken=$((cpu - before))
+    return $code
+}
+
 # A budget in seconds means little on another machine, or on one that others use: both make the same work take more CPU
 # seconds. So a loop of the shell is measured beside the work, and budgets grow with it. It took this many milliseconds
 # on the machine with two cores that the budgets were measured on, while the work was.

@@ -1,5 +1,5 @@
-//! A name keeps its meaning: a chain or a better name says more than the same name, bound again on the
-//! next line.
+//! A name keeps its meaning: a chain or a better name says more than the same name, bound again on
+//! the next line.
 
 use crate::student_loop::root;
 use std::fs;

@@ -51,8 +51,8 @@ struct PixelHit {
 }
 
 impl MeshView {
-    /// The picture, traced with the first of [`kernels::triangles`], the textbook's: once, for all
-    /// kernels whose leaks are drawn in it. `None` if there are no known kernels.
+    /// Returns the picture, which the textbook's kernel traces once, the first of
+    /// [`kernels::triangles`]. `None` if there are no known kernels.
     pub(crate) fn traced() -> Option<&'static MeshView> {
         static VIEW: LazyLock<Option<MeshView>> =
             LazyLock::new(|| kernels::triangles().first().map(MeshView::trace));

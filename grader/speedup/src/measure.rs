@@ -351,24 +351,16 @@ mod tests {
     use super::*;
 
     #[test]
-    fn each_size_is_reported_before_the_next_and_every_step_finds_the_hits_of_brute_force() {
+    fn every_step_finds_the_hits_of_brute_force_with_fewer_tests() {
         let request = LadderRequest {
             mesh: MeshKind::Smooth,
-            largest: 10_000_000,
+            largest: 1000,
             seed: 0,
         };
-        let mut reported = None;
-        let stopped = measure(&request, &mut |ladder| {
-            reported = Some(ladder.clone());
-            Err(GraderError::new("stop"))
-        });
-        assert_eq!(stopped.expect_err("it is stopped").to_string(), "stop");
-        let ladder = reported.expect("the first size is reported");
+        let ladder = measure(&request, &mut |_| Ok(())).expect("the report succeeds");
         assert!(ladder.missing.is_empty(), "{:?}", ladder.missing);
-        let kinds: Vec<RungKind> = ladder.rows.iter().map(|row| row.kind).collect();
-        assert_eq!(kinds, RungKind::ALL);
+        assert_eq!(ladder.rows.len(), RungKind::ALL.len());
         for row in &ladder.rows {
-            assert_eq!(row.triangles, 1000);
             assert_eq!(row.differing_hits, 0, "{row:?}");
             assert!(row.checked_rays >= MIN_RAYS, "{row:?}");
             let bounce = &row.rays[RayKind::Bounce as usize];
@@ -382,5 +374,21 @@ mod tests {
                 assert!(row.bytes > 10 * row.triangles, "{row:?}");
             }
         }
+    }
+
+    #[test]
+    fn each_size_is_reported_before_the_next_is_measured() {
+        let request = LadderRequest {
+            mesh: MeshKind::Terrain,
+            largest: 10_000_000,
+            seed: 0,
+        };
+        let mut reported = Vec::new();
+        let stopped = measure(&request, &mut |ladder| {
+            reported.extend(ladder.rows.iter().map(|row| row.triangles));
+            Err(GraderError::new("stop"))
+        });
+        assert_eq!(stopped.expect_err("it is stopped").to_string(), "stop");
+        assert_eq!(reported, [1000; RungKind::ALL.len()]);
     }
 }

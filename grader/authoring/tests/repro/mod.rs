@@ -130,8 +130,8 @@ fn build(root: &Path, job: &Path, jobs: &[StageJob]) -> BTreeMap<String, PathBuf
         .iter()
         .map(|job| format!("\"{}\"", job.stage))
         .collect();
-    // The stages are not optimised: the long lists of numbers in the tests of a pixel would take ten
-    // times as long to compile.
+    // The stages are not optimised: the long lists of numbers in the tests of a pixel would take
+    // ten times as long to compile.
     let manifest = format!(
         "[workspace]\nresolver = \"3\"\nmembers = [{}]\n\n[workspace.package]\nversion = \"0.1.0\"\nedition = \"2024\"\n\n\
          [workspace.dependencies]\nkit = {{ path = {:?} }}\n\n[profile.dev]\ndebug = false\n\n\

@@ -93,6 +93,8 @@ pub struct Idea {
     /// Another case that shows the idea: if the aspect is mostly right there, the idea is not
     /// missing.
     pub or_in: Option<String>,
+    /// The only function of the task that the case calls; `None` if it calls all of them.
+    pub function: Option<String>,
 }
 
 /// One case and its points.
@@ -368,6 +370,14 @@ impl Task {
             ensure(names.contains(case), || {
                 let key = &self.key;
                 format!("`idea` of `{key}` names the case `{case}`, which the task does not have")
+            })?;
+        }
+        for function in self.idea.iter().filter_map(|idea| idea.function.as_ref()) {
+            ensure(self.holes.contains(function), || {
+                let key = &self.key;
+                format!(
+                    "`idea` of `{key}` names the function `{function}`, which is not one of its `holes`"
+                )
             })?;
         }
         self.check_examples()?;

@@ -3,7 +3,7 @@
 use super::{CaseResult, Status, WITHOUT_IDEA};
 use crate::course::{Idea, Task};
 use judge::Tier;
-use judge::findings::Finding;
+use judge::findings::{Aspect, Finding};
 use serde::Serialize;
 use std::collections::{BTreeMap, BTreeSet};
 use wire::record::HoleCall;
@@ -137,15 +137,16 @@ pub(super) fn require_idea(task: &Task, cases: &mut [CaseResult]) {
         Some((function, idea))
     });
     let lacking: BTreeMap<String, &Idea> = lacking.collect();
+    let answered = cases.iter().filter(|case| !case.findings.is_empty());
+    let answered: BTreeSet<String> = answered.map(|case| case.name.clone()).collect();
     for case in cases {
         let lacks = |share: &FunctionShare| lacking.get(&share.function);
         let Some(idea) = case.shares.iter().find_map(lacks) else {
             continue;
         };
         let what = format!(
-            "counts a quarter, because of what is wrong in the case {}: {}",
-            idea.case,
-            idea.aspect.label()
+            "counts a quarter, because of {}",
+            why_lacking(idea, &answered)
         );
         let fractions = case.shares.iter().map(|share| match lacks(share) {
             Some(_) => WITHOUT_IDEA * share.fraction,
@@ -159,19 +160,47 @@ pub(super) fn require_idea(task: &Task, cases: &mut [CaseResult]) {
     }
 }
 
-/// The aspect that shows that `function` does not have the idea of its task, if there is one. A
-/// case without answers shows nothing.
+/// What costs the points, to end the sentence "counts a quarter, because of ...".
+fn why_lacking(idea: &Idea, answered: &BTreeSet<String>) -> String {
+    let Idea { case, aspect, .. } = idea;
+    match answered.contains(case) {
+        true => format!("what is wrong in the case {case}: {}", aspect.label()),
+        false => format!("the case {case}, which has no answers: {}", aspect.label()),
+    }
+}
+
+/// The aspect that shows that `function` does not have the idea of its task, if there is one.
 fn lacking_idea<'a>(task: &'a Task, cases: &[CaseResult], function: &str) -> Option<&'a Idea> {
-    let is_right = |idea: &Idea, case: &str| {
-        let case = cases.iter().find(|other| other.name == case);
-        let mut findings = case.iter().flat_map(|case| &case.findings);
-        let finding = findings.find(|finding| finding.aspect == idea.aspect);
-        finding.and_then(|finding| finding.mostly_right_by(function))
-    };
-    task.idea.iter().find(|idea| {
-        let elsewhere = idea.or_in.as_ref().and_then(|case| is_right(idea, case));
-        is_right(idea, &idea.case) == Some(false) && elsewhere != Some(true)
+    let is_of_function = |idea: &&Idea| idea.function.as_deref().is_none_or(|of| of == function);
+    task.idea.iter().filter(is_of_function).find(|idea| {
+        let is_right = |case: &String| is_right(cases, case, idea.aspect, function);
+        let elsewhere = idea.or_in.as_ref().and_then(is_right);
+        is_right(&idea.case) == Some(false) && elsewhere != Some(true)
     })
+}
+
+/// Whether `function` has the `aspect` right in the case. Code that crashes there, does not end or
+/// is not written has not: otherwise this would earn more than a wrong answer. `None` if the case
+/// shows nothing: it was not run, waits for another task, or judges other functions.
+fn is_right(cases: &[CaseResult], case: &str, aspect: Aspect, function: &str) -> Option<bool> {
+    let case = cases.iter().find(|other| other.name == case)?;
+    if case.waits_for_others() {
+        return None;
+    }
+    let is_own = |share: &&FunctionShare| share.function == function;
+    let has_hole = case
+        .shares
+        .iter()
+        .filter(is_own)
+        .any(FunctionShare::is_hole);
+    let finding = case
+        .findings
+        .iter()
+        .find(|finding| finding.aspect == aspect);
+    match finding {
+        Some(finding) if !has_hole => finding.mostly_right_by(function),
+        _ => Some(false),
+    }
 }
 
 /// The results of the functions of a task that are judged or have holes, in the order of the task.
@@ -211,7 +240,7 @@ mod tests {
     use super::*;
     use crate::course::Course;
     use crate::score::TaskResult;
-    use judge::findings::{Aspect, Findings};
+    use judge::findings::Findings;
 
     /// A task of two functions and 20 core points; `shows` shows its idea.
     const COURSE: &str = r#"
@@ -300,6 +329,102 @@ cases = [
         assert_eq!(points([misses_most, right(), right()]), (11.5, 0.0));
         let neither = findings([9, 0], [9, 0]);
         assert_eq!(points([neither, right(), right()]), (3.0, 0.0));
+    }
+
+    /// A case that the code of these functions did not answer.
+    #[derive(Clone, Copy, Debug)]
+    enum Without {
+        Crash,
+        Needs,
+        Gap(&'static str),
+    }
+
+    /// The points of `task`, whose cases have these answers: `without` them in some.
+    fn points_without(task: &Task, without: &[(&str, Without)]) -> f64 {
+        let cases = task.cases.iter().map(|entry| {
+            let of_case = without.iter().find(|(case, _)| *case == entry.name);
+            let case = |status, findings, holes: &[HoleCall]| {
+                CaseResult::new(entry, "", status, findings, holes)
+            };
+            // `record` lacks the idea.
+            let is_idea = task.cases_of_idea().any(|case| *case == entry.name);
+            let mut answers = match is_idea {
+                true => findings(RIGHT, [9, 0]),
+                false => findings(RIGHT, RIGHT),
+            };
+            match of_case.map(|(_, without)| *without) {
+                None => case(Status::Passed, answers, &[]),
+                Some(Without::Crash) => case(Status::Crashed("panicked".into()), Vec::new(), &[]),
+                Some(Without::Needs) => case(Status::Needs("part1.task2".into()), Vec::new(), &[]),
+                Some(Without::Gap(name)) => {
+                    for finding in &mut answers {
+                        finding.functions.retain(|count| count.function != name);
+                        let mut hole = Findings::without(&[name.to_string()]);
+                        let _ = hole.is_written(name, &[finding.aspect]);
+                        finding
+                            .functions
+                            .extend(hole.into_vec().remove(0).functions);
+                    }
+                    let hole = HoleCall {
+                        called: name.into(),
+                        hole: name.into(),
+                    };
+                    case(Status::Passed, answers, &[hole])
+                }
+            }
+        });
+        let result = TaskResult::new(task, cases.collect());
+        result.score + result.robust_score
+    }
+
+    #[test]
+    fn code_that_crashes_or_has_a_gap_where_the_idea_shows_does_not_have_it() {
+        use Without::{Crash, Gap, Needs};
+        let task = task();
+        // `test`: 4 + 6; `record`: a quarter of 6.
+        assert_eq!(points_without(&task, &[]), 11.5);
+        let without = |what| points_without(&task, &[("shows", what)]);
+        assert_eq!(without(Gap("record")), 11.5);
+        assert_eq!(without(Crash), 3.0);
+        assert_eq!(without(Gap("test")), 3.0);
+        // The code of another task is missing.
+        assert_eq!(without(Needs), 12.0);
+        let mut of_test = task.clone();
+        of_test.idea[0].function = Some("record".into());
+        // The crash says nothing about `test`: 6.
+        assert_eq!(points_without(&of_test, &[("shows", Crash)]), 7.5);
+    }
+
+    #[test]
+    fn no_crash_and_no_gap_earns_anything() {
+        use Without::{Crash, Gap};
+        let tasks = [
+            COURSE.to_string(),
+            COURSE.replace(r#""decision" }"#, r#""decision", or_in = "edges" }"#),
+            COURSE.replace(r#""decision" }"#, r#""decision", function = "record" }"#),
+            COURSE.replace("points = 2 }", r#"points = 2, only_with = "edges" }"#),
+        ];
+        let ways = [Crash, Gap("test"), Gap("record")].map(Some);
+        let ways = || [None].into_iter().chain(ways);
+        for task in tasks.map(|course| task_of(&course)) {
+            let all = ways().flat_map(|a| ways().flat_map(move |b| ways().map(move |c| [a, b, c])));
+            let of_cases = |ways: [Option<Without>; 3]| {
+                let each = ["shows", "edges", "hard"].into_iter().zip(ways);
+                let missing = each.filter_map(|(case, way)| Some((case, way?)));
+                points_without(&task, &missing.collect::<Vec<_>>())
+            };
+            for without in all {
+                for i in 0..3 {
+                    let mut answered = without;
+                    answered[i] = None;
+                    let (less, more) = (of_cases(without), of_cases(answered));
+                    assert!(
+                        less <= more,
+                        "{without:?}: {less}, {more} with an answer in case {i}"
+                    );
+                }
+            }
+        }
     }
 
     #[test]

@@ -186,9 +186,13 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
         }
         let none_is_blessed = show_blessings(&task.key, &graded, against_bless);
         let rewarded = table::rewarded(&graded);
+        let crashing_pays = table::crashing_pays(task, &graded);
         let claims = false_claims(&task.key, &graded, &known);
         for claim in &claims {
             outln!("  FALSE: {claim}");
+        }
+        for (name, cases) in &crashing_pays {
+            outln!("  REWARDED: {name} would earn more points if it crashed in {cases}");
         }
         for (name, [earned, base]) in &rewarded {
             outln!(
@@ -199,6 +203,7 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
             || !table.survivors().is_empty()
             || !none_is_blessed
             || !rewarded.is_empty()
+            || !crashing_pays.is_empty()
             || !claims.is_empty()
         {
             exit = Exit::Failed;

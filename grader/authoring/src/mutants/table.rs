@@ -2,9 +2,10 @@
 
 use super::run::{Graded, Kind};
 use base::{GraderError, Workspace, write_whole};
+use grader::course::Task;
 use grader::course::packed::binary;
 use grader::diagnosis::{Known, diagnose};
-use grader::score::CaseResult;
+use grader::score::{CaseResult, TaskResult};
 use grader::signature::Signature;
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
@@ -166,6 +167,23 @@ pub fn rewarded(graded: &[Graded]) -> Vec<(&str, [f64; 2])> {
         (earned > base).then_some((graded.name.as_str(), [earned, base]))
     });
     rewarded.collect()
+}
+
+/// The versions that would earn more if their code crashed in one or two cases, with the names of the
+/// cases: crashing must not pay.
+pub fn crashing_pays(task: &Task, graded: &[Graded]) -> Vec<(String, String)> {
+    let names: Vec<&str> = task.cases.iter().map(|entry| entry.name.as_str()).collect();
+    let pairs = || (0..names.len()).flat_map(|i| (i..names.len()).map(move |j| [i, j]));
+    let points = |result: &TaskResult| result.score + result.robust_score;
+    let pays = graded.iter().filter_map(|graded| {
+        let without = graded.result.with_crashes(task, |_| false);
+        let crashed = pairs().map(|pair| pair.map(|i| names[i])).find(|crashed| {
+            let with = without.with_crashes(task, |case| crashed.contains(&case));
+            points(&with) > points(&without) + 1e-9
+        })?;
+        Some((graded.name.clone(), crashed.join(" and ")))
+    });
+    pays.collect()
 }
 
 /// A line for each version: the points that correct code loses, the cases in which a mutant does,

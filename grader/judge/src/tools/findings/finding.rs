@@ -76,6 +76,18 @@ pub struct Worst {
 }
 
 impl Finding {
+    /// The same counts without the answers, which are many.
+    pub fn counts(&self) -> Finding {
+        Finding {
+            functions: self.functions.clone(),
+            worst: None,
+            faults: Vec::new(),
+            errors: Vec::new(),
+            judged_calls: Vec::new(),
+            ..*self
+        }
+    }
+
     /// Whether the aspect earns its points: never wrong, and judged at least once if a right answer
     /// has it.
     pub fn passed(&self) -> bool {

@@ -91,6 +91,7 @@ fn measurements() -> Vec<Case> {
         name: "measurement".into(),
         limit_ms: 5000,
         work,
+        order: Vec::new(),
     };
     [timing, test, visits, Work::Picture(picture.work)]
         .map(case)

@@ -160,6 +160,7 @@ fn case(name: &str) -> Case {
         name: name.into(),
         limit_ms: LIMIT_MS,
         work: Work::Stop(Vec::new()),
+        order: Vec::new(),
     }
 }
 

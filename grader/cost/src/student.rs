@@ -78,6 +78,7 @@ impl Student {
             name: "cost".into(),
             limit_ms: LIMIT_MS,
             work,
+            order: Vec::new(),
         };
         let run = runner::run(&self.worker, &[case])?;
         let ending = run.endings.into_iter().next();

@@ -39,6 +39,9 @@ thread_local! {
     static HOLES: RefCell<(String, Vec<HoleCall>)> =
         const { RefCell::new((String::new(), Vec::new())) };
 
+    /// The order of the calls of the case that runs on this thread, as the case has it.
+    static ORDER: RefCell<Vec<u32>> = const { RefCell::new(Vec::new()) };
+
     /// For each place of a `todo!()` that this case ran into, the function that is written there.
     static GAPS: RefCell<BTreeMap<String, String>> = const { RefCell::new(BTreeMap::new()) };
 }
@@ -88,6 +91,22 @@ fn function_with_gap(called: &str) -> String {
         let function = gaps.entry(location).or_insert_with(|| called.to_string());
         function.clone()
     })
+}
+
+/// Makes a call for each of the `questions`, in the order that the case has, and returns the answers
+/// in the order of the questions.
+pub fn each_call<Q, A>(questions: &[Q], mut answer: impl FnMut(usize, &Q) -> A) -> Vec<A> {
+    let in_order = ORDER.with_borrow(|order| match order.len() == questions.len() {
+        true => order.iter().map(|&i| i as usize).collect(),
+        false => Vec::from_iter(0..questions.len()),
+    });
+    let answers = in_order.into_iter().map(|i| {
+        call(i);
+        (i, answer(i, &questions[i]))
+    });
+    let mut answers: Vec<(usize, A)> = answers.collect();
+    answers.sort_by_key(|(i, _)| *i);
+    answers.into_iter().map(|(_, answer)| answer).collect()
 }
 
 /// Records the start of call number `index` of the case, counted from 0.
@@ -157,6 +176,7 @@ pub fn run(index: u32, case: &Case, dispatch: impl Fn(&Work) -> Result<Answer, S
     let _ = kit::hole::take_marks();
     HOLES.set((case.task.clone(), Vec::new()));
     GAPS.take();
+    ORDER.set(case.order.clone());
     CASE.store(index, Ordering::Relaxed);
     let outcome = outcome(&case.task, &|| dispatch(&case.work));
     let untouched = kit::hole::take_marks();
@@ -251,6 +271,7 @@ mod tests {
                 boxes: Vec::new(),
                 probes: vec![Probe { shape: 0, ray }],
             }),
+            order: Vec::new(),
         };
         run(0, &case, |_| {
             dispatch();
@@ -266,6 +287,27 @@ mod tests {
         HoleCall {
             called: called.into(),
             hole: hole.into(),
+        }
+    }
+
+    #[test]
+    fn calls_are_made_in_the_order_of_the_case_and_answered_in_that_of_the_question() {
+        for (order, made) in [
+            (vec![2, 0, 1], ["c", "a", "b"]),
+            (Vec::new(), ["a", "b", "c"]),
+            // That of another list.
+            (vec![1, 0], ["a", "b", "c"]),
+        ] {
+            ORDER.set(order);
+            let mut called = Vec::new();
+            let answers = each_call(&["a", "b", "c"], |i, question| {
+                called.push(*question);
+                (i, current_call())
+            });
+            assert_eq!(
+                (answers, called),
+                (vec![(0, 0), (1, 1), (2, 2)], made.to_vec())
+            );
         }
     }
 

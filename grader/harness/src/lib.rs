@@ -15,5 +15,5 @@ mod watch;
 
 pub use call_limit::{MOST_CALLS, limit_calls};
 pub use clock::code_time;
-pub use isolate::{ask, attempt, call, run};
+pub use isolate::{ask, attempt, call, each_call, run};
 pub use supervise::main;

@@ -372,7 +372,7 @@ pub fn score_tasks(
             if matches!(ending, Ok(Ending::NotRun)) {
                 continue;
             }
-            let holes = holes(ending);
+            let holes = named_in_order(task, holes(ending));
             let crash = ending.as_ref().ok().and_then(Crash::of);
             let (status, findings) = match answered(&task.key, ending, course)? {
                 Err(status) => (with_input(status, crash, spec), Vec::new()),
@@ -387,7 +387,7 @@ pub fn score_tasks(
                 with_neighbours: spec.needs_all_stages(),
                 calls: judge::calls(&spec.work),
                 crash,
-                ..CaseResult::new(entry, spec.about, status, findings, holes)
+                ..CaseResult::new(entry, spec.about, status, findings, &holes)
             });
         }
         results.push(TaskResult::new(task, case_results));
@@ -403,6 +403,20 @@ fn with_input(status: Status, crash: Option<Crash>, spec: &Spec) -> Status {
         (Status::Crashed(how), Some(input)) => Status::Crashed(crash::with_input(&how, &input)),
         (status, _) => status,
     }
+}
+
+/// Names the function that each gap is in: of those whose calls ended there, the first of the task. A
+/// seed draws the order of the calls, so the first that was called may be one that calls it.
+fn named_in_order(task: &Task, holes: &[HoleCall]) -> Vec<HoleCall> {
+    let named = holes.iter().map(|HoleCall { called, hole }| {
+        let ended_there = |name: &str| holes.iter().any(|o| o.hole == *hole && o.called == name);
+        let first = task.holes.iter().find(|name| ended_there(name));
+        HoleCall {
+            called: called.clone(),
+            hole: first.filter(|_| ended_there(hole)).unwrap_or(hole).clone(),
+        }
+    });
+    named.collect()
 }
 
 /// The functions of a case that have holes.
@@ -488,4 +502,35 @@ fn status_without_answer(
             )));
         }
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_gap_is_in_the_first_function_of_the_task_that_ends_there() {
+        let workspace = Workspace::above(std::path::Path::new(env!("CARGO_MANIFEST_DIR")));
+        let course = Course::read(&workspace.expect("the grader is in the course"));
+        let course = course.expect("the course is valid");
+        let task = course.tasks().find(|task| task.key == "part4.task1");
+        let holes = |all: [[&str; 2]; 3]| {
+            all.map(|[called, hole]| HoleCall {
+                called: called.into(),
+                hole: hole.into(),
+            })
+        };
+        // `glass_sample` was called first, and calls the function with the `todo!()`.
+        let recorded = holes([
+            ["glass_sample", "glass_sample"],
+            ["fresnel_dielectric", "glass_sample"],
+            ["mirror_sample", "reflect"],
+        ]);
+        let named = holes([
+            ["glass_sample", "fresnel_dielectric"],
+            ["fresnel_dielectric", "fresnel_dielectric"],
+            ["mirror_sample", "reflect"],
+        ]);
+        assert_eq!(named_in_order(task.expect("it exists"), &recorded), named);
+    }
 }

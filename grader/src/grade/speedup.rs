@@ -152,6 +152,7 @@ fn case(mesh: &str, size: u32) -> wire::Case {
         name: size.to_string(),
         limit_ms: LIMIT_MS,
         work: Work::Timing(timing),
+        order: Vec::new(),
     }
 }
 

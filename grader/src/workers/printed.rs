@@ -227,6 +227,7 @@ mod tests {
             name: name.into(),
             limit_ms: 1,
             work: Work::Stop(Vec::new()),
+            order: Vec::new(),
         };
         read(text.as_bytes(), &["a", "b", "c"].map(case))
     }

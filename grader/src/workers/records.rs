@@ -187,6 +187,7 @@ mod tests {
                 boxes: vec![[[0.0; 3], [1.0; 3]]],
                 probes: vec![Probe { shape: 0, ray }; 2],
             }),
+            order: Vec::new(),
         };
         ["a", "b", "c"].map(case).to_vec()
     }

@@ -525,6 +525,7 @@ mod tests {
             name: "a".into(),
             limit_ms: 10,
             work: Work::Stop(Vec::new()),
+            order: Vec::new(),
         };
         let until = left.map(|left| Arc::new(Until(Instant::now() + left)) as Arc<dyn Launcher>);
         let worker = Worker {

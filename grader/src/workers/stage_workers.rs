@@ -36,46 +36,59 @@ impl StageWorkers {
     }
 
     /// Runs each case in its worker, which gets the case's question moved, and moves the answers
-    /// back to the question that is judged. Returns its ending, or the names of the stages without
+    /// back to the question that is judged. A seed also draws the order of the cases. Returns its ending, or the names of the stages without
     /// which it cannot run. Appends the output of the code to `printed`.
     pub fn run(
         &self,
         specs: &[&Spec],
         printed: &mut Vec<Printed>,
     ) -> Result<Vec<Result<Ending, String>>, GraderError> {
-        let mut run = |worker: &Worker, all_stages: bool| -> Result<_, GraderError> {
-            let chosen = specs
-                .iter()
-                .filter(|spec| spec.needs_all_stages() == all_stages);
-            let cases: Vec<wire::Case> = chosen.map(|spec| spec.case()).collect();
+        let in_order = shuffled(specs);
+        let mut new_lines = Vec::new();
+        let mut endings: Vec<Option<Result<Ending, String>>> = vec![None; specs.len()];
+        let mut run = |worker: &Worker, all_stages: bool| -> Result<bool, GraderError> {
+            let is_chosen = |i: &&usize| specs[**i].needs_all_stages() == all_stages;
+            let chosen: Vec<usize> = in_order.iter().filter(is_chosen).copied().collect();
+            let cases: Vec<wire::Case> = chosen.iter().map(|&i| specs[i].case()).collect();
             let run = runner::run(worker, &cases)?;
-            printed.extend(run.printed);
-            Ok(run.endings)
+            new_lines.extend(run.printed);
+            let has_ended = run.endings.contains(&Ending::NotRun);
+            for (i, ending) in chosen.into_iter().zip(run.endings) {
+                endings[i] = Some(Ok(ending));
+            }
+            Ok(has_ended)
         };
-        let alone = run(&self.stage, false)?;
-        let has_ended = alone.contains(&Ending::NotRun);
-        let whole_scene = match &self.whole_scene {
-            Ok(_) if has_ended => Ok(vec![Ending::NotRun; specs.len() - alone.len()]),
-            Ok(worker) => Ok(run(worker, true)?),
-            Err(broken) => Err(broken),
+        let has_ended = run(&self.stage, false)?;
+        let without = match &self.whole_scene {
+            Ok(_) if has_ended => Some(Ok(Ending::NotRun)),
+            Ok(worker) => run(worker, true).map(|_| None)?,
+            Err(broken) => Some(Err(broken.clone())),
         };
-        let (mut alone, mut whole_scene) = (alone.into_iter(), whole_scene.map(Vec::into_iter));
+        let place = |line: &Printed| {
+            specs
+                .iter()
+                .position(|spec| spec.is(&line.task, &line.case))
+        };
+        new_lines.sort_by_key(place);
+        printed.extend(new_lines);
         let lost = || GraderError::new("the worker returned no result for a case");
-        let each = specs.iter();
-        let endings = each.map(|spec| match (spec.needs_all_stages(), &mut whole_scene) {
-            (false, _) => alone.next().map(Ok).ok_or_else(lost),
-            (true, Ok(whole_scene)) => whole_scene.next().map(Ok).ok_or_else(lost),
-            (true, Err(broken)) => Ok(Err((*broken).clone())),
+        let each = specs.iter().zip(endings).map(|(spec, ending)| {
+            let ending = ending.or_else(|| without.clone()).ok_or_else(lost)?;
+            Ok(ending.map(|ending| moved_back(spec, ending)))
         });
-        let endings = endings.collect::<Result<Vec<_>, GraderError>>()?;
-        let each = specs.iter().zip(endings);
-        let mut endings: Vec<Result<Ending, String>> = each
-            .map(|(spec, ending)| ending.map(|ending| moved_back(spec, ending)))
-            .collect();
+        let mut endings = each.collect::<Result<Vec<Result<Ending, String>>, GraderError>>()?;
         let tasks: Vec<&str> = specs.iter().map(|spec| spec.task).collect();
         fail_tasks_with_changed_counts(&tasks, &mut endings);
         Ok(endings)
     }
+}
+
+/// The cases in the order in which they run: a seed draws it within each task.
+fn shuffled(specs: &[&Spec]) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..specs.len()).collect();
+    let task = |i: usize| specs.iter().position(|spec| spec.task == specs[i].task);
+    order.sort_by_key(|&i| (task(i), specs[i].place()));
+    order
 }
 
 /// The ending of a case as if its question had not been moved.
@@ -110,6 +123,25 @@ fn fail_tasks_with_changed_counts(tasks: &[&str], endings: &mut [Result<Ending, 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_seed_draws_the_order_of_cases_within_their_task() {
+        let of_seed = |seed| {
+            let specs = judge::cases::all(seed).into_iter();
+            specs
+                .filter(|spec| spec.task.starts_with("part5"))
+                .collect::<Vec<_>>()
+        };
+        let order = |specs: &[Spec]| shuffled(&specs.iter().collect::<Vec<_>>());
+        let known = of_seed(0);
+        assert!(order(&known).is_sorted());
+        let drawn = [1, 2].map(|seed| order(&of_seed(seed)));
+        assert_ne!(drawn[0], drawn[1]);
+        for order in drawn {
+            assert!(!order.is_sorted());
+            assert!(order.is_sorted_by_key(|&i| known[i].task));
+        }
+    }
 
     #[test]
     fn changed_counts_fail_the_whole_task_and_no_other() {

@@ -74,6 +74,7 @@ mod tests {
             name: "a".into(),
             limit_ms: 1,
             work,
+            order: Vec::new(),
         };
         let stop = |task| case(task, Work::Stop(Vec::new()));
         let mut times = TaskTimes::default();
@@ -94,6 +95,7 @@ mod tests {
             name: "a".into(),
             limit_ms: 1,
             work: Work::Stop(Vec::new()),
+            order: Vec::new(),
         };
         let now = Instant::now();
         assert!(TaskTimes::until(Some(now)).is_over(&case));

@@ -45,7 +45,10 @@ pub fn accuses(drawn: &TaskResult, known: &TaskResult) -> bool {
 pub(crate) fn is_suspicious(result: &TaskResult) -> bool {
     let is_bad = result.score < MOST * result.max_score;
     // What crashes may take as long again.
-    let is_cheap = result.cases.iter().all(is_answered);
+    let is_cheap = result
+        .cases
+        .iter()
+        .all(|case| is_answered(case) || is_unwritten(case));
     is_bad && is_cheap || result.score > 0.0 && result.cases.iter().any(fails_often)
 }
 
@@ -55,9 +58,10 @@ fn is_by_heart(drawn: &[CaseResult], known: &[CaseResult]) -> bool {
     if right.clone().any(|(drawn, _)| fails_often(drawn)) {
         return true;
     }
+    // A function that is not written yet says nothing about another.
     let core = |case: &CaseResult| match case.tier {
-        Tier::Core => case.max_score,
-        Tier::Robust => 0.0,
+        Tier::Core if !is_unwritten(case) => case.max_score,
+        _ => 0.0,
     };
     let all: f64 = known.iter().map(core).sum();
     let (known, lost) = right
@@ -103,9 +107,9 @@ fn has_answers_from_a_table(drawn: &[CaseResult]) -> bool {
     let share = share_of_moved(drawn);
     // Who does not know the answer may as well crash or wait, or say that it is not written. A
     // function that is not written yet has no answers in the other cases, either.
-    let has_none = |case: &CaseResult| match case.status {
-        Status::NotAttempted | Status::Needs(_) => share >= MOST_WRITTEN,
-        _ => matches!(case.status, Status::Crashed(_)),
+    let has_none = |case: &CaseResult| match is_unwritten(case) {
+        true => share >= MOST_WRITTEN,
+        false => matches!(case.status, Status::Crashed(_)),
     };
     share >= MOST && core(drawn, true).any(|case| fails_often(case) || has_none(case))
 }
@@ -151,6 +155,10 @@ fn wrong_calls(case: &CaseResult) -> usize {
     main.map(|finding| finding.wrong as usize)
         .max()
         .unwrap_or(0)
+}
+
+fn is_unwritten(case: &CaseResult) -> bool {
+    matches!(case.status, Status::NotAttempted | Status::Needs(_))
 }
 
 fn is_answered(case: &CaseResult) -> bool {
@@ -250,6 +258,21 @@ mod tests {
         ));
         // Code that knows little loses little.
         assert!(!is_by_heart(&cases([60; 4]), &cases([60, 60, 60, 0])));
+    }
+
+    #[test]
+    fn a_function_that_is_not_written_does_not_hide_another_that_knows_the_questions() {
+        let cases = |wrong: [u32; 4]| {
+            let mut cases = wrong.map(|wrong| case("moved", wrong));
+            for case in &mut cases[..3] {
+                case.status = Status::NotAttempted;
+            }
+            cases
+        };
+        let (drawn, known) = (cases([0, 0, 0, 60]), cases([0; 4]));
+        assert!(is_by_heart(&drawn, &known));
+        assert!(is_suspicious(&task_result(drawn.to_vec())));
+        assert!(!is_by_heart(&cases([60, 0, 0, 0]), &known));
     }
 
     #[test]

@@ -14,4 +14,7 @@ pub struct Case {
     pub limit_ms: u64,
     /// The kind of work and its question.
     pub work: Work,
+    /// The order of the calls, by their numbers; empty if they are made in the order of the question.
+    /// Work whose calls depend on each other has its own order.
+    pub order: Vec<u32>,
 }

@@ -93,6 +93,7 @@ fn damaged_cases_and_replies_are_errors_or_values() {
             boxes: vec![[[0.0; 3], [1.0; 3]]],
             probes: vec![Probe { shape: 0, ray }; 3],
         }),
+        order: Vec::new(),
     };
     let mut cases = Vec::new();
     write_cases(&mut cases, Key::random(), &[case]).expect("writing to memory succeeds");

@@ -25,9 +25,7 @@ fn answers(
     calls: &[StopCall],
     call_rule: impl Fn(&Tally, &StopCall, &mut Vec<(u64, f64, f64)>) -> bool,
 ) -> Vec<StopAnswer> {
-    let each = calls.iter().enumerate();
-    each.map(|(i, call)| {
-        harness::call(i);
+    harness::each_call(calls, |_, call| {
         let runs = call.runs.iter();
         let samples: Tally = runs
             .flat_map(|&(count, x)| std::iter::repeat_n(x, count as usize))
@@ -36,16 +34,10 @@ fn answers(
         let stop = call_rule(&samples, call, &mut rule_calls);
         StopAnswer { stop, rule_calls }
     })
-    .collect()
 }
 
 pub(crate) fn pixels(pixels: &[AdaptivePixel]) -> Vec<AdaptiveAnswer> {
-    let each = pixels.iter().enumerate();
-    each.map(|(i, pixel)| {
-        harness::call(i);
-        sample(pixel)
-    })
-    .collect()
+    harness::each_call(pixels, |_, pixel| sample(pixel))
 }
 
 fn sample(work: &AdaptivePixel) -> AdaptiveAnswer {

@@ -4,12 +4,9 @@ use crate::convert;
 use wire::work::BoxWork;
 
 pub(crate) fn boxes(work: &BoxWork) -> Vec<Option<[f64; 2]>> {
-    let each = work.probes.iter().enumerate();
-    each.map(|(i, probe)| {
-        harness::call(i);
+    harness::each_call(&work.probes, |_, probe| {
         let b = convert::aabb(&work.boxes[probe.shape as usize]);
         bbox::intersect_bbox(&b, &convert::ray(&probe.ray))
             .map(|interval| [interval.min, interval.max])
     })
-    .collect()
 }

@@ -24,9 +24,7 @@ pub(crate) fn build(work: &BuildWork) -> BuildAnswer {
 pub(crate) fn traverse(script: &ScriptedWorld) -> Vec<TraverseAnswer> {
     let tree = kit_tree(&script.tree);
     let node_of = nodes_by_box(&tree);
-    let each = script.rays.iter().enumerate();
-    each.map(|(i, scripted)| {
-        harness::call(i);
+    harness::each_call(&script.rays, |_, scripted| {
         let mut ray = convert::ray(&scripted.ray);
         let mut world = TraverseScript::new(scripted, &node_of, &tree);
         let hit = if script.any_hit {
@@ -51,7 +49,6 @@ pub(crate) fn traverse(script: &ScriptedWorld) -> Vec<TraverseAnswer> {
             unknown_boxes,
         }
     })
-    .collect()
 }
 
 /// The corners of a box, bit for bit.

@@ -1,16 +1,14 @@
 //! Runs Part 3: diffuse surfaces, and direct light in worlds that record the traced rays.
 
 use crate::{convert, light, panels};
-use harness::attempt;
+use harness::{attempt, each_call};
 use kit::{Frame, LitScene, PixelSampler, PrimId, Ray, Spectrum, Surface, Vec2, Vec3};
 use wire::direct::{
     DirectAnswer, DirectWork, LambertAnswer, LambertProbe, RecordedRay, ShadedPoint, Strategy,
 };
 
 pub(crate) fn lambert(probes: &[LambertProbe]) -> Vec<LambertAnswer> {
-    let each = probes.iter().enumerate();
-    each.map(|(i, probe)| {
-        harness::call(i);
+    each_call(probes, |_, probe| {
         let reflectance = Spectrum::from(probe.reflectance);
         let [wo, wi] = [probe.wo, probe.wi].map(Vec3::from);
         let sample = attempt("lambert_sample", || {
@@ -23,17 +21,13 @@ pub(crate) fn lambert(probes: &[LambertProbe]) -> Vec<LambertAnswer> {
             sample: sample.flatten().as_ref().map(convert::wire_sample),
         }
     })
-    .collect()
 }
 
 pub(crate) fn direct(work: &DirectWork) -> Vec<DirectAnswer> {
     let lit = panels::lit_scene(&work.world);
-    let each = work.points.iter().enumerate();
-    each.map(|(i, point)| {
-        harness::call(i);
+    each_call(&work.points, |i, point| {
         estimate(work, &lit, i as u32, point)
     })
-    .collect()
 }
 
 fn estimate(work: &DirectWork, lit: &LitScene, call: u32, point: &ShadedPoint) -> DirectAnswer {

@@ -1,7 +1,7 @@
 //! Runs Part 4: mirrors and glass, scripted paths, and roulette.
 
 use crate::{convert, light};
-use harness::attempt;
+use harness::{attempt, each_call};
 use kit::{
     BsdfSample, Hit, LitScene, Material, PixelSampler, PrimId, Scattering, Spectrum, Surface,
     Triangle, Vec2, Vec3,
@@ -11,12 +11,7 @@ use wire::global::{PathAnswer, RouletteWork, ScriptedPath, SpecularAnswer, Specu
 use wire::work::Xyz;
 
 pub(crate) fn specular(calls: &[SpecularCall]) -> Vec<SpecularAnswer> {
-    let each = calls.iter().enumerate();
-    each.map(|(i, call)| {
-        harness::call(i);
-        specular_call(call)
-    })
-    .collect()
+    each_call(calls, |_, call| specular_call(call))
 }
 
 fn specular_call(call: &SpecularCall) -> SpecularAnswer {
@@ -74,12 +69,7 @@ fn specular_call(call: &SpecularCall) -> SpecularAnswer {
 }
 
 pub(crate) fn paths(paths: &[ScriptedPath]) -> Vec<PathAnswer> {
-    let each = paths.iter().enumerate();
-    each.map(|(i, path)| {
-        harness::call(i);
-        run_path(i as u32, path)
-    })
-    .collect()
+    each_call(paths, |i, path| run_path(i as u32, path))
 }
 
 /// The scene of a path's surfaces: one triangle each, which is never intersected.
@@ -209,11 +199,10 @@ pub(crate) fn roulette(work: &RouletteWork) -> Vec<Option<Xyz>> {
         .paths
         .iter()
         .flat_map(|path| work.numbers.iter().map(move |u| (path, u)));
-    calls
-        .enumerate()
-        .map(|(i, (&(throughput, bounces), &u))| {
-            harness::call(i);
+    each_call(
+        &calls.collect::<Vec<_>>(),
+        |_, &(&(throughput, bounces), &u)| {
             global::play_roulette(throughput.into(), bounces, u).map(Spectrum::to_array)
-        })
-        .collect()
+        },
+    )
 }

@@ -1,15 +1,13 @@
 //! Runs Part 1, tasks 3 and 4: probes of single shapes, and rays through lists of shapes.
 
 use crate::convert;
-use harness::attempt;
+use harness::{attempt, each_call};
 use kit::PrimId;
 use wire::answer::{HitsAnswer, SphereAnswer, TriangleAnswer};
 use wire::work::{BruteForceWork, SphereWork, TriangleWork};
 
 pub(crate) fn triangles(work: &TriangleWork) -> Vec<TriangleAnswer> {
-    let each = work.probes.iter().enumerate();
-    each.map(|(i, probe)| {
-        harness::call(i);
+    each_call(&work.probes, |_, probe| {
         let triangle = convert::triangle(&work.triangles[probe.shape as usize]);
         let mut ray = convert::ray(&probe.ray);
         let test = attempt("test_triangle", || {
@@ -25,13 +23,10 @@ pub(crate) fn triangles(work: &TriangleWork) -> Vec<TriangleAnswer> {
             ray_after: convert::wire_ray(&ray),
         }
     })
-    .collect()
 }
 
 pub(crate) fn spheres(work: &SphereWork) -> Vec<SphereAnswer> {
-    let each = work.probes.iter().enumerate();
-    each.map(|(i, probe)| {
-        harness::call(i);
+    each_call(&work.probes, |_, probe| {
         let sphere = convert::sphere(&work.spheres[probe.shape as usize]);
         let mut ray = convert::ray(&probe.ray);
         let test = attempt("test_sphere", || intersect::test_sphere(&sphere, &ray));
@@ -45,20 +40,12 @@ pub(crate) fn spheres(work: &SphereWork) -> Vec<SphereAnswer> {
             ray_after: convert::wire_ray(&ray),
         }
     })
-    .collect()
 }
 
 pub(crate) fn brute_force(work: &BruteForceWork) -> HitsAnswer {
     let triangles: Vec<_> = work.triangles.iter().map(convert::triangle).collect();
     let spheres: Vec<_> = work.spheres.iter().map(convert::sphere).collect();
-    let mut answer = HitsAnswer {
-        hits: Vec::new(),
-        max_t: Vec::new(),
-        box_tests: 0,
-        prim_tests: 0,
-    };
-    for (i, ray) in work.rays.iter().enumerate() {
-        harness::call(i);
+    let answers = each_call(&work.rays, |_, ray| {
         let mut ray = convert::ray(ray);
         let mut closest = None;
         let mut ids = (0..).map(PrimId);
@@ -74,9 +61,13 @@ pub(crate) fn brute_force(work: &BruteForceWork) -> HitsAnswer {
             });
             closest = hit.flatten().or(closest);
         }
-        answer.hits.push(closest.as_ref().map(convert::wire_hit));
-        answer.max_t.push(ray.max_t);
-        answer.prim_tests += (triangles.len() + spheres.len()) as u64;
+        (closest.as_ref().map(convert::wire_hit), ray.max_t)
+    });
+    let (hits, max_t) = answers.into_iter().unzip();
+    HitsAnswer {
+        hits,
+        max_t,
+        box_tests: 0,
+        prim_tests: ((triangles.len() + spheres.len()) * work.rays.len()) as u64,
     }
-    answer
 }

@@ -14,14 +14,7 @@ pub(crate) fn scene_hits(work: &SceneWork) -> Result<HitsAnswer, String> {
     let scene = load(&work.scene)?;
     let tree = kit_tree(&work.tree);
     let mut world = SceneWorld::new(&scene);
-    let mut answer = HitsAnswer {
-        hits: Vec::new(),
-        max_t: Vec::new(),
-        box_tests: 0,
-        prim_tests: 0,
-    };
-    for (i, ray) in work.rays.iter().enumerate() {
-        harness::call(i);
+    let answers = harness::each_call(&work.rays, |_, ray| {
         world.limit_tests_of_ray();
         let mut ray = convert::ray(ray);
         let hit = if work.any_hit {
@@ -29,12 +22,15 @@ pub(crate) fn scene_hits(work: &SceneWork) -> Result<HitsAnswer, String> {
         } else {
             bvh::intersect_bvh(&tree, &mut ray, &mut world)
         };
-        answer.hits.push(hit.as_ref().map(convert::wire_hit));
-        answer.max_t.push(ray.max_t);
-    }
-    answer.box_tests = world.box_tests;
-    answer.prim_tests = world.prim_tests;
-    Ok(answer)
+        (hit.as_ref().map(convert::wire_hit), ray.max_t)
+    });
+    let (hits, max_t) = answers.into_iter().unzip();
+    Ok(HitsAnswer {
+        hits,
+        max_t,
+        box_tests: world.box_tests,
+        prim_tests: world.prim_tests,
+    })
 }
 
 /// The recorded hit of an any-hit query.

@@ -6,12 +6,8 @@ use wire::answer::PixelAnswer;
 use wire::work::{CameraWork, PixelWork, PixelWorld};
 
 pub(crate) fn pixels(work: &PixelWork) -> Vec<PixelAnswer> {
-    let each = work.calls().enumerate();
-    each.map(|(i, (place, seed))| {
-        harness::call(i);
-        pixel(work, place, seed)
-    })
-    .collect()
+    let calls: Vec<_> = work.calls().collect();
+    harness::each_call(&calls, |_, &(place, seed)| pixel(work, place, seed))
 }
 
 fn pixel(work: &PixelWork, [x, y]: [u32; 2], seed: u64) -> PixelAnswer {
@@ -105,16 +101,10 @@ fn rings(point: Vec2) -> Spectrum {
 pub(crate) fn camera_rays(work: &CameraWork) -> Vec<wire::work::Ray> {
     let cameras = work.cameras.iter();
     let pairs = cameras.flat_map(|camera| work.sensor.iter().map(move |point| (camera, point)));
-    pairs
-        .enumerate()
-        .map(|(i, (camera, point))| {
-            harness::call(i);
-            convert::wire_ray(&raygen::generate_ray(
-                &kit_camera(camera),
-                Vec2::from(*point),
-            ))
-        })
-        .collect()
+    harness::each_call(&pairs.collect::<Vec<_>>(), |_, (camera, point)| {
+        let ray = raygen::generate_ray(&kit_camera(camera), Vec2::from(**point));
+        convert::wire_ray(&ray)
+    })
 }
 
 pub(crate) fn kit_camera(c: &wire::work::Camera) -> kit::Camera {

@@ -5,7 +5,7 @@ use crate::tools::check::any::{AnyCheck, check_of_kind};
 use crate::tools::check::expected_cache::ExpectedCache;
 use crate::tools::check::{CaseContext, Check};
 use crate::tools::findings::Aspect;
-use crate::tools::moves::Move;
+use crate::tools::moves::{self, Move};
 use crate::tools::questions::probes::ProbeRng;
 use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::Fields;
@@ -49,6 +49,8 @@ pub struct Spec {
     pub(crate) expected_cache: Arc<ExpectedCache>,
     /// The move of the question that the worker gets.
     pub(crate) moved_by: Arc<Move>,
+    /// The seed that draws the order of the calls, and the place of the case among those of its task.
+    pub(crate) seed: u64,
 }
 
 /// The seed whose questions students have. None of them is moved.
@@ -97,10 +99,11 @@ impl Spec {
             main_aspects: &[],
             expected_cache: Arc::default(),
             moved_by: Arc::new(Move::IDENTITY),
+            seed: KNOWN_SEED,
         }
     }
 
-    /// The same case with a move that the seed draws.
+    /// The same case with a move and an order of its calls that the seed draws.
     pub fn moved_for(self, seed: u64) -> Spec {
         if seed == KNOWN_SEED {
             return self;
@@ -109,6 +112,7 @@ impl Spec {
         let drawn = self.check.symmetries(&self.work).draw(&mut rng);
         Spec {
             moved_by: Arc::new(drawn),
+            seed,
             ..self
         }
     }
@@ -156,8 +160,21 @@ impl Spec {
         self.check.needs_all_stages()
     }
 
-    /// The case in the form that the worker gets: with its question moved. The answer is judged
-    /// after [`Spec::moved_back`].
+    /// What a seed draws apart from the question; `None` for the seed that students have.
+    fn order_rng(&self, of: &str) -> Option<ProbeRng> {
+        let name = format!("{of} of {}/{}", self.task, self.name);
+        (self.seed != KNOWN_SEED).then(|| ProbeRng::new(&name, self.seed))
+    }
+
+    /// A number by which the cases of a task are sorted before they run; 0 with the seed that students
+    /// have. Then code that counts its calls does not know which question it is asked.
+    pub fn place(&self) -> usize {
+        self.order_rng("place")
+            .map_or(0, |mut rng| rng.below(1 << 30))
+    }
+
+    /// The case in the form that the worker gets: with its question moved and its calls in another
+    /// order. The answer is judged after [`Spec::moved_back`].
     pub fn case(&self) -> wire::Case {
         wire::Case {
             task: self.task.into(),
@@ -167,6 +184,9 @@ impl Spec {
                 true => self.check.moved(&self.work, &self.moved_by),
                 false => self.work.clone(),
             },
+            order: self
+                .order_rng("calls")
+                .map_or_else(Vec::new, |mut rng| moves::shuffled(self.calls(), &mut rng)),
         }
     }
 
@@ -189,10 +209,11 @@ impl Spec {
         self.check.why_not_moved()
     }
 
-    /// The same case with the question that students have.
+    /// The same case with the question that students have, in its order.
     pub fn unmoved(&self) -> Spec {
         Spec {
             moved_by: Arc::new(Move::IDENTITY),
+            seed: KNOWN_SEED,
             ..self.clone()
         }
     }

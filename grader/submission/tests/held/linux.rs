@@ -228,6 +228,7 @@ fn run(level: &Containment, names: &[String]) -> Run {
         name: name.clone(),
         limit_ms: limit_ms(name),
         work: Work::Stop(Vec::new()),
+        order: Vec::new(),
     };
     let cases: Vec<Case> = names.iter().map(case).collect();
     runner::run(&worker, &cases).expect("the worker runs")

@@ -3,10 +3,12 @@
 
 use crate::corpus::{Case, Class, reference};
 use judge::cases;
+use kit::Tally;
 use submission::SubmissionReport;
 use submission::file_tree::Files;
 use submission::one::random_seed;
 use wire::Work;
+use wire::adaptive::StopCall;
 use wire::work::{Ray, Xyz};
 
 /// The bits of some numbers in one number, as the code computes them, too.
@@ -212,6 +214,63 @@ fn answers_that_were_learned_by_heart_lose() {
             random_seed(),
         );
         assert_eq!(report.by_heart, [""; 0], "{mistake}");
+    }
+}
+
+/// The bits of a stopping rule with the known seed, in the order of the calls.
+fn bits(task: &str) -> String {
+    let specs = cases::of(task, cases::KNOWN_SEED).into_iter();
+    let calls = specs.flat_map(|spec| match spec.work {
+        Work::Stop(calls) | Work::SureStop(calls) => calls,
+        _ => Vec::new(),
+    });
+    let stops = |call: &StopCall| {
+        let runs = call.runs.iter();
+        let samples: Tally = runs
+            .flat_map(|&(count, x)| std::iter::repeat_n(x, count as usize))
+            .collect();
+        match task {
+            "part5.task1" => {
+                let error = 1.96 * samples.standard_error();
+                samples.count() > 0 && error <= call.tolerance * samples.mean()
+            }
+            _ => samples.count() >= 256 && samples.mean() > 0.0 && call.rule,
+        }
+    };
+    calls
+        .map(|call| if stops(&call) { '1' } else { '0' })
+        .collect()
+}
+
+#[test]
+#[ignore = "builds submissions: a minute"]
+fn answers_in_the_order_of_the_calls_earn_nothing() {
+    let class = Class::open();
+    for (task, function, of_rule) in [
+        ("part5.task1", "pub fn has_converged(", 5.0),
+        ("part5.task2", "pub fn has_surely_converged(", 10.0),
+    ] {
+        let early = format!(
+            "static CALL: std::sync::atomic::AtomicUsize = std::sync::atomic::AtomicUsize::new(0);
+            let call = CALL.fetch_add(1, std::sync::atomic::Ordering::Relaxed);
+            if let Some(bit) = b\"{}\".get(call) {{ return *bit == b'1'; }}",
+            bits(task)
+        );
+        let mut files = returning_early("adaptive", "stop.rs", function, &early);
+        change(&mut files, "pixel.rs", &|text| {
+            let (before, from) = text.split_once("// BEGIN SOLUTION").expect("a solution");
+            let (solution, after) = from.split_once("// END SOLUTION").expect("its end");
+            let (_, stub) = solution.split_once("// STUB: ").expect("its stub");
+            format!("{before}{stub}//{after}")
+        });
+        let known = grade(&class, "adaptive", &files, task, cases::KNOWN_SEED).scores;
+        assert!(known.score >= 0.9 * of_rule, "{task}: {}", known.score);
+        let drawn = grade(&class, "adaptive", &files, task, random_seed());
+        assert_eq!(drawn.scores.score, 0.0, "{task}");
+        assert!(
+            drawn.by_heart[0].contains("recognizes the questions"),
+            "{task}"
+        );
     }
 }
 

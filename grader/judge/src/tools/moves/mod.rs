@@ -8,13 +8,15 @@
 //! answer that was learned by heart is wrong.
 //!
 //! A kind of work says which symmetries its questions have ([`Symmetries`]), and moves a question
-//! by a [`Move`] and an answer by its inverse.
+//! by a [`Move`] and an answer by its inverse. The seed also draws the order of the cases of a task
+//! and of the calls of a case. The worker makes the calls in this order (`harness::each_call`), so
+//! nothing is to be moved back.
 
 mod axes;
 mod symmetries;
 
 pub(crate) use axes::{Axes, AxisMoves};
-pub(crate) use symmetries::{LightMoves, Symmetries, most_if_ordinary, ray_numbers};
+pub(crate) use symmetries::{LightMoves, Symmetries, most_if_ordinary, ray_numbers, shuffled};
 
 use wire::answer::{Hit, HitsAnswer};
 use wire::work::{Node, Probe, Ray, Xyz};

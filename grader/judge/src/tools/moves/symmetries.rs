@@ -118,7 +118,7 @@ impl Symmetries {
 const CHANNELS: [[usize; 3]; 2] = [[1, 2, 0], [2, 0, 1]];
 
 /// The numbers below `count` in a random order, without the one order that changes nothing.
-fn shuffled(count: usize, rng: &mut ProbeRng) -> Vec<u32> {
+pub(crate) fn shuffled(count: usize, rng: &mut ProbeRng) -> Vec<u32> {
     let mut order: Vec<u32> = (0..count as u32).collect();
     for i in (1..count).rev() {
         order.swap(i, rng.below(i + 1));

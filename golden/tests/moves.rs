@@ -126,7 +126,9 @@ fn points_by_counting(course: &Course, task: &str, seed: u64) -> f64 {
             _ => (0..answers.len() as u32).collect(),
         };
         for call in order {
-            answers[call as usize].stop = bits.next().unwrap_or_default();
+            let answer = &mut answers[call as usize];
+            answer.stop = bits.next().unwrap_or_default();
+            answer.rule_calls.clear();
         }
         let answer = match &spec.work {
             Work::Stop(_) => Answer::Stop(answers),
@@ -148,8 +150,8 @@ fn answers_in_the_order_of_the_calls_earn_next_to_nothing_with_another_seed() {
         let drawn = (1..41).map(|seed| points_by_counting(&course, task, seed));
         let mean = drawn.sum::<f64>() / 40.0;
         println!("{task}: {known} points with the known seed, {mean} with others");
-        assert_eq!(known, all, "{task}");
-        assert!(mean < 0.05 * all, "{task}: {mean}");
+        assert!(known >= 0.7 * all, "{task}: {known}");
+        assert!(mean < 0.02 * all, "{task}: {mean}");
     }
 }
 

@@ -2,11 +2,11 @@
 
 mod contracts;
 mod empty_solutions;
+mod formulas;
 mod handouts;
 mod mistake_pictures;
 mod mutants;
 mod new_stage;
-mod pasted;
 mod repro;
 mod term;
 mod versions_crate;

@@ -53,5 +53,5 @@ pub use closest::{Closest, any, closest};
 pub use near::{may_touch, near};
 pub use sphere::{SphereClass, SphereVerdict, sphere};
 pub use surface::{NormalTruth, PointTruth};
-pub use triangle::{TriangleClass, TriangleVerdict, triangle};
+pub use triangle::{PlaneCrossing, TriangleClass, TriangleVerdict, plane_crossing, triangle};
 pub use verdict::{Answers, Candidate, Judgement, KernelClass, Miss, PerKernel};

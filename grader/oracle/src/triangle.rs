@@ -136,6 +136,42 @@ pub fn triangle(tri: &Triangle, ray: &Ray) -> TriangleVerdict {
     exact.verdict(ray, &error_bounds)
 }
 
+/// Where the line of a ray crosses the plane of a triangle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PlaneCrossing {
+    /// Whether the ray meets the side from which the vertices run counter-clockwise.
+    pub on_the_front: bool,
+    /// For each vertex, whether the crossing is beyond the edge that is opposite to it.
+    pub beyond: [bool; 3],
+    /// Distance along the ray, in lengths of its direction.
+    pub t: BigFloat,
+}
+
+/// Where the line of `ray` crosses the plane of `tri`, whatever the range is. `None` if it is
+/// parallel to the plane, or if a number is not finite.
+///
+/// ```
+/// use kit::{Ray, Triangle, Vec3};
+/// let tri = Triangle::flat(Vec3::ZERO, Vec3::X, Vec3::Y);
+/// let ray = Ray::new(Vec3::new(2.0, -1.0, 3.0), Vec3::NEG_Z);
+/// let crossing = oracle::plane_crossing(&tri, &ray).expect("it is not parallel");
+/// // Below the edge from p0 to p1, which is opposite to p2.
+/// assert_eq!((crossing.on_the_front, crossing.beyond), (true, [false, false, true]));
+/// assert_eq!(crossing.t.to_f64(), 3.0);
+/// ```
+pub fn plane_crossing(tri: &Triangle, ray: &Ray) -> Option<PlaneCrossing> {
+    if conventional_miss(tri, ray).is_some() {
+        return None;
+    }
+    let exact = ExactTriangle::new(tri, ray);
+    let facing = exact.det.sign();
+    (facing != 0).then(|| PlaneCrossing {
+        on_the_front: facing < 0,
+        beyond: [0, 1, 2].map(|i| exact.e[i].sign() * facing < 0),
+        t: BigFloat::ratio(&exact.num, &exact.det),
+    })
+}
+
 /// Returns the misses that need no arithmetic.
 fn conventional_miss(tri: &Triangle, ray: &Ray) -> Option<Miss> {
     let points = [tri.p0, tri.p1, tri.p2, ray.o, ray.d];

@@ -26,10 +26,17 @@ pub(crate) fn sample(s: &Sphere, radiance: Spectrum, p: Vec3, u: Vec2) -> Option
     let wi = frame
         .to_world(Vec3::new(sin * cos_phi, sin * sin_phi, cos))
         .normalize();
+    // BEGIN SOLUTION(part1.task4)
     let half_chord2 = (s.radius * s.radius - d * d * sin2).max(0.0);
+    let distance = d * cos - half_chord2.sqrt();
+    // STUB: // The angle at the centre between `p` and the sampled point, and the law of cosines.
+    // STUB: let cone_share = sin2 / sin2_max;
+    // STUB: let cos_at_center = cone_share * sin2_max.sqrt() + cos * (1.0 - cone_share).max(0.0).sqrt();
+    // STUB: let distance = (d * d + s.radius * (s.radius - 2.0 * d * cos_at_center)).max(0.0).sqrt();
+    // END SOLUTION(part1.task4)
     Some(LightSample {
         wi,
-        distance: d * cos - half_chord2.sqrt(),
+        distance,
         pdf: 1.0 / (TAU * share),
         radiance,
     })

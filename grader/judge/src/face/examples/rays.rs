@@ -252,32 +252,28 @@ fn out_of_range(t: f64, ray: &Ray) -> &'static str {
 }
 
 fn of_triangle(triangle: &Triangle, ray: &Ray) -> Vec<&'static str> {
-    let Triangle { p0, p1, p2, .. } = *triangle;
-    let n = (p1 - p0).cross(p2 - p0);
     let verdict = oracle::triangle(triangle, ray);
-    let mut touched = match verdict.class {
-        TriangleClass::Inside if n.dot(ray.d) < 0.0 => vec![OF_TRIANGLES[0]],
-        TriangleClass::Inside => vec![OF_TRIANGLES[1]],
-        TriangleClass::Edge(_) | TriangleClass::Vertex(_) => vec!["on an edge or a vertex"],
-        TriangleClass::Miss(Miss::Coplanar) => vec!["in the plane"],
-        TriangleClass::Miss(Miss::LineMisses) if n.dot(ray.d) == 0.0 => {
-            vec!["parallel to the plane"]
-        }
-        TriangleClass::Miss(Miss::LineMisses) => {
-            let p = ray.at(n.dot(p0 - ray.o) / n.dot(ray.d));
-            let beyond = |a: Vec3, b: Vec3| (b - a).cross(p - a).dot(n) < 0.0;
-            let edges = [(p0, p1), (p1, p2), (p2, p0)];
-            let names = OF_TRIANGLES[2..5].iter().zip(edges);
+    let crossing = oracle::plane_crossing(triangle, ray);
+    let mut touched = match (verdict.class, crossing) {
+        (TriangleClass::Inside, Some(crossing)) => match crossing.on_the_front {
+            true => vec![OF_TRIANGLES[0]],
+            false => vec![OF_TRIANGLES[1]],
+        },
+        (TriangleClass::Edge(_) | TriangleClass::Vertex(_), _) => vec!["on an edge or a vertex"],
+        (TriangleClass::Miss(Miss::Coplanar), _) => vec!["in the plane"],
+        (TriangleClass::Miss(Miss::LineMisses), None) => vec!["parallel to the plane"],
+        (TriangleClass::Miss(Miss::LineMisses), Some(crossing)) => {
+            // The edges p0 p1, p1 p2 and p2 p0, each with the vertex that is opposite to it.
+            let names = OF_TRIANGLES[2..5].iter().zip([2, 0, 1]);
             names
-                .filter(|(_, (a, b))| beyond(*a, *b))
+                .filter(|(_, opposite)| crossing.beyond[*opposite])
                 .map(|(name, _)| *name)
                 .collect()
         }
-        TriangleClass::Miss(Miss::OutOfRange) => {
-            let t = n.dot(p0 - ray.o) / n.dot(ray.d);
-            vec![out_of_range(t, ray)]
+        (TriangleClass::Miss(Miss::OutOfRange), Some(crossing)) => {
+            vec![out_of_range(crossing.t.to_f64(), ray)]
         }
-        TriangleClass::Miss(_) => Vec::new(),
+        _ => Vec::new(),
     };
     if verdict.at_range_end {
         touched.push(AT_END);

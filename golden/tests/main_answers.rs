@@ -1,8 +1,9 @@
 //! Every case has a main answer, without which the case gives no points. The reference's main
 //! answers are right.
 
-use crate::shared::{SPECS, record};
+use crate::shared::{SPECS, record, reference};
 use judge::Tier;
+use std::collections::BTreeSet;
 use wire::Outcome;
 
 #[test]
@@ -29,4 +30,37 @@ fn every_case_has_a_main_answer() {
         );
     }
     println!("{judged} cases");
+}
+
+/// Otherwise a `todo!()` in one function would give its share of the points to the others.
+#[test]
+fn a_function_that_is_not_written_keeps_its_share_of_a_case() {
+    let mut written = 0;
+    for spec in SPECS.iter() {
+        let Some(answer) = reference(spec) else {
+            continue;
+        };
+        let that_share = |not_written: &[String]| -> BTreeSet<&str> {
+            let findings = judge::judge_written(spec, Tier::Core, answer, not_written).into_iter();
+            let counts = findings.filter(|finding| finding.main);
+            counts
+                .flat_map(|finding| finding.functions)
+                .map(|count| count.function)
+                .collect()
+        };
+        let all = that_share(&[]);
+        if all.len() < 2 {
+            continue;
+        }
+        for function in &all {
+            written += 1;
+            let without = that_share(&[function.to_string()]);
+            assert_eq!(
+                without, all,
+                "{} {}: without {function}",
+                spec.task, spec.name
+            );
+        }
+    }
+    println!("{written} functions of cases");
 }

@@ -7,8 +7,7 @@
 //!
 //! [`one::grade_one`] does all this for one folder.
 //!
-//! The code of a submission is not trusted. [`scan`] refuses what has no business in a stage,
-//! `graders_code` what is the grader's own;
+//! The code of a submission is not trusted. [`scan`] refuses what has no business in a stage;
 //! [`containment`] chooses what keeps the rest from files, programs and networks while it is
 //! compiled and while it runs; [`build_folder`] keeps one submission from the next.
 
@@ -23,7 +22,6 @@ pub mod containment;
 mod correct_versions;
 pub mod file_tree;
 mod given;
-mod graders_code;
 mod jail;
 pub mod one;
 pub mod packages;

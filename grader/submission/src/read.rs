@@ -2,7 +2,6 @@
 
 use crate::file_tree::Files;
 use crate::given::Given;
-use crate::graders_code::GradersCode;
 use crate::untrusted::{Layout, Untrusted, shown};
 use crate::{scan, source_file};
 use base::GraderError;
@@ -87,7 +86,6 @@ impl Submission {
         };
         let mut notes = Notes::new();
         let stages = course.stages();
-        let graders = GradersCode::read(trusted)?;
         for stage in &stages {
             let examples = stages_folder.join(stage).join(examples::FILE);
             if has_examples(stage) && exists(&examples)? {
@@ -101,9 +99,7 @@ impl Submission {
                 let found = reaches_out(stage, &files);
                 submission.to_check.extend(first_places(found));
                 submission.to_check.extend(scan::table(stage, &files));
-                let mut forbidden = scan::forbidden(stage, &files);
-                forbidden.extend(graders.found_in(trusted, stage, &files)?);
-                let forbidden = first_places(forbidden);
+                let forbidden = first_places(scan::forbidden(stage, &files));
                 if !forbidden.is_empty() {
                     submission.forbidden.insert((*stage).to_string(), forbidden);
                 }

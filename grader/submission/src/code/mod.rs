@@ -1,10 +1,9 @@
 //! Source code as it is compared: what two texts have in common, whatever the names in them are.
 //!
 //! [`tokens`] reads code without comments, blanks and names, [`passages`] finds equal runs,
-//! [`source`] is the code of a stage. [`plain`] leaves out more, for code that somebody hides.
+//! [`source`] is the code of a stage.
 
 pub mod passages;
-pub mod plain;
 pub mod source;
 pub mod tokens;
 
@@ -44,19 +43,9 @@ const GRADERS: [&str; 3] = ["grader/judge/src", "grader/oracle/src", "grader/rev
 
 /// The code of the grader below `root`, as a handout has it.
 pub fn of_the_grader(root: &Path) -> Result<Files, GraderError> {
-    in_folders(root, &GRADERS)
-}
-
-/// The Rust files in these `folders` below `root`, as a handout has them. A folder may be a file,
-/// or missing.
-pub(crate) fn in_folders(root: &Path, folders: &[&str]) -> Result<Files, GraderError> {
     let mut files = Files::new();
-    for folder in folders.iter().map(|folder| root.join(folder)) {
-        let paths = match folder.is_dir() {
-            true => sources::below(&folder)?,
-            false => Vec::from_iter(folder.is_file().then_some(folder)),
-        };
-        for path in paths {
+    for folder in GRADERS.map(|folder| root.join(folder)) {
+        for path in sources::below(&folder)? {
             let text =
                 std::fs::read_to_string(&path).map_err(|e| GraderError::file("read", &path, e))?;
             let name = path.strip_prefix(root).unwrap_or(&path).into();

@@ -23,16 +23,6 @@ impl Token {
         exact: 0,
         line: 0,
     };
-
-    /// Whether it is this word or mark.
-    pub(super) fn is(&self, text: &str) -> bool {
-        self.exact == hash(text.bytes())
-    }
-
-    /// Whether it is a name.
-    pub(super) fn is_name(&self) -> bool {
-        self.form == hash(NAME.bytes())
-    }
 }
 
 /// The form that every name has, so that renaming changes no form.

@@ -218,7 +218,7 @@ fn answers_that_were_learned_by_heart_lose() {
 }
 
 /// The bits of a stopping rule with the known seed, in the order of the calls.
-fn bits(task: &str) -> String {
+fn stop_bits(task: &str) -> String {
     let specs = cases::of(task, cases::KNOWN_SEED).into_iter();
     let calls = specs.flat_map(|spec| match spec.work {
         Work::Stop(calls) | Work::SureStop(calls) => calls,
@@ -254,7 +254,7 @@ fn answers_in_the_order_of_the_calls_earn_nothing() {
             "static CALL: std::sync::atomic::AtomicUsize = std::sync::atomic::AtomicUsize::new(0);
             let call = CALL.fetch_add(1, std::sync::atomic::Ordering::Relaxed);
             if let Some(bit) = b\"{}\".get(call) {{ return *bit == b'1'; }}",
-            bits(task)
+            stop_bits(task)
         );
         let mut files = returning_early("adaptive", "stop.rs", function, &early);
         change(&mut files, "pixel.rs", &|text| {

@@ -1,7 +1,7 @@
 //! Examples of one ray and one shape. The oracle decides whether an example is right.
 
 use super::by_hand::is_near;
-use kit::{Aabb, Ray, Sphere, Triangle, Vec3};
+use kit::{Aabb, Ray, Sphere, Triangle};
 use oracle::{Miss, SphereClass, TriangleClass};
 use wire::Work;
 use wire::work::{BoxWork, Probe, SphereWork, TriangleWork};
@@ -357,6 +357,7 @@ fn of_box(b: &Aabb, ray: &Ray) -> Vec<&'static str> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use kit::Vec3;
 
     fn triangle(o: [f64; 3], d: [f64; 3], expected: Expectation) -> RayExample {
         let corners = [

@@ -9,10 +9,11 @@ mod target_folder;
 
 use crate::build::cargo_run::{MOST_TIME, run_cargo};
 use crate::build::read_files::ReadFiles;
+use crate::course::sources;
 use crate::workers::launcher::Launcher;
 use crate::workers::runner::Worker;
 use base::{GraderError, Workspace, child_processes, err};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -33,6 +34,11 @@ pub enum BuildOutcome {
 pub struct CompileErrors {
     /// The crates that have errors. Crates that depend on them were not built.
     pub failed_crates: BTreeSet<String>,
+    /// Those of them with an error at a place of their code.
+    pub(crate) wrong_crates: BTreeSet<String>,
+    /// What the compiler said about no place of the code, such as a linker that is missing or a
+    /// disk that is full: the last such sentence of each crate.
+    pub(crate) without_place: BTreeMap<String, String>,
     /// The compiler's messages, but instead of those about the worker what they mean for the stage,
     /// if the worker links one stage. They were also printed to stderr unless the build is quiet or
     /// sealed.
@@ -59,6 +65,20 @@ pub struct BuildRoot<'a> {
     /// Starts cargo, and the workers that it builds, with few rights; `None` for the rights of this
     /// program.
     pub launcher: Option<&'a Arc<dyn Launcher>>,
+}
+
+impl CompileErrors {
+    /// Returns an error if a crate failed without an error at a place of its code: then the machine
+    /// failed, and not the code.
+    pub(super) fn ensure_of_the_code(&self) -> Result<(), GraderError> {
+        let mut failed = self.without_place.iter();
+        match failed.find(|(name, _)| !self.wrong_crates.contains(*name)) {
+            None => Ok(()),
+            Some((name, says)) => Err(GraderError::new(format!(
+                "this machine cannot build `{name}`: {says}. This is no error in the code, so nothing is graded. Run `cargo grader doctor`: it says what is missing"
+            ))),
+        }
+    }
 }
 
 /// A limit that building the code exceeded.
@@ -116,8 +136,10 @@ impl BuildRoot<'_> {
                 }))
             }
             Err(mut errors) => {
-                if self.launcher.is_some() {
-                    self.blame_the_code(&mut errors, features)?;
+                self.add_files_without_text(&mut errors, show);
+                match self.launcher {
+                    Some(_) => self.blame_the_code(&mut errors, features)?,
+                    None => errors.ensure_of_the_code()?,
                 }
                 Ok(BuildOutcome::DoesNotCompile(
                     self.with_explanation(errors, features, show),
@@ -194,6 +216,21 @@ impl BuildRoot<'_> {
             errors.failed_crates.extend(first.take(1));
         }
         Ok(())
+    }
+
+    /// Adds an error for each file of a stage that failed which is no text: the compiler may not say
+    /// where it met this file.
+    fn add_files_without_text(&self, errors: &mut CompileErrors, show: bool) {
+        for stage in errors.failed_crates.clone() {
+            for sentence in sources::files_without_text(self.root, &stage) {
+                let sentence = format!("error: {sentence}\n");
+                if show {
+                    err!("{sentence}");
+                }
+                errors.messages.insert_str(0, &sentence);
+                errors.wrong_crates.insert(stage.clone());
+            }
+        }
     }
 
     /// Adds to the errors of a build what those about the worker mean.
@@ -294,8 +331,13 @@ fn build_in(
     if let Some(target) = target {
         command.arg("--target-dir").arg(target);
     }
-    let built = run_cargo(command, package, true, None)?;
-    Ok(built.map_err(|errors| errors.messages))
+    match run_cargo(command, package, true, None)? {
+        Ok(program) => Ok(Ok(program)),
+        Err(errors) => {
+            errors.ensure_of_the_code()?;
+            Ok(Err(errors.messages))
+        }
+    }
 }
 
 fn has_colours() -> bool {

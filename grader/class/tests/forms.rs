@@ -148,7 +148,7 @@ fn what_is_no_submission_is_said() {
         ),
         (
             tar(&[(LIB, &[b'x'; 4000])])[..700].to_vec(),
-            "ends too early, as after an upload",
+            "is a damaged tar file: it was cut or changed on its way",
         ),
         (
             b"PK\x05\x06\0\0\0\0\x01\0\x01\0\x40\0\0\0\xff\xff\0\0\0\0".to_vec(),

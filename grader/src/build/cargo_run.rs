@@ -135,7 +135,7 @@ fn push_message(messages: &mut String, text: &str) {
 
 impl CompileErrors {
     /// Adds an error of the compiler in a crate, which `says` this.
-    fn add(&mut self, of_crate: &str, says: String, has_place: bool) {
+    pub(super) fn add(&mut self, of_crate: &str, says: String, has_place: bool) {
         self.failed_crates.insert(of_crate.to_owned());
         if has_place {
             self.wrong_crates.insert(of_crate.to_owned());

@@ -381,3 +381,45 @@ fn copy_under_own_name(program: PathBuf, features: &[&str]) -> Result<PathBuf, G
     })?;
     Ok(copy)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The compiler does not say where it met a first file that is no text.
+    #[test]
+    fn a_file_in_utf_16_is_named_and_the_machine_is_not() {
+        let folder = tempfile::tempdir().unwrap();
+        let src = folder.path().join("stages/raygen/src");
+        std::fs::create_dir_all(&src).unwrap();
+        let root = BuildRoot {
+            root: folder.path(),
+            target: None,
+            sealed: false,
+            quiet: true,
+            launcher: None,
+        };
+        let utf_16 = |mark: &[u8]| {
+            let text = "pub fn f() {}".encode_utf16().flat_map(u16::to_le_bytes);
+            mark.iter().copied().chain(text).collect::<Vec<u8>>()
+        };
+        for (bytes, is) in [
+            (utf_16(b"\xff\xfe"), "UTF-16 text"),
+            (utf_16(b""), "UTF-16 text"),
+            (b"// caf\xe9\n".to_vec(), "no UTF-8 text"),
+        ] {
+            std::fs::write(src.join("lib.rs"), &bytes).unwrap();
+            let mut errors = CompileErrors::default();
+            errors.add("raygen", "couldn't read `lib.rs`".into(), false);
+            assert!(errors.ensure_of_the_code().is_err());
+            root.add_files_without_text(&mut errors, false);
+            let expected = format!("error: stages/raygen/src/lib.rs is {is}");
+            assert!(
+                errors.messages.starts_with(&expected),
+                "{}",
+                errors.messages
+            );
+            assert_eq!(errors.ensure_of_the_code(), Ok(()));
+        }
+    }
+}

@@ -84,6 +84,27 @@ impl CleanWorkspace {
         Ok(clean)
     }
 
+    /// The folder `top` without a sandbox, in which this program builds in the place of cargo.
+    #[cfg(test)]
+    pub(crate) fn with_cargo(top: &Path, cargo: &Path) -> CleanWorkspace {
+        CleanWorkspace {
+            trusted: top.join("course"),
+            libraries: top.join("libraries"),
+            target: top.join("target"),
+            home: top.join("home"),
+            toolchain: Toolchain {
+                cargo: cargo.to_path_buf(),
+                rustc: PathBuf::new(),
+                version: String::new(),
+                folders: Vec::new(),
+                path: std::env::var_os("PATH").unwrap_or_default(),
+            },
+            containment: Containment::None,
+            used: None,
+            top: top.to_path_buf(),
+        }
+    }
+
     /// How the code of submissions is contained.
     pub fn containment(&self) -> &Containment {
         &self.containment

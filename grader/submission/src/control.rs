@@ -90,6 +90,11 @@ fn failure(graded: &Graded) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::SubmissionReport;
+    use crate::file_tree;
+    use crate::one::Options;
+    use crate::read::Submission;
+    use grader::grade::GradeRequest;
     use std::cell::Cell;
 
     /// What counts, and how often the submission was graded and the control run, if the results of
@@ -123,5 +128,52 @@ mod tests {
         let no_linker = "linker `cc` not found";
         let failed = (Err(no_linker.to_string()), 1, 1);
         assert_eq!(graded(&[true], Err(no_linker)), failed);
+    }
+
+    /// A cargo without a linker: no crate has an error, and the worker is not linked.
+    #[cfg(unix)]
+    const NO_LINKER: &str = r#"#!/bin/sh
+echo '{"reason":"compiler-message","target":{"name":"worker"},"message":{"level":"error","message":"linker `cc` not found","rendered":"error: linker `cc` not found\n","spans":[],"code":null}}'
+exit 101
+"#;
+
+    #[cfg(unix)]
+    #[test]
+    fn a_missing_linker_is_no_score() {
+        use std::os::unix::fs::PermissionsExt;
+        let folder = tempfile::tempdir().expect("a folder");
+        let inside = |name: &str| folder.path().join(name);
+        file_tree::write(&inside("course/stages/raygen/src/lib.rs"), b"").expect("a file");
+        file_tree::write(&inside("home/config.toml"), b"").expect("a file");
+        for name in ["release/.fingerprint", "release/build", "release/deps"] {
+            std::fs::create_dir_all(inside("target").join(name)).expect("a folder");
+        }
+        file_tree::write(&inside("cargo"), NO_LINKER.as_bytes()).expect("a file");
+        let executable = std::fs::Permissions::from_mode(0o755);
+        std::fs::set_permissions(inside("cargo"), executable).expect("a file");
+        let clean = CleanWorkspace::with_cargo(folder.path(), &inside("cargo"));
+        let workspace = Workspace::above(Path::new(env!("CARGO_MANIFEST_DIR"))).expect("a course");
+        let files = Files::from([("lib.rs".into(), b"pub fn f() {}\n".to_vec())]);
+        let submission = Submission {
+            stages: [("raygen".to_string(), files)].into(),
+            ..Submission::default()
+        };
+        let options = Options {
+            request: GradeRequest {
+                what: "part1.task1".into(),
+                seed: 7,
+            },
+            together: false,
+            pictures: false,
+        };
+        let report = SubmissionReport::of(&submission, &workspace, &clean, &options);
+        let why = report.expect_err("nothing can be linked").to_string();
+        for words in [
+            "this machine cannot grade",
+            "`raygen`",
+            "linker `cc` not found",
+        ] {
+            assert!(why.contains(words), "{words}: {why}");
+        }
     }
 }

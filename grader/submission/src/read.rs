@@ -421,6 +421,31 @@ mod tests {
         assert_eq!(names, [PathBuf::from("lib.rs"), PathBuf::from("m/n.rs")]);
     }
 
+    /// Neither is told a sentence about the macros that its bytes look like.
+    #[test]
+    fn what_is_no_text_is_called_so() {
+        let text = "macro_rules! m { ($n:ident) => { unsafe {} } }";
+        let bytes: Vec<u8> = text.encode_utf16().flat_map(u16::to_le_bytes).collect();
+        let with_mark = [b"\xff\xfe", bytes.as_slice()].concat();
+        for (bytes, forbidden) in [
+            (with_mark, [""; 0].as_slice()),
+            (b"unsafe {} // caf\xe9".to_vec(), &[]),
+            // Text of zeros may be code for the compiler.
+            (
+                bytes,
+                &[
+                    "stages/intersect/src/lib.rs is UTF-16 text, which the compiler does not read (save it as UTF-8)",
+                ],
+            ),
+        ] {
+            let (_folder, submission) = read(&[("stages/intersect/src/lib.rs", &bytes)]);
+            let submission = submission.unwrap();
+            let found = submission.forbidden.get("intersect").cloned();
+            assert_eq!(found.unwrap_or_default(), forbidden);
+            assert!(submission.notes[0].contains("save it as UTF-8"));
+        }
+    }
+
     #[test]
     fn files_that_are_not_sources_are_listed_as_ignored() {
         let (_folder, submission) = read(&[

@@ -104,7 +104,7 @@ pub(super) fn unpack(path: &Path, unpacker: &mut Unpacker) -> Result<(), Unreada
 pub(super) fn damage(e: &io::Error) -> &'static str {
     match e.kind() {
         io::ErrorKind::UnexpectedEof => CUT,
-        _ => "its bytes were changed on their way. Ask for it again",
+        _ => "it was cut or changed on its way. Ask for it again",
     }
 }
 

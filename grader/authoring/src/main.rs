@@ -26,6 +26,12 @@ mod tests {
     use super::*;
 
     #[test]
+    fn the_stored_help_is_that_of_the_commands() {
+        let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+        base::program::check_help(command(), folder).unwrap();
+    }
+
+    #[test]
     fn usage_names_the_command_that_was_typed() {
         let error = command().try_get_matches_from(["target/release/authoring", "handout"]);
         let message = error.expect_err("options are missing").to_string();

@@ -1,6 +1,7 @@
 //! Errors that are not the fault of the student's code.
 
 use std::fmt;
+use std::io;
 use std::path::Path;
 
 /// An error in the grader or in its input. The message says what happened, where, and what to do.
@@ -20,8 +21,36 @@ impl GraderError {
     }
 }
 
+/// Whether the machine failed at reading or writing, such as a full disk, a lost network share or a
+/// missing permission. Other errors are about what was read: a name that is too long, or bytes that
+/// a library did not expect.
+pub fn is_of_the_machine(error: &io::Error) -> bool {
+    use io::ErrorKind as Kind;
+    // A library may have packed the system's error into its own.
+    let inner = error.get_ref().and_then(std::error::Error::source);
+    let packed = inner.and_then(|source| source.downcast_ref::<io::Error>());
+    if let Some(packed) = packed {
+        return is_of_the_machine(packed);
+    }
+    let is_about_the_file = matches!(
+        error.kind(),
+        Kind::NotFound
+            | Kind::NotADirectory
+            | Kind::IsADirectory
+            | Kind::AlreadyExists
+            | Kind::InvalidFilename
+            | Kind::InvalidInput
+            | Kind::InvalidData
+    );
+    let code = error.raw_os_error();
+    code.is_some_and(|code| !is_about_the_file && code != LINKS_IN_A_CIRCLE)
+}
+
+/// The system's number of an error for links that lead to each other (ELOOP).
+const LINKS_IN_A_CIRCLE: i32 = if cfg!(target_os = "linux") { 40 } else { 62 };
+
 /// The cause of an error about a temporary file, without the file's random name.
-pub fn without_path(error: &std::io::Error) -> String {
+pub fn without_path(error: &io::Error) -> String {
     let inner = error.get_ref().and_then(std::error::Error::source);
     let text = inner.map_or_else(|| error.to_string(), ToString::to_string);
     // `tempfile` adds the path to the text, and has no source.
@@ -39,6 +68,25 @@ impl std::error::Error for GraderError {}
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_the_machine_lacks_is_not_the_files_fault() {
+        // Too many open files, input or output, no space, no permission, a lost network share.
+        for code in [24, 5, 28, 13, 116] {
+            let error = io::Error::from_raw_os_error(code);
+            assert!(is_of_the_machine(&error), "{error}");
+        }
+        let library = io::Error::new(io::ErrorKind::InvalidData, "no such method");
+        for error in [
+            io::Error::from_raw_os_error(22), // before the start of a file
+            io::Error::from_raw_os_error(LINKS_IN_A_CIRCLE),
+            io::Error::from_raw_os_error(2),
+            io::ErrorKind::UnexpectedEof.into(),
+            library,
+        ] {
+            assert!(!is_of_the_machine(&error), "{error}");
+        }
+    }
 
     #[test]
     fn names_of_temporary_files_are_left_out() {

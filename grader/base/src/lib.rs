@@ -25,7 +25,7 @@ pub mod term;
 pub mod utc;
 mod workspace;
 
-pub use error::{GraderError, without_path};
+pub use error::{GraderError, is_of_the_machine, without_path};
 pub use files::{bytes_below, folder_of, write_whole, write_whole_by};
 pub use workspace::Workspace;
 

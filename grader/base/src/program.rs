@@ -80,6 +80,54 @@ pub fn subprogram_command(commands: impl IntoIterator<Item = Command>) -> Comman
         .subcommands(commands)
 }
 
+/// The name of the file, in the folder of a program's crate, with the help of its commands.
+pub const HELP: &str = "help.txt";
+
+/// The line in [`HELP`] above the help of a command, which is called with these words.
+fn help_line(words: &[&str]) -> String {
+    format!("$ grader {} --help\n", words.join(" "))
+}
+
+/// The help in the text of a [`HELP`] file of the command that `words` begin with.
+pub fn help_in<'a>(text: &'a str, words: &[&str]) -> Option<&'a str> {
+    let mut lengths = (1..=words.len()).rev();
+    let (_, rest) = lengths.find_map(|length| text.split_once(&help_line(&words[..length])))?;
+    Some(rest.split("\n$ grader ").next().unwrap_or(rest))
+}
+
+/// Compares the help of all commands of `command` with the file [`HELP`] in `folder`, from which it
+/// is printed before the program is built. With `UPDATE_SNAPSHOTS=1` writes the file. For tests.
+pub fn check_help(command: Command, folder: &Path) -> Result<(), String> {
+    let mut command = command.term_width(100);
+    command.build();
+    let mut text = String::new();
+    add_help(&command, &mut Vec::new(), &mut text);
+    let path = folder.join(HELP);
+    if std::env::var_os("UPDATE_SNAPSHOTS").is_some() {
+        std::fs::write(&path, &text).map_err(|e| e.to_string())?;
+    }
+    match std::fs::read_to_string(&path) {
+        Ok(stored) if stored == text => Ok(()),
+        _ => Err(format!(
+            "{} is not the help of the commands: run this test with UPDATE_SNAPSHOTS=1",
+            path.display()
+        )),
+    }
+}
+
+/// Appends the help of the commands of `command`, which is called with `words`.
+fn add_help<'a>(command: &'a Command, words: &mut Vec<&'a str>, text: &mut String) {
+    for sub in command.get_subcommands() {
+        if sub.get_name() == "help" {
+            continue;
+        }
+        words.push(sub.get_name());
+        *text += &format!("{}{}\n", help_line(words), sub.clone().render_help());
+        add_help(sub, words, text);
+        words.pop();
+    }
+}
+
 /// Reads the arguments of this process. After an error it prints a message and exits.
 pub fn arguments_of(command: Command) -> ArgMatches {
     command
@@ -99,6 +147,15 @@ fn without_misleading_tip(mut error: clap::Error) -> clap::Error {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_help_of_the_longest_command_is_found() {
+        let text = "$ grader course --help\nThe course\n\n$ grader course check --help\nChecks\n\n";
+        let help = |words: &[&str]| help_in(text, words);
+        assert_eq!(help(&["course", "part1"]), Some("The course\n"));
+        assert_eq!(help(&["course", "check", "x"]), Some("Checks\n\n"));
+        assert_eq!(help(&["mutants"]), None);
+    }
 
     #[test]
     fn an_unknown_flag_is_not_taken_for_a_value() {

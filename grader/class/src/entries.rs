@@ -24,7 +24,7 @@ const LINK: &str =
     "is a link, which may lead to files that nobody handed in: put a copy of them here";
 
 /// The endings of archives, which are not part of a student's name.
-const ENDINGS: [&str; 4] = [".tar.gz", ".tgz", ".tar", ".zip"];
+const ENDINGS: [&str; 6] = [".tar.gz", ".tgz", ".tar", ".zip", ".rar", ".7z"];
 
 /// The longest part of a name in that of a student's page, in bytes: with a hash, an ending, and the
 /// ending of a file that is being written, it is still a name.

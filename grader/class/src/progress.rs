@@ -62,12 +62,8 @@ impl Progress {
             );
         }
         let left = time_left(state.started.elapsed(), state.done, self.units);
-        let line = format!(
-            "{} of {} graded{left}: {}",
-            state.done,
-            self.units,
-            shown(planned)
-        );
+        let graded = graded(state.done, state.failed, self.units);
+        let line = format!("{graded}{left}: {}", shown(planned));
         match self.is_terminal {
             true => show(&mut state, &line),
             false => errln!("{line}"),
@@ -103,6 +99,14 @@ impl Progress {
     }
 }
 
+/// How many of the `done` units were graded.
+fn graded(done: usize, failed: usize, units: usize) -> String {
+    match failed {
+        0 => format!("{done} of {units} graded"),
+        _ => format!("{} of {units} graded, {failed} failed", done - failed),
+    }
+}
+
 /// Replaces the line on the terminal.
 fn show(state: &mut State, line: &str) {
     let line: String = line
@@ -130,6 +134,12 @@ fn time_left(elapsed: Duration, done: usize, units: usize) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_failed_is_not_graded() {
+        assert_eq!(graded(3, 0, 4), "3 of 4 graded");
+        assert_eq!(graded(3, 2, 4), "1 of 4 graded, 2 failed");
+    }
 
     #[test]
     fn the_time_left_follows_the_mean() {

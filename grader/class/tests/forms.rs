@@ -140,11 +140,23 @@ fn what_is_no_submission_is_said() {
         ),
         (
             whole[..whole.len() / 2].to_vec(),
-            "is a damaged or unusual zip file",
+            "is a damaged zip file: it ends too early, as after an upload that was cut. Ask for it again",
         ),
         (
             gzip(&tar(&[(LIB, &[b'x'; 4000])]))[..60].to_vec(),
-            "is a damaged tar file",
+            "is a damaged tar file: it ends too early, as after an upload",
+        ),
+        (
+            tar(&[(LIB, &[b'x'; 4000])])[..700].to_vec(),
+            "is a damaged tar file: it was cut or changed on its way",
+        ),
+        (
+            b"PK\x05\x06\0\0\0\0\x01\0\x01\0\x40\0\0\0\xff\xff\0\0\0\0".to_vec(),
+            "is a damaged zip file: its list of files cannot be read",
+        ),
+        (
+            zip(&[("homework/Homework.RAR", b"Rar!\x1a\x07\x01\0 and more")]),
+            "contains no stage, but Homework.RAR, a file of the form RAR, which is not read: ask for a zip",
         ),
     ] {
         match open(&bytes) {
@@ -318,6 +330,17 @@ fn the_commit_that_counts_is_read() {
     };
     let before = |time| Some(Revision::before(time).expect("a time"));
     assert_eq!(text(None), Ok("not committed".to_string()));
+    let notes = |revision: Option<Revision>| {
+        let opened = open_path(folder.path(), revision.as_ref());
+        opened.expect("a clone").1.join("; ")
+    };
+    let changed = |are: &str| format!("changes that are in no commit are {are}: {LIB}");
+    assert_eq!(notes(None), changed("graded"));
+    let late = || Some(Revision::Commit("late-one".into()));
+    assert_eq!(notes(late()), changed("not graded"));
+    // As a clone on Windows has it.
+    write(folder.path(), &[(LIB, b"late\r")]);
+    assert_eq!([notes(None), notes(late())], ["", ""]);
     assert_eq!(
         text(before("2026-11-20T00:00:00Z")),
         Ok("in time".to_string())
@@ -346,6 +369,28 @@ fn the_commit_that_counts_is_read() {
             other => panic!("{other:?}"),
         }
     }
+}
+
+#[test]
+fn a_clone_without_files_is_called_so() {
+    let folder = tempfile::tempdir().expect("a folder");
+    clone(folder.path());
+    std::fs::remove_dir_all(folder.path().join("stages")).expect("they are removed");
+    for of_clone in [folder.path().to_path_buf(), folder.path().join(".git")] {
+        let why = format!("{:?}", open_path(&of_clone, None));
+        let expected = "it is the history of a git clone without its files";
+        assert!(why.contains(expected), "{why}");
+    }
+}
+
+/// What cannot be read because of the machine is not the fault of what was handed in.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_disk_that_fails_is_the_machines_fault() {
+    // The system returns an error of input and output for the first byte of this file.
+    let file = Path::new("/proc/self/mem");
+    let read = intake::open(file, &STAGES, None);
+    assert!(matches!(read, Err(Unreadable::Machine(_))), "{read:?}");
 }
 
 /// Settings of a clone may name programs, and its objects may be somebody else's.

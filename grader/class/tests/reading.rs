@@ -282,7 +282,7 @@ fn archives_are_read(containment: Containment) {
             ),
             (
                 "\\u{1b}[2J\\u{202e}name",
-                "unreadable: is a damaged or unusual zip file",
+                "unreadable: is a damaged zip file: it ends too early",
             ),
             ("zoe", "read"),
         ],
@@ -304,6 +304,29 @@ fn a_clone_stops_only_itself() {
 #[test]
 fn an_archive_or_a_folder_stops_only_itself() {
     archives_are_read(Containment::None);
+}
+
+/// Where nothing can be read, what was handed in is not to blame.
+#[cfg(unix)]
+#[test]
+fn a_machine_that_cannot_read_its_own_course_reads_nothing() {
+    let folder = tempfile::tempdir().expect("a folder");
+    write(&folder.path().join("anna").join(LIB), b"mod a;\n");
+    let little = ReadingLimits {
+        memory_mb: 12,
+        output: 10,
+        ..LIMITS
+    };
+    for limits in [
+        ReadingLimits {
+            output: 10,
+            ..LIMITS
+        },
+        little,
+    ] {
+        let said = read(folder.path(), Containment::None, None, limits);
+        assert_said(&said, &[("anna", "not read: ")]);
+    }
 }
 
 /// As in the commands of the book: `grader class ../submissions`.

@@ -222,6 +222,12 @@ mod tests {
     use super::*;
 
     #[test]
+    fn the_stored_help_is_that_of_the_commands() {
+        let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+        base::program::check_help(command(), folder).unwrap();
+    }
+
+    #[test]
     fn what_becomes_part_of_a_script_is_checked() {
         command().debug_assert();
         assert_eq!(

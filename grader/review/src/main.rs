@@ -29,3 +29,14 @@ fn main() -> ExitCode {
         None => unreachable!("clap requires a command"),
     })
 }
+
+#[cfg(all(test, feature = "submissions"))]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_stored_help_is_that_of_the_commands() {
+        let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+        base::program::check_help(subprogram_command([review::command(), bless::command(), programs::look()]), folder).unwrap();
+    }
+}

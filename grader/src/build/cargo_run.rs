@@ -43,8 +43,13 @@ pub(crate) fn run_cargo(
             Some(Message::Program(path)) => program = Some(path),
             Some(Message::Warning { of_crate }) => warnings.add(&of_crate),
             None => {}
-            Some(Message::Error { text, of_crate }) => {
-                if of_crate == WORKER && package == WORKER {
+            Some(Message::Error {
+                text,
+                says,
+                of_crate,
+                has_place,
+            }) => {
+                if of_crate == WORKER && package == WORKER && has_place {
                     push_message(&mut errors.worker_messages, &text);
                 } else {
                     if show {
@@ -52,7 +57,7 @@ pub(crate) fn run_cargo(
                     }
                     push_message(&mut errors.messages, &text);
                 }
-                errors.failed_crates.insert(of_crate);
+                errors.add(&of_crate, says, has_place);
             }
         }
     }
@@ -129,6 +134,16 @@ fn push_message(messages: &mut String, text: &str) {
 }
 
 impl CompileErrors {
+    /// Adds an error of the compiler in a crate, which `says` this.
+    pub(super) fn add(&mut self, of_crate: &str, says: String, has_place: bool) {
+        self.failed_crates.insert(of_crate.to_owned());
+        if has_place {
+            self.wrong_crates.insert(of_crate.to_owned());
+        } else {
+            self.without_place.insert(of_crate.to_owned(), says);
+        }
+    }
+
     /// Adds the crates whose compiler ended without a message, which only cargo's last words
     /// `says` tell. `killed` says whether cargo was, because it took too long.
     fn add_crashes(&mut self, says: &str, killed: bool) {
@@ -194,8 +209,14 @@ enum Message {
     Program(PathBuf),
     /// A warning of the compiler about a crate.
     Warning { of_crate: String },
-    /// An error of the compiler in a crate.
-    Error { text: String, of_crate: String },
+    /// An error of the compiler in a crate: the whole text and its first sentence.
+    Error {
+        text: String,
+        says: String,
+        of_crate: String,
+        /// Whether it is about a place of the code.
+        has_place: bool,
+    },
 }
 
 impl Message {
@@ -206,13 +227,39 @@ impl Message {
         }
         let diagnostic = message.get("message")?;
         let level = diagnostic.get("level")?.as_str()?;
-        let text = diagnostic.get("rendered")?.as_str()?.to_string();
+        let text = with_true_advice(diagnostic.get("rendered")?.as_str()?);
         let of_crate = message.get("target")?.get("name")?.as_str()?.to_string();
         if !level.starts_with("error") {
             return Some(Message::Warning { of_crate });
         }
-        Some(Message::Error { text, of_crate })
+        let says = diagnostic.get("message")?.as_str()?.to_string();
+        let places = diagnostic.get("spans").and_then(|spans| spans.as_array());
+        Some(Message::Error {
+            text,
+            says,
+            of_crate,
+            has_place: places.is_some_and(|places| !places.is_empty()),
+        })
     }
+}
+
+/// What the compiler's advice about crates that are not there begins and goes on with.
+const ADVICE: [&str; 2] = ["if you wanted to use a crate named", "`cargo add "];
+
+/// What is true instead.
+const NO_OTHER_CRATES: &str =
+    "a stage is built with the crates that the course's Cargo.toml lists, and with no others";
+
+/// A message of the compiler, with true advice about crates that are not there.
+fn with_true_advice(message: &str) -> String {
+    let lines = message.split_inclusive('\n').map(|line| {
+        let advice = line.find(ADVICE[0]).filter(|_| line.contains(ADVICE[1]));
+        match advice {
+            Some(start) => format!("{}{NO_OTHER_CRATES}\n", &line[..start]),
+            None => line.to_owned(),
+        }
+    });
+    lines.collect()
 }
 
 #[cfg(test)]
@@ -229,6 +276,48 @@ mod tests {
             lines.push(line);
         }
         assert_eq!(lines, ["a\n", "", "b"]);
+    }
+
+    fn read(rendered: &str, spans: serde_json::Value) -> (String, String, bool) {
+        let line = serde_json::json!({
+            "target": { "name": "bvh" },
+            "message": { "level": "error", "message": "it", "rendered": rendered, "spans": spans },
+        });
+        match Message::read(&line.to_string()) {
+            Some(Message::Error {
+                text,
+                of_crate,
+                has_place,
+                ..
+            }) => (text, of_crate, has_place),
+            _ => panic!("it is an error"),
+        }
+    }
+
+    #[test]
+    fn nobody_is_told_to_add_a_crate() {
+        let rendered = "error: no `rand`\n  |\n  = help: if you wanted to use a crate named `rand`, use `cargo add rand` to add it to your `Cargo.toml`\n\n";
+        let (text, ..) = read(rendered, serde_json::json!([{}]));
+        let expected = format!("error: no `rand`\n  |\n  = help: {NO_OTHER_CRATES}\n\n");
+        assert_eq!(text, expected);
+    }
+
+    #[test]
+    fn an_error_at_no_place_of_the_code_is_the_machines() {
+        let errors_of = |spans| {
+            let (_, of_crate, has_place) = read("error: it", spans);
+            let mut errors = CompileErrors::default();
+            errors.add(&of_crate, "it".into(), has_place);
+            errors
+        };
+        let in_code = errors_of(serde_json::json!([{}]));
+        assert_eq!(in_code.ensure_of_the_code(), Ok(()));
+        let no_place = errors_of(serde_json::json!([]));
+        let why = no_place.ensure_of_the_code().unwrap_err().to_string();
+        assert!(
+            why.starts_with("this machine cannot build `bvh`: it."),
+            "{why}"
+        );
     }
 
     #[test]

@@ -9,10 +9,11 @@ mod target_folder;
 
 use crate::build::cargo_run::{MOST_TIME, run_cargo};
 use crate::build::read_files::ReadFiles;
+use crate::course::sources;
 use crate::workers::launcher::Launcher;
 use crate::workers::runner::Worker;
 use base::{GraderError, Workspace, child_processes, err};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -33,6 +34,11 @@ pub enum BuildOutcome {
 pub struct CompileErrors {
     /// The crates that have errors. Crates that depend on them were not built.
     pub failed_crates: BTreeSet<String>,
+    /// Those of them with an error at a place of their code.
+    pub(crate) wrong_crates: BTreeSet<String>,
+    /// What the compiler said about no place of the code, such as a linker that is missing or a
+    /// disk that is full: the last such sentence of each crate.
+    pub(crate) without_place: BTreeMap<String, String>,
     /// The compiler's messages, but instead of those about the worker what they mean for the stage,
     /// if the worker links one stage. They were also printed to stderr unless the build is quiet or
     /// sealed.
@@ -59,6 +65,20 @@ pub struct BuildRoot<'a> {
     /// Starts cargo, and the workers that it builds, with few rights; `None` for the rights of this
     /// program.
     pub launcher: Option<&'a Arc<dyn Launcher>>,
+}
+
+impl CompileErrors {
+    /// Returns an error if a crate failed without an error at a place of its code: then the machine
+    /// failed, and not the code.
+    pub(super) fn ensure_of_the_code(&self) -> Result<(), GraderError> {
+        let mut failed = self.without_place.iter();
+        match failed.find(|(name, _)| !self.wrong_crates.contains(*name)) {
+            None => Ok(()),
+            Some((name, says)) => Err(GraderError::new(format!(
+                "this machine cannot build `{name}`: {says}. This is no error in the code, so nothing is graded. Run `cargo grader doctor`: it says what is missing"
+            ))),
+        }
+    }
 }
 
 /// A limit that building the code exceeded.
@@ -116,8 +136,10 @@ impl BuildRoot<'_> {
                 }))
             }
             Err(mut errors) => {
-                if self.launcher.is_some() {
-                    self.blame_the_code(&mut errors, features)?;
+                self.add_files_without_text(&mut errors, show);
+                match self.launcher {
+                    Some(_) => self.blame_the_code(&mut errors, features)?,
+                    None => errors.ensure_of_the_code()?,
                 }
                 Ok(BuildOutcome::DoesNotCompile(
                     self.with_explanation(errors, features, show),
@@ -194,6 +216,21 @@ impl BuildRoot<'_> {
             errors.failed_crates.extend(first.take(1));
         }
         Ok(())
+    }
+
+    /// Adds an error for each file of a stage that failed which is no text: the compiler may not say
+    /// where it met this file.
+    fn add_files_without_text(&self, errors: &mut CompileErrors, show: bool) {
+        for stage in errors.failed_crates.clone() {
+            for sentence in sources::files_without_text(self.root, &stage) {
+                let sentence = format!("error: {sentence}\n");
+                if show {
+                    err!("{sentence}");
+                }
+                errors.messages.insert_str(0, &sentence);
+                errors.wrong_crates.insert(stage.clone());
+            }
+        }
     }
 
     /// Adds to the errors of a build what those about the worker mean.
@@ -294,8 +331,13 @@ fn build_in(
     if let Some(target) = target {
         command.arg("--target-dir").arg(target);
     }
-    let built = run_cargo(command, package, true, None)?;
-    Ok(built.map_err(|errors| errors.messages))
+    match run_cargo(command, package, true, None)? {
+        Ok(program) => Ok(Ok(program)),
+        Err(errors) => {
+            errors.ensure_of_the_code()?;
+            Ok(Err(errors.messages))
+        }
+    }
 }
 
 fn has_colours() -> bool {
@@ -338,4 +380,46 @@ fn copy_under_own_name(program: PathBuf, features: &[&str]) -> Result<PathBuf, G
         GraderError::file("write", &copy, e)
     })?;
     Ok(copy)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The compiler does not say where it met a first file that is no text.
+    #[test]
+    fn a_file_in_utf_16_is_named_and_the_machine_is_not() {
+        let folder = tempfile::tempdir().unwrap();
+        let src = folder.path().join("stages/raygen/src");
+        std::fs::create_dir_all(&src).unwrap();
+        let root = BuildRoot {
+            root: folder.path(),
+            target: None,
+            sealed: false,
+            quiet: true,
+            launcher: None,
+        };
+        let utf_16 = |mark: &[u8]| {
+            let text = "pub fn f() {}".encode_utf16().flat_map(u16::to_le_bytes);
+            mark.iter().copied().chain(text).collect::<Vec<u8>>()
+        };
+        for (bytes, is) in [
+            (utf_16(b"\xff\xfe"), "UTF-16 text"),
+            (utf_16(b""), "UTF-16 text"),
+            (b"// caf\xe9\n".to_vec(), "no UTF-8 text"),
+        ] {
+            std::fs::write(src.join("lib.rs"), &bytes).unwrap();
+            let mut errors = CompileErrors::default();
+            errors.add("raygen", "couldn't read `lib.rs`".into(), false);
+            assert!(errors.ensure_of_the_code().is_err());
+            root.add_files_without_text(&mut errors, false);
+            let expected = format!("error: stages/raygen/src/lib.rs is {is}");
+            assert!(
+                errors.messages.starts_with(&expected),
+                "{}",
+                errors.messages
+            );
+            assert_eq!(errors.ensure_of_the_code(), Ok(()));
+        }
+    }
 }

@@ -3,8 +3,8 @@
 //! Cargo builds each of them on its first use.
 
 use crate::build;
-use base::program::Exit;
-use base::{GraderError, Workspace, errln};
+use base::program::{Exit, HELP, help_in};
+use base::{GraderError, Workspace, errln, outln};
 use std::ffi::OsString;
 use std::path::Path;
 use std::process::Command;
@@ -12,6 +12,25 @@ use std::process::Command;
 /// The command of `review` that students use, for which it is built without the libraries of the
 /// others.
 const LOOK: &str = "look";
+
+/// Prints the help of the command that `arguments` name, if they ask for it, without building its
+/// program. Returns whether they do.
+fn print_help(manifest: &Path, arguments: &[OsString]) -> bool {
+    if !arguments.iter().any(|it| it == "--help" || it == "-h") {
+        return false;
+    }
+    let words: Vec<&str> = arguments
+        .iter()
+        .map_while(|it| it.to_str().filter(|word| !word.starts_with('-')))
+        .collect();
+    let text = std::fs::read_to_string(manifest.join(HELP)).unwrap_or_default();
+    match help_in(&text, &words) {
+        Some(help) => outln!("{}", help.trim_end()),
+        // A handout.
+        None => outln!("This command is for instructors: the course's full checkout has its help."),
+    }
+    true
+}
 
 /// Builds the program of `package` and runs it with `arguments`. On Unix it replaces this process.
 pub fn run(package: &str, arguments: Vec<OsString>) -> Result<Exit, GraderError> {
@@ -23,6 +42,9 @@ pub fn run(package: &str, arguments: Vec<OsString>) -> Result<Exit, GraderError>
             "{} is a handout, and a handout does not have this command. Run it in the course's full checkout",
             workspace.root().display()
         )));
+    }
+    if print_help(&manifest, &arguments) {
+        return Ok(Exit::Passed);
     }
     let is_look = arguments.first().is_some_and(|command| command == LOOK);
     if !is_built(package) {

@@ -69,6 +69,31 @@ pub fn read(root: &Path, stage: &str) -> Result<Vec<SourceFile>, GraderError> {
     paths(root, stage)?.into_iter().map(read).collect()
 }
 
+/// What `bytes` are instead of text in UTF-8, and what to do; `None` if they are such text.
+pub fn why_no_text(bytes: &[u8]) -> Option<&'static str> {
+    // Without a byte order mark, every second byte of a program in UTF-16 is zero.
+    let zeros = bytes.iter().filter(|byte| **byte == 0).count();
+    let is_utf16 = bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff");
+    if is_utf16 || zeros * 3 > bytes.len() {
+        return Some("UTF-16 text, which the compiler does not read (save it as UTF-8)");
+    }
+    let is_text = std::str::from_utf8(bytes).is_ok();
+    (!is_text).then_some("no UTF-8 text, so the compiler does not read it (save it as UTF-8)")
+}
+
+/// A sentence for each Rust file of `stage` in the workspace `root` that is not text in UTF-8.
+pub(crate) fn files_without_text(root: &Path, stage: &str) -> Vec<String> {
+    let said = paths(root, stage)
+        .unwrap_or_default()
+        .into_iter()
+        .filter_map(|path| {
+            let why = why_no_text(&std::fs::read(&path).ok()?)?;
+            let name = with_slashes(path.strip_prefix(root).unwrap_or(&path));
+            Some(format!("{name} is {why}"))
+        });
+    said.collect()
+}
+
 /// Reads the Rust files of all stages of `course` in the workspace `root`.
 pub fn read_all<'a>(
     root: &Path,

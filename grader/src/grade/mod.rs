@@ -12,7 +12,7 @@ use crate::report::{Report, TaskReport};
 use crate::score::regularity;
 use crate::score::{CaseResult, Status, TaskResult};
 use crate::signature::Signature;
-use crate::workers::crash::{self, Crash};
+use crate::workers::crash::{self, Crash, CrashKind};
 use crate::workers::printed::Printed;
 use crate::workers::runner::Ending;
 use crate::workers::stage_workers::StageWorkers;
@@ -44,6 +44,9 @@ pub struct Graded {
     pub compiler: String,
     /// The limit that the compiler exceeded, if it did.
     pub limit: Option<BuildLimit>,
+    /// Whether the machine may be the cause of lost points: a build failed, or the system ended a
+    /// worker.
+    pub may_be_the_machine: bool,
     /// Pictures of tasks that lost core points, if they were asked for: PNG files of expected,
     /// yours and their difference, by the keys of the tasks.
     pub pictures: Vec<(String, Vec<u8>)>,
@@ -76,6 +79,7 @@ pub fn in_place(
         (run, pictures)
     });
     let run = run?;
+    let may_be_the_machine = may_be_the_machine(&workers, &run.results);
     let mut tasks = explain(
         workspace,
         &course,
@@ -103,6 +107,7 @@ pub fn in_place(
         printed: run.printed,
         compiler: workers.compiler,
         limit: workers.limit,
+        may_be_the_machine,
         pictures: Vec::new(),
     })
 }
@@ -142,6 +147,7 @@ pub fn at(
             result.score < result.max_score && result.status != Status::NotAttempted
         })
     };
+    let may_be_the_machine = may_be_the_machine(&workers, &run.results);
     let mut sheets = Vec::new();
     for task in tasks.iter().copied().filter(|task| pictures && lost(task)) {
         let rendered = picture::render(workspace, course, task, &workers)?;
@@ -159,7 +165,18 @@ pub fn at(
         printed: run.printed,
         compiler: workers.compiler,
         limit: workers.limit,
+        may_be_the_machine,
     })
+}
+
+/// Whether a build of `workers` failed, or the system ended one of them in the cases of `results`.
+fn may_be_the_machine(workers: &WorkerSet, results: &[TaskResult]) -> bool {
+    let mut cases = results.iter().flat_map(|result| &result.cases);
+    let is_killed = |case: &CaseResult| {
+        case.crash
+            .is_some_and(|crash| crash.kind == CrashKind::Killed)
+    };
+    workers.has_failed || cases.any(is_killed)
 }
 
 /// All cases of a seed. A handout refuses other seeds than 0: it has no right results for them.

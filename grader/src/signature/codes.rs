@@ -51,7 +51,7 @@ pub(super) fn codes_of(case: &CaseResult) -> Vec<(SignatureKey, Codes)> {
             Some(CrashKind::Panic) => CRASHED,
             Some(CrashKind::Endless) => ENDLESS,
             // No mistake of a formula ends the program.
-            Some(CrashKind::Ended) | None => return Vec::new(),
+            Some(CrashKind::Ended | CrashKind::Killed) | None => return Vec::new(),
         };
         return vec![(key(Side::Crash), Codes(vec![code]))];
     }

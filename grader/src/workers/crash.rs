@@ -24,6 +24,8 @@ pub enum CrashKind {
     Endless,
     /// The code ended the program, or wrote into the worker's records.
     Ended,
+    /// The system ended the program or did not start it. It may have run out of memory.
+    Killed,
 }
 
 impl Crash {
@@ -36,6 +38,7 @@ impl Crash {
             Ending::TooManyThreads { call } => (CrashKind::Endless, Some(*call)),
             Ending::OutOfTime => (CrashKind::Endless, None),
             Ending::Died { how, call } if how.is_endless() => (CrashKind::Endless, *call),
+            Ending::Died { how, call } if how.is_of_the_system() => (CrashKind::Killed, *call),
             Ending::Died { call, .. } => (CrashKind::Ended, *call),
             Ending::Malformed(_) | Ending::ChangedCounts(_) => (CrashKind::Ended, None),
             Ending::Recorded(record) => match &record.outcome {

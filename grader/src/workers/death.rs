@@ -68,6 +68,14 @@ impl Death {
             .then_some(Death::TooLargeToStart { limit_mb })
     }
 
+    /// Whether the machine may be the cause: no code that the compiler checks gets these signals.
+    pub fn is_of_the_system(self) -> bool {
+        matches!(
+            self,
+            Death::Signal(_) | Death::TooLargeToStart { .. } | Death::Unknown
+        )
+    }
+
     /// Whether it is a symptom of code that does not end, as is a time limit.
     pub fn is_endless(self) -> bool {
         matches!(self, Death::StackOverflow | Death::OutOfMemory { .. })

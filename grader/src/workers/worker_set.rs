@@ -27,6 +27,8 @@ pub struct WorkerSet {
     pub compiler: String,
     /// The limit that the compiler exceeded, if it did.
     pub limit: Option<BuildLimit>,
+    /// Whether a build failed.
+    pub has_failed: bool,
 }
 
 impl WorkerSet {
@@ -49,6 +51,7 @@ impl WorkerSet {
                 }
                 BuildOutcome::DoesNotCompile(errors) => errors,
             };
+            workers.has_failed = true;
             workers.limit = workers.limit.or(errors.limit);
             let is_stage = |name: &String| {
                 let mut known = stages.iter().chain(&INTERSECTION_STAGES);
@@ -77,7 +80,10 @@ impl WorkerSet {
         stages: &[&str],
         whole_scene: bool,
     ) -> Result<WorkerSet, GraderError> {
-        let mut workers = WorkerSet::empty();
+        let mut workers = WorkerSet {
+            has_failed: true,
+            ..WorkerSet::empty()
+        };
         let mut all_errors = CompileErrors::default();
         let others = INTERSECTION_STAGES
             .iter()
@@ -109,6 +115,7 @@ impl WorkerSet {
             whole_scene: Err(SCENES_WORKER.into()),
             compiler: String::new(),
             limit: None,
+            has_failed: false,
         }
     }
 

@@ -1,7 +1,7 @@
 //! The folder in which one submission is built: a copy of the course with its stages, and a copy of
 //! what was compiled before. Nothing that is built here reaches another submission.
 
-use crate::clean_workspace::CleanWorkspace;
+use crate::clean_workspace::{CleanWorkspace, mark_used};
 use crate::file_tree::{self, Files};
 use crate::untrusted::{Layout, shown};
 use base::GraderError;
@@ -22,6 +22,7 @@ pub struct BuildFolder {
     /// Cargo's target folder.
     target: PathBuf,
     launcher: Arc<dyn Launcher>,
+    _used: File,
     _folder: TempFolder,
 }
 
@@ -40,6 +41,7 @@ impl BuildFolder {
         end: Option<Instant>,
     ) -> Result<BuildFolder, GraderError> {
         let folder = interrupt::temp_folder_in(clean.top())?;
+        let used = mark_used(folder.path())?;
         let inside = |name: &str| folder.path().join(name);
         let (root, target, home) = (inside("course"), inside("target"), inside("home"));
         let names: Vec<&str> = stages.iter().map(|(stage, _)| *stage).collect();
@@ -82,6 +84,7 @@ impl BuildFolder {
             root,
             target,
             launcher: Arc::new(jail),
+            _used: used,
             _folder: folder,
         })
     }

@@ -35,6 +35,8 @@ pub struct CleanWorkspace {
     home: PathBuf,
     toolchain: Toolchain,
     containment: Containment,
+    /// Locked as long as it is used: the clock may say that it is old.
+    used: Option<File>,
 }
 
 /// The folder of the worker's crate: all that is compiled for a submission besides its stages.
@@ -61,13 +63,14 @@ impl CleanWorkspace {
         let all = root.join("target/submissions");
         std::fs::create_dir_all(&all).map_err(|e| GraderError::file("create", &all, e))?;
         let top = all.join(version(&files, &toolchain));
-        let clean = CleanWorkspace {
+        let mut clean = CleanWorkspace {
             trusted: top.join("course"),
             libraries: top.join("libraries"),
             target: top.join("target"),
             home: top.join("home"),
             toolchain,
             containment,
+            used: None,
             top,
         };
         // Another grader may be making it.
@@ -75,9 +78,31 @@ impl CleanWorkspace {
         if !clean.top.join(COMPLETE).is_file() {
             clean.make(&files)?;
         }
+        clean.used = Some(mark_used(&clean.top)?);
         remove_unused(&all, &clean.top);
         remove_unused(&clean.top, &clean.target);
         Ok(clean)
+    }
+
+    /// The folder `top` without a sandbox, in which this program builds in the place of cargo.
+    #[cfg(test)]
+    pub(crate) fn with_cargo(top: &Path, cargo: &Path) -> CleanWorkspace {
+        CleanWorkspace {
+            trusted: top.join("course"),
+            libraries: top.join("libraries"),
+            target: top.join("target"),
+            home: top.join("home"),
+            toolchain: Toolchain {
+                cargo: cargo.to_path_buf(),
+                rustc: PathBuf::new(),
+                version: String::new(),
+                folders: Vec::new(),
+                path: std::env::var_os("PATH").unwrap_or_default(),
+            },
+            containment: Containment::None,
+            used: None,
+            top: top.to_path_buf(),
+        }
     }
 
     /// How the code of submissions is contained.
@@ -238,9 +263,21 @@ fn is_manifest(name: &OsStr) -> bool {
 /// How long something may stay unused.
 const UNUSED: Duration = Duration::from_secs(24 * 60 * 60);
 
+/// The file in a folder that is locked by those who use the folder.
+const USED: &str = "used";
+
+/// Marks `folder` as used, until the returned file is closed or the program ends in any way.
+pub(crate) fn mark_used(folder: &Path) -> Result<File, GraderError> {
+    let path = folder.join(USED);
+    let failed = |e| GraderError::file("lock", &path, e);
+    let file = File::create(&path).map_err(failed)?;
+    file.lock_shared().map_err(failed)?;
+    Ok(file)
+}
+
 /// Removes what is in `folder` for another version of the course, or for a submission whose grader
-/// was killed: folders with the names of such that nothing was written to for a day, but not
-/// `kept`. What cannot be removed stays.
+/// was killed: folders with the names of such that nobody uses and nothing was written to for a
+/// day, but not `kept`. What cannot be removed stays.
 fn remove_unused(folder: &Path, kept: &Path) {
     let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
     for entry in entries {
@@ -249,7 +286,9 @@ fn remove_unused(folder: &Path, kept: &Path) {
         let is_ours = name.starts_with("course-") || name.starts_with(".grader-");
         let modified = entry.metadata().and_then(|metadata| metadata.modified());
         let age = modified.ok().and_then(|time| time.elapsed().ok());
-        if is_ours && entry.path() != kept && age.is_some_and(|age| age > UNUSED) {
+        let used = File::open(entry.path().join(USED));
+        let is_used = used.is_ok_and(|file| file.try_lock().is_err());
+        if is_ours && !is_used && entry.path() != kept && age.is_some_and(|age| age > UNUSED) {
             let _ = std::fs::remove_dir_all(entry.path());
         }
     }
@@ -389,10 +428,16 @@ mod tests {
             make("course-3", false),
             make(".grader-x", true),
             make("other", true),
+            // Of a grader that runs, by a clock that jumped.
+            make(".grader-y", false),
         ];
+        let _used = mark_used(&all[4]).unwrap();
+        let times = std::fs::FileTimes::new().set_modified(long_ago);
+        File::open(&all[4]).unwrap().set_times(times).unwrap();
         remove_unused(folder.path(), &kept);
         assert!(kept.exists());
-        assert_eq!(all.map(|path| path.exists()), [false, true, false, true]);
+        let left = all.map(|path| path.exists());
+        assert_eq!(left, [false, true, false, true, true]);
     }
 
     #[test]

@@ -3,13 +3,15 @@
 use crate::SubmissionReport;
 use crate::clean_workspace::CleanWorkspace;
 use crate::containment::Containment;
+use crate::control;
 use crate::read::Submission;
-use base::{GraderError, Workspace};
+use base::{GraderError, Workspace, is_of_the_machine};
 use grader::build::BuildLimit;
-use grader::course::Course;
+use grader::course::{Course, Task};
 use grader::grade::GradeRequest;
 use std::fmt;
 use std::hash::{BuildHasher, Hasher, RandomState};
+use std::io;
 use std::path::Path;
 
 /// The course that submissions are graded against. Threads may share it: each submission has files
@@ -33,6 +35,23 @@ impl GradingCourse {
             clean: CleanWorkspace::open(workspace, containment)?,
             workspace: workspace.clone(),
         })
+    }
+
+    /// Builds and grades the course's own first stage of `request` as submissions are: if that fails,
+    /// this machine cannot grade.
+    pub fn ensure_that_it_grades(&self, request: &GradeRequest) -> Result<(), GraderError> {
+        let tasks = self.course.select(&request.what)?;
+        let stage = tasks.first().map(|task| &task.stage);
+        let tasks: Vec<&Task> = (tasks.iter().copied())
+            .filter(|task| Some(&task.stage) == stage)
+            .collect();
+        control::grade(
+            &self.workspace,
+            &self.clean,
+            &self.course,
+            &tasks,
+            request.seed,
+        )
     }
 
     /// The list of parts and tasks.
@@ -95,6 +114,29 @@ pub enum NotGraded {
     Infrastructure(String),
 }
 
+impl NotGraded {
+    /// The error `e` at reading what was handed in.
+    pub(crate) fn at(action: &str, path: &Path, e: &io::Error) -> NotGraded {
+        let why = GraderError::file(action, path, e).to_string();
+        match is_of_the_machine(e) {
+            true => NotGraded::Infrastructure(why),
+            false => NotGraded::Refused(why),
+        }
+    }
+}
+
+impl From<GraderError> for NotGraded {
+    fn from(error: GraderError) -> NotGraded {
+        NotGraded::Infrastructure(error.to_string())
+    }
+}
+
+impl From<NotGraded> for GraderError {
+    fn from(error: NotGraded) -> GraderError {
+        GraderError::new(error.to_string())
+    }
+}
+
 impl fmt::Display for NotGraded {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (NotGraded::Refused(why) | NotGraded::Infrastructure(why)) = self;
@@ -110,10 +152,8 @@ pub fn grade_one(
     folder: &Path,
     options: &Options,
 ) -> Result<GradedSubmission, NotGraded> {
-    let submission = Submission::read(folder, &course.course, course.workspace.root())
-        .map_err(|why| NotGraded::Refused(why.to_string()))?;
-    grade_read(course, &submission, options)
-        .map_err(|why| NotGraded::Infrastructure(why.to_string()))
+    let submission = Submission::read(folder, &course.course, course.workspace.root())?;
+    Ok(grade_read(course, &submission, options)?)
 }
 
 /// Grades a submission that was read. An error is the machine's or the course's.

@@ -2,12 +2,14 @@
 
 use crate::file_tree::Files;
 use crate::given::Given;
+use crate::one::NotGraded;
 use crate::untrusted::{Layout, Untrusted, shown};
 use crate::{scan, source_file};
 use base::GraderError;
-use grader::course::{Course, Task};
+use grader::course::{Course, Task, sources};
 use grader::examples;
 use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -59,21 +61,25 @@ const SOURCES_DEPTH: usize = 3;
 impl Submission {
     /// Reads the stages of `course` from `folder`: a whole project, or only its folder `stages`.
     /// `trusted` is the course's own workspace.
-    pub fn read(folder: &Path, course: &Course, trusted: &Path) -> Result<Submission, GraderError> {
+    pub fn read(folder: &Path, course: &Course, trusted: &Path) -> Result<Submission, NotGraded> {
         // An error names a file of the student's.
-        Submission::of(folder, course, trusted)
-            .map_err(|error| GraderError::new(shown(&error.to_string(), Layout::Line)))
+        let line = |why: String| shown(&why, Layout::Line);
+        Submission::of(folder, course, trusted).map_err(|error| match error {
+            NotGraded::Refused(why) => NotGraded::Refused(line(why)),
+            NotGraded::Infrastructure(why) => NotGraded::Infrastructure(line(why)),
+        })
     }
 
-    fn of(folder: &Path, course: &Course, trusted: &Path) -> Result<Submission, GraderError> {
+    fn of(folder: &Path, course: &Course, trusted: &Path) -> Result<Submission, NotGraded> {
         if folder.is_file() {
-            return Err(GraderError::new(format!(
+            return Err(NotGraded::Refused(format!(
                 "{} is a file. Expected a folder that contains stages/<stage>/src: if it is an archive, unpack it first",
                 folder.display()
             )));
         }
-        let failed = |e: std::io::Error| GraderError::file("open", folder, e);
-        let top = folder.canonicalize().map_err(failed)?;
+        let top = folder
+            .canonicalize()
+            .map_err(|e| GraderError::file("open", folder, e))?;
         let stages_folder = if exists(&top.join("stages"))? {
             top.join("stages")
         } else {
@@ -95,11 +101,14 @@ impl Submission {
             }
             let src = stages_folder.join(stage).join("src");
             if exists(&src)? {
-                let files = sources(&top, &src, &mut notes)?;
-                let found = reaches_out(stage, &files);
+                let files = source_files(&top, &src, &mut notes)?;
+                let code = code_of(&files);
+                let found = reaches_out(stage, &code);
                 submission.to_check.extend(first_places(found));
-                submission.to_check.extend(scan::table(stage, &files));
-                let forbidden = first_places(scan::forbidden(stage, &files));
+                submission.to_check.extend(scan::table(stage, &code));
+                let mut forbidden = scan::forbidden(stage, &code);
+                forbidden.extend(zeros(stage, &files));
+                let forbidden = first_places(forbidden);
                 if !forbidden.is_empty() {
                     submission.forbidden.insert((*stage).to_string(), forbidden);
                 }
@@ -109,7 +118,7 @@ impl Submission {
             }
         }
         if submission.stages.is_empty() {
-            return Err(GraderError::new(format!(
+            return Err(NotGraded::Refused(format!(
                 "{} contains no stage: expected a folder stages/<stage>/src, where <stage> is {}. Is it the right folder?",
                 folder.display(),
                 stages.join(" or ")
@@ -131,8 +140,7 @@ impl Submission {
             })
         };
         let given = Given::of(&top, &stages_folder, trusted);
-        let mut entries = 0;
-        let all = walk(&top, SOURCES_DEPTH + MAX_DEPTH, &mut entries, &mut |path| {
+        let all = for_each_file(&top, &mut |path| {
             let name = path.strip_prefix(&top).unwrap_or(path);
             let path_in_course = if stages_folder == top {
                 Path::new("stages").join(name)
@@ -190,20 +198,48 @@ fn note((what, mut files): (&'static str, Vec<String>)) -> String {
 }
 
 /// Whether `path` exists. A path that cannot be accessed is an error: it must not count as missing.
-fn exists(path: &Path) -> Result<bool, GraderError> {
+fn exists(path: &Path) -> Result<bool, NotGraded> {
     match path.metadata() {
         Ok(_) => Ok(true),
         // A broken link counts as existing.
         Err(e) if e.kind() == std::io::ErrorKind::NotFound => Ok(path.is_symlink()),
-        Err(e) => Err(GraderError::file("read", path, e)),
+        Err(e) => Err(NotGraded::at("read", path, &e)),
     }
+}
+
+/// The files that are text. The compiler refuses the others, if a module names them.
+fn code_of(files: &Files) -> Cow<'_, Files> {
+    let is_text = |text: &Vec<u8>| sources::why_no_text(text).is_none();
+    match files.values().all(is_text) {
+        true => Cow::Borrowed(files),
+        false => {
+            let texts = files.iter().filter(|(_, text)| is_text(text));
+            Cow::Owned(
+                texts
+                    .map(|(path, text)| (path.clone(), text.clone()))
+                    .collect(),
+            )
+        }
+    }
+}
+
+/// A sentence for each file that is no text, but of zero bytes and others that the compiler may take
+/// for text.
+fn zeros(stage: &str, files: &Files) -> Vec<String> {
+    let found = files.iter().filter_map(|(path, text)| {
+        let why = sources::why_no_text(text)?;
+        let path = Untrusted::new(path.to_string_lossy()).line();
+        let is_utf8 = std::str::from_utf8(text).is_ok();
+        is_utf8.then(|| format!("stages/{stage}/src/{path} is {why}"))
+    });
+    found.collect()
 }
 
 /// Reads the Rust files below `src`, which is inside `top`. Appends what was unusual about them to
 /// `notes`.
-fn sources(top: &Path, src: &Path, notes: &mut Notes) -> Result<Files, GraderError> {
+fn source_files(top: &Path, src: &Path, notes: &mut Notes) -> Result<Files, NotGraded> {
     let link = |folder: &Path| {
-        GraderError::new(format!(
+        NotGraded::Refused(format!(
             "{} is a link to a folder. A submission must contain the files themselves",
             folder.display()
         ))
@@ -211,19 +247,19 @@ fn sources(top: &Path, src: &Path, notes: &mut Notes) -> Result<Files, GraderErr
     // Below a folder that is reached without a link, only links lead out.
     let real = src
         .canonicalize()
-        .map_err(|e| GraderError::file("read", src, e))?;
+        .map_err(|e| NotGraded::at("read", src, &e))?;
     if !real.starts_with(top) {
         return Err(link(src));
     }
     let mut files = Files::new();
     let mut folders = vec![(src.to_path_buf(), 0)];
     while let Some((folder, depth)) = folders.pop() {
-        let failed = |e: std::io::Error| GraderError::file("read", &folder, e);
+        let failed = |e: std::io::Error| NotGraded::at("read", &folder, &e);
         if folder.symlink_metadata().map_err(failed)?.is_symlink() {
             return Err(link(&folder));
         }
         if depth > MAX_DEPTH {
-            return Err(GraderError::new(format!(
+            return Err(NotGraded::Refused(format!(
                 "{} contains folders inside each other, more than {MAX_DEPTH} deep: too deep for a stage",
                 src.display()
             )));
@@ -235,7 +271,7 @@ fn sources(top: &Path, src: &Path, notes: &mut Notes) -> Result<Files, GraderErr
             } else if path.extension().is_some_and(|extension| extension == "rs") {
                 let below = path.strip_prefix(src).unwrap_or(&path).to_path_buf();
                 if below.as_os_str().len() > MAX_PATH {
-                    return Err(GraderError::new(format!(
+                    return Err(NotGraded::Refused(format!(
                         "{} contains a path of more than {MAX_PATH} bytes: too long for a stage",
                         src.display()
                     )));
@@ -248,7 +284,7 @@ fn sources(top: &Path, src: &Path, notes: &mut Notes) -> Result<Files, GraderErr
                 }
                 files.insert(below, file.text);
                 if files.len() > MAX_FILES {
-                    return Err(GraderError::new(format!(
+                    return Err(NotGraded::Refused(format!(
                         "{} contains more than {MAX_FILES} source files: too many for a stage",
                         src.display()
                     )));
@@ -259,16 +295,21 @@ fn sources(top: &Path, src: &Path, notes: &mut Notes) -> Result<Files, GraderErr
     Ok(files)
 }
 
-/// Calls `visit` for every file below `folder` and for every folder that cannot be read. Does not
-/// follow links. Returns whether these were all: it stops after [`MAX_ENTRIES`], and visits folders
-/// that are `depth` deep instead of what is in them.
+/// Calls `visit` for every file below `folder` and for every folder that cannot be read, but not
+/// below [`SKIPPED_FOLDERS`]. Does not follow links. Returns whether these were all: it stops after
+/// [`MAX_ENTRIES`], and visits folders that are too deep instead of what is in them.
+pub fn for_each_file(folder: &Path, visit: &mut impl FnMut(&Path)) -> Result<bool, NotGraded> {
+    walk(folder, SOURCES_DEPTH + MAX_DEPTH, &mut 0, visit)
+}
+
+/// The same down to `depth`, if `entries` were met before.
 fn walk(
     folder: &Path,
     depth: usize,
     entries: &mut usize,
     visit: &mut impl FnMut(&Path),
-) -> Result<bool, GraderError> {
-    let failed = |e: std::io::Error| GraderError::file("read", folder, e);
+) -> Result<bool, NotGraded> {
+    let failed = |e: std::io::Error| NotGraded::at("read", folder, &e);
     for entry in std::fs::read_dir(folder).map_err(failed)? {
         let entry = entry.map_err(failed)?;
         *entries += 1;
@@ -375,6 +416,31 @@ mod tests {
         assert_eq!(whole, stages.unwrap());
         let names: Vec<_> = whole.stages["intersect"].keys().cloned().collect();
         assert_eq!(names, [PathBuf::from("lib.rs"), PathBuf::from("m/n.rs")]);
+    }
+
+    /// Neither is told a sentence about the macros that its bytes look like.
+    #[test]
+    fn what_is_no_text_is_called_so() {
+        let text = "macro_rules! m { ($n:ident) => { unsafe {} } }";
+        let bytes: Vec<u8> = text.encode_utf16().flat_map(u16::to_le_bytes).collect();
+        let with_mark = [b"\xff\xfe", bytes.as_slice()].concat();
+        for (bytes, forbidden) in [
+            (with_mark, [""; 0].as_slice()),
+            (b"unsafe {} // caf\xe9".to_vec(), &[]),
+            // Text of zeros may be code for the compiler.
+            (
+                bytes,
+                &[
+                    "stages/intersect/src/lib.rs is UTF-16 text, which the compiler does not read (save it as UTF-8)",
+                ],
+            ),
+        ] {
+            let (_folder, submission) = read(&[("stages/intersect/src/lib.rs", &bytes)]);
+            let submission = submission.unwrap();
+            let found = submission.forbidden.get("intersect").cloned();
+            assert_eq!(found.unwrap_or_default(), forbidden);
+            assert!(submission.notes[0].contains("save it as UTF-8"));
+        }
     }
 
     #[test]

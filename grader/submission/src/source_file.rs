@@ -1,6 +1,7 @@
 //! Reads one source file of a submission, whatever editor wrote it.
 
-use base::GraderError;
+use crate::one::NotGraded;
+use grader::course::sources;
 use std::borrow::Cow;
 use std::path::Path;
 
@@ -21,9 +22,9 @@ const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
 
 /// Reads the file `path` after checking it. It must be inside the folder `top`, which has no links
 /// in its path.
-pub(crate) fn read(top: &Path, path: &Path) -> Result<SourceFile, GraderError> {
-    let error = |why: String| GraderError::new(format!("{} {why}", path.display()));
-    let failed = |e| GraderError::file("read", path, e);
+pub(crate) fn read(top: &Path, path: &Path) -> Result<SourceFile, NotGraded> {
+    let error = |why: String| NotGraded::Refused(format!("{} {why}", path.display()));
+    let failed = |e| NotGraded::at("read", path, &e);
     let real = path.canonicalize().map_err(failed)?;
     if !real.starts_with(top) {
         return Err(error(
@@ -51,16 +52,10 @@ pub(crate) fn read(top: &Path, path: &Path) -> Result<SourceFile, GraderError> {
 /// Text without what some editors add. Bytes that are no text stay: the compiler refuses them, and
 /// only the stage that they are in does not compile.
 fn decode(bytes: &[u8]) -> SourceFile {
-    if bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff") {
+    let (None, Ok(text)) = (sources::why_no_text(bytes), std::str::from_utf8(bytes)) else {
         return SourceFile {
             text: bytes.to_vec(),
-            note: Some("UTF-16 text, which the compiler does not read (save it as UTF-8)"),
-        };
-    }
-    let Ok(text) = std::str::from_utf8(bytes) else {
-        return SourceFile {
-            text: bytes.to_vec(),
-            note: Some("no UTF-8 text, so the compiler does not read it (save it as UTF-8)"),
+            note: sources::why_no_text(bytes),
         };
     };
     let has_mark = bytes.starts_with(BYTE_ORDER_MARK);

@@ -45,6 +45,28 @@ impl Passes<'_> {
         tile_done: &(dyn Fn(TileDone) + Sync),
         is_done: &mut dyn FnMut(&Rendered) -> bool,
     ) -> Rendered {
+        self.render_passes(stop, tile_done, is_done, false)
+    }
+
+    /// Renders one round for a part of a picture, whose pixels all have the same samples: if `stop`
+    /// is set, those of the pass in progress are left out.
+    ///
+    /// With adaptive sampling, a part that is stopped is as in [`Passes::render`].
+    pub fn render_part(
+        &self,
+        stop: &AtomicBool,
+        tile_done: &(dyn Fn(TileDone) + Sync),
+    ) -> Rendered {
+        self.render_passes(stop, tile_done, &mut |_| true, true)
+    }
+
+    fn render_passes(
+        &self,
+        stop: &AtomicBool,
+        tile_done: &(dyn Fn(TileDone) + Sync),
+        is_done: &mut dyn FnMut(&Rendered) -> bool,
+        whole_passes: bool,
+    ) -> Rendered {
         if self.settings.adaptive.is_some() && self.scene.picture.is_lit() {
             return self.render_adaptive(stop, tile_done);
         }
@@ -55,8 +77,12 @@ impl Passes<'_> {
         loop {
             let is_first = render.passes() == 1;
             let stop = if is_first { &never } else { stop };
+            let before = (whole_passes && !is_first).then(|| render.rendered().sums.clone());
             render.run_with(self.scene, usize::MAX, stop, tile_done);
             let is_stopped = stop.load(Ordering::Relaxed);
+            if let Some(sums) = before.filter(|_| !render.is_done()) {
+                render.rendered_mut().sums = sums;
+            }
             if render.samples() == end || is_stopped {
                 render.rendered_mut().update_film();
                 let has_room = render.has_room(self.job.samples);

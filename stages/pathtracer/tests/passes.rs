@@ -8,7 +8,7 @@ use pathtracer::{
     AccelKind, Job, LightSettings, Passes, Picture, PreparedScene, Rendered, Textures,
 };
 use std::path::Path;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
 const FILM: FilmSize = FilmSize { w: 40, h: 32 };
 
@@ -121,7 +121,7 @@ fn a_stopped_picture_is_whole() {
     for settings in [plain, adaptive] {
         for stop_after in [0, 1, 9] {
             let stop = AtomicBool::new(stop_after == 0);
-            let count = std::sync::atomic::AtomicU64::new(0);
+            let count = AtomicU64::new(0);
             let passes = Passes {
                 scene: &scene,
                 job: job(&scene, 4096, Pattern::Sobol),
@@ -139,6 +139,30 @@ fn a_stopped_picture_is_whole() {
             assert!(noise > 0.05, "{noise}");
             assert!(picture.luminance.iter().all(|tally| tally.count() >= 2));
         }
+    }
+}
+
+/// A part that is stopped has the samples of whole passes: those of a shorter part, bit for bit.
+#[test]
+fn a_stopped_part_is_a_shorter_part() {
+    let scene = scene(Shade::Lit, AccelKind::Bvh);
+    let part = |samples| Passes {
+        scene: &scene,
+        job: job(&scene, samples, Pattern::Sobol),
+        settings: settings(),
+    };
+    for stop_after in [1, 3, 5] {
+        let (stop, count) = (AtomicBool::new(false), AtomicU64::new(0));
+        let tile_done = |_| {
+            if count.fetch_add(1, Ordering::Relaxed) + 1 >= stop_after {
+                stop.store(true, Ordering::Relaxed);
+            }
+        };
+        let stopped = part(4096).render_part(&stop, &tile_done);
+        let samples = (stopped.samples() / FILM.whole().area()) as u32;
+        assert!((2..4096).contains(&samples), "{samples}");
+        let shorter = part(samples).render_part(&AtomicBool::new(false), &|_| ());
+        assert!(stopped.sums == shorter.sums, "{samples} samples");
     }
 }
 

@@ -69,8 +69,9 @@ pub(super) fn write(
         outln!("late, as the course system says: {}", late.join(", "));
     }
     let absent: Vec<String> = (roster.students.iter().zip(&join.submissions))
-        .filter(|(_, submission)| submission.is_none())
-        .map(|(student, _)| shown(student))
+        .enumerate()
+        .filter(|(i, (_, submission))| submission.is_none() && !has_several(join, *i))
+        .map(|(_, (student, _))| shown(student))
         .collect();
     if !absent.is_empty() {
         outln!("no submission: {}", absent.join("; "));
@@ -86,6 +87,12 @@ pub(super) fn write(
         missing.count()
     );
     Ok(is_decided)
+}
+
+/// Whether the student number `i` handed in more than once.
+fn has_several(join: &Join, i: usize) -> bool {
+    let mut problems = join.problems.iter();
+    problems.any(|(_, problem)| *problem == Problem::Again(i))
 }
 
 /// What does not fit the assignment in the course system. Both take a mark as one of their own
@@ -159,6 +166,21 @@ fn about(roster: &Roster, problem: &Problem) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn who_handed_in_twice_did_hand_in() {
+        let student = |id: &str| Student {
+            id: id.into(),
+            ..Student::default()
+        };
+        let roster = Roster {
+            students: ["ada", "bo"].map(student).into(),
+            ..Roster::default()
+        };
+        let join = Join::of(&roster, &["ada", "ADA"]);
+        assert_eq!(join.submissions, [None, None]);
+        assert_eq!([0, 1].map(|i| has_several(&join, i)), [true, false]);
+    }
 
     #[test]
     fn an_assignment_that_does_not_fit_is_named() {

@@ -16,6 +16,7 @@ use base::program::Exit;
 use base::{GraderError, Workspace, errln, out, outln, write_whole};
 use clap::ArgMatches;
 use grader::course::Course;
+use grader::grade::GradeRequest;
 use grader::report::HintLevel;
 use judge::plural;
 use std::collections::BTreeMap;
@@ -85,8 +86,13 @@ pub fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
         return Ok(Exit::Passed);
     }
     if !jobs.is_empty() {
-        // What all submissions share is built once, not by the first of each processor.
-        drop(GradingCourse::open(&workspace, containment)?);
+        // What all submissions share is built once, not by the first of each processor. What fails
+        // on a machine that cannot grade is no score.
+        let request = GradeRequest {
+            what: plan.settings.what.clone(),
+            seed: plan.settings.seed,
+        };
+        GradingCourse::open(&workspace, containment)?.ensure_that_it_grades(&request)?;
         if let Some(why) = plan.why_fewer(jobs.len(), |key| unit::is_stored(out, key)) {
             errln!("{why}");
         }

@@ -2,13 +2,14 @@
 
 use super::intake::{self, CommitTimes, Revision};
 use crate::hash::Hasher;
-use base::GraderError;
 use base::Workspace;
+use base::{GraderError, is_of_the_machine};
 use grader::course::Course;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::path::Path;
 use submission::Untrusted;
+use submission::one::NotGraded;
 use submission::read::Submission;
 
 /// A submission that was opened and read.
@@ -58,6 +59,19 @@ impl From<GraderError> for Unreadable {
     }
 }
 
+/// The error `e` at reading what was handed in: the machine's, or what `damage` says of the file.
+pub(super) fn unreadable(
+    action: &str,
+    path: &Path,
+    e: &std::io::Error,
+    damage: impl FnOnce() -> String,
+) -> Unreadable {
+    match is_of_the_machine(e) {
+        true => GraderError::file(action, path, e).into(),
+        false => Unreadable::Damaged(damage()),
+    }
+}
+
 /// Opens and reads the folder or file `path`.
 pub fn read(
     path: &Path,
@@ -68,9 +82,12 @@ pub fn read(
     let opened = intake::open(path, &course.stages(), revision)?;
     let submission = Submission::read(&opened.root, course, workspace.root());
     let submission = submission.map_err(|error| {
+        let mut why = match error {
+            NotGraded::Infrastructure(why) => return Unreadable::Machine(why),
+            NotGraded::Refused(why) => why,
+        };
         // The folder may be a temporary one, with another name every time.
         let real = opened.root.canonicalize().ok();
-        let mut why = error.to_string();
         for root in real.iter().chain([&opened.root]) {
             let root = root.display().to_string();
             why = why.replace(&format!("{root}/"), "");

@@ -106,6 +106,12 @@ impl Reader {
 
     /// Reads the folder or file `path`, at a commit of it if there is a `revision`.
     pub fn read(&self, path: &Path, revision: Option<&Revision>) -> Result<Content, Unreadable> {
+        let output = self.output(path, revision);
+        decode(&output.map_err(|why| self.unless_the_machine_failed(why))?)
+    }
+
+    /// What the process printed that read it.
+    fn output(&self, path: &Path, revision: Option<&Revision>) -> Result<Vec<u8>, Unreadable> {
         let temporary = interrupt::temp_folder()?;
         // The process has another current folder.
         let path = &std::path::absolute(path).map_err(|e| machine(&e))?;
@@ -149,13 +155,30 @@ impl Reader {
         }
         if is_late {
             let most = self.limits.elapsed.as_secs();
-            return Err(Unreadable::TooLarge(format!(
-                "cannot be read within {most} seconds: expected the folder stages, without build output"
+            // Its processor time has a shorter limit: it waited.
+            return Err(Unreadable::Machine(format!(
+                "cannot read it within {most} seconds: does the disk or the network share answer?"
             )));
         }
         match status.success() {
-            true => decode(&output),
+            true => Ok(output),
             false => Err(self.why_ended(status, &says)),
+        }
+    }
+
+    /// `why` the process returned nothing, if it can read the course's own stages: else the machine
+    /// is the cause.
+    fn unless_the_machine_failed(&self, why: Unreadable) -> Unreadable {
+        let reads_the_course = || self.output(&self.course.join("stages"), None);
+        match why {
+            Unreadable::Machine(_) => why,
+            _ => match reads_the_course() {
+                Ok(_) => why,
+                Err(same) => Unreadable::Machine(format!(
+                    "nothing can be read here: the course's own folder stages {}",
+                    same.why()
+                )),
+            },
         }
     }
 
@@ -206,8 +229,9 @@ impl Reader {
         let kilobytes = self.limits.memory_mb << 10;
         let mut command = Command::new("sh");
         // macOS has no limit of the address space.
+        // Only the soft limit ends a process with a signal of its own.
         let script =
-            "ulimit -c 0; ulimit -t \"$1\"; ulimit -v \"$2\" 2> /dev/null; shift 2; exec \"$@\"";
+            "ulimit -c 0; ulimit -S -t \"$1\"; ulimit -v \"$2\" 2> /dev/null; shift 2; exec \"$@\"";
         command
             .args(["-c", script, "sh"])
             .arg(self.limits.cpu_seconds.to_string())
@@ -233,10 +257,12 @@ impl Reader {
             ));
         }
         match (signal(status), status.code()) {
-            // SIGXCPU, or SIGKILL after it.
-            (Some(24 | 9), _) => Unreadable::TooLarge(format!(
+            (Some(SIGXCPU), _) => Unreadable::TooLarge(format!(
                 "cannot be read within {cpu_seconds} seconds of processor time: expected the folder stages, without build output"
             )),
+            (Some(SIGKILL), _) => Unreadable::Machine(
+                "cannot read it: the system killed the program that reads it. Did the memory of the machine run out?".into(),
+            ),
             (Some(number), _) => Unreadable::Damaged(format!(
                 "ends the program that reads it (signal {number}: {last}). Ask for an archive that was made anew"
             )),
@@ -248,6 +274,12 @@ impl Reader {
         }
     }
 }
+
+/// The signal that ends a process whose processor time is used up.
+const SIGXCPU: i32 = 24;
+
+/// The signal that ends a process for which the system has no memory.
+const SIGKILL: i32 = 9;
 
 #[cfg(unix)]
 fn signal(status: ExitStatus) -> Option<i32> {

@@ -103,6 +103,9 @@ const ID: &str = "id";
 /// What Canvas writes into the second line, instead of a student.
 const POINTS_POSSIBLE: &str = "Points Possible";
 
+/// Whom Canvas adds to a class for teachers to see the page of a student.
+const TEST_STUDENT: &str = "Student, Test";
+
 impl Roster {
     /// Reads a roster, CSV with a line of column names.
     pub fn read(path: &Path) -> Result<Roster, GraderError> {
@@ -187,6 +190,8 @@ impl Roster {
                     .zip(&record)
                     .filter_map(|(name, points)| Some((name.into(), points.parse().ok()?)))
                     .collect();
+            } else if is_canvas && name == TEST_STUDENT && student.id.is_empty() {
+                continue;
             } else if !is_empty {
                 maximum = maximum.or_else(|| value(Field::Maximum).parse().ok());
                 students.push(student);
@@ -214,7 +219,7 @@ mod tests {
     #[test]
     fn the_exports_of_course_systems_are_read() {
         let canvas = parse(
-            "\u{feff}Student,ID,SIS User ID,SIS Login ID,Section,Homework 1 (77)\r\n    Points Possible,,,,,80\r\n\"Hopper, Grace\",98765,s1,ghopper,\"CS 1, A\",\r\n",
+            "\u{feff}Student,ID,SIS User ID,SIS Login ID,Section,Homework 1 (77)\r\n    Points Possible,,,,,80\r\n\"Hopper, Grace\",98765,s1,ghopper,\"CS 1, A\",\r\n\"Student, Test\",98766,,1f00aa,\"CS 1, A\",\r\n",
         );
         let [grace] = &canvas[..] else {
             panic!("{canvas:?}")

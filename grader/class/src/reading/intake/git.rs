@@ -6,15 +6,19 @@
 
 use super::unpack::Unpacker;
 use crate::reading::Unreadable;
+use crate::reading::content::unreadable;
 use base::GraderError;
 use base::child_processes;
 use base::interrupt::{self, TempFolder};
+use grader::course::sources;
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeSet;
 use std::fmt;
 use std::io::{BufRead, BufReader, Read, Write};
 use std::path::{Path, PathBuf};
 use std::process::{ChildStdout, Command, Stdio};
 use std::time::{SystemTime, UNIX_EPOCH};
+use submission::read::for_each_file;
 
 /// Which commit of a clone counts.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -176,30 +180,60 @@ pub(super) fn unpack(
         }
     };
     let commit = commit.trim();
-    let listed = git.text(&["ls-tree", "-r", "-l", "-z", "--full-tree", commit])?;
-    let mut blobs = Vec::new();
-    for line in listed.split_terminator('\0') {
-        let unusual = || Unreadable::Damaged("has a list of files that git did not write".into());
-        let (about, name) = line.split_once('\t').ok_or_else(unusual)?;
-        let [mode, _, hash, size] = about.split_whitespace().collect::<Vec<_>>()[..] else {
-            return Err(unusual());
-        };
-        let Some(path) = unpacker.path(name)? else {
-            continue;
-        };
-        match (mode, size.parse()) {
-            ("100644" | "100755", Ok(size)) => {
-                if unpacker.wants(&path, size) {
-                    blobs.push((path, hash.to_string()));
-                }
-            }
-            // Symbolic links and submodules.
-            _ => unpacker.link(&path),
-        }
-    }
-    git.write_blobs(&blobs, unpacker)?;
+    git.unpack(commit, |_| true, unpacker)?;
     git.times(commit)
 }
+
+/// The source files in the clone `folder` that differ from those of its last commit; none if it is no
+/// clone, if there is no git, or if git cannot read it.
+pub(super) fn uncommitted(folder: &Path, unpacker: Unpacker) -> Vec<String> {
+    let mut unpacker = unpacker;
+    let is_source = |path: &Path| {
+        let is_rust = path.extension().is_some_and(|extension| extension == "rs");
+        is_rust && path.iter().any(|name| name == "src")
+    };
+    let unpacked = clone_in(folder).and_then(|clone| {
+        Git::of(&clone)?.unpack("HEAD", is_source, &mut unpacker)?;
+        Ok(clone)
+    });
+    let Ok(clone) = unpacked else {
+        return Vec::new();
+    };
+    let (committed, _) = unpacker.finish();
+    let top = clone.parent().filter(|_| clone.ends_with(".git"));
+    let Some(top) = top else {
+        return Vec::new(); // a clone without files
+    };
+    let mut names = BTreeSet::new();
+    for folder in [committed.path(), top] {
+        let all = for_each_file(folder, &mut |path| {
+            let name = path.strip_prefix(folder).ok();
+            names.extend(name.filter(|name| is_source(name)).map(PathBuf::from));
+        });
+        if !matches!(all, Ok(true)) {
+            return Vec::new();
+        }
+    }
+    // Git may have written other ends of lines.
+    let text = |folder: &Path, name: &Path| {
+        let text = small_file(&folder.join(name), MAX_COMPARED);
+        text.map(|mut text| {
+            text.retain(|byte| *byte != b'\r');
+            text
+        })
+    };
+    let differs = |name: &&PathBuf| text(committed.path(), name) != text(top, name);
+    let names = names.iter().filter(differs);
+    names.map(|name| sources::with_slashes(name)).collect()
+}
+
+/// Whether `folder` is a clone that has no files beside its history.
+pub(super) fn is_without_files(folder: &Path, is_empty: bool) -> bool {
+    clone_in(folder).is_ok_and(|clone| is_empty || clone == folder)
+}
+
+/// The most bytes of a file that is compared with the one in the last commit.
+const MAX_COMPARED: u64 = 1 << 20;
 
 /// The folder that has the `objects` of the clone in `folder`: `folder/.git`, `folder` itself, or
 /// the `.git` of the only subfolder that has one.
@@ -330,6 +364,38 @@ impl Git {
             .current_dir(self.own.path())
             .stdin(Stdio::null());
         command
+    }
+
+    /// Unpacks the files of `commit` whose paths are `wanted`.
+    fn unpack(
+        &self,
+        commit: &str,
+        wanted: impl Fn(&Path) -> bool,
+        unpacker: &mut Unpacker,
+    ) -> Result<(), Unreadable> {
+        let listed = self.text(&["ls-tree", "-r", "-l", "-z", "--full-tree", commit])?;
+        let mut blobs = Vec::new();
+        for line in listed.split_terminator('\0') {
+            let unusual =
+                || Unreadable::Damaged("has a list of files that git did not write".into());
+            let (about, name) = line.split_once('\t').ok_or_else(unusual)?;
+            let [mode, _, hash, size] = about.split_whitespace().collect::<Vec<_>>()[..] else {
+                return Err(unusual());
+            };
+            let Some(path) = unpacker.path(name)?.filter(|path| wanted(path)) else {
+                continue;
+            };
+            match (mode, size.parse()) {
+                ("100644" | "100755", Ok(size)) => {
+                    if unpacker.wants(&path, size) {
+                        blobs.push((path, hash.to_string()));
+                    }
+                }
+                // Symbolic links and submodules.
+                _ => unpacker.link(&path),
+            }
+        }
+        self.write_blobs(&blobs, unpacker)
     }
 
     /// Runs git and returns what it prints.
@@ -492,8 +558,11 @@ fn small_file(path: &Path, most: u64) -> Option<Vec<u8>> {
 /// Checks that there are only folders and regular files below `folder`: a link may lead to the
 /// objects of somebody else.
 fn check_plain(folder: &Path, files: &mut usize) -> Result<(), Unreadable> {
-    let failed =
-        |e: std::io::Error| Unreadable::Damaged(format!("has an unreadable folder .git: {e}"));
+    let failed = |e: std::io::Error| {
+        unreadable("read", folder, &e, || {
+            "has a folder .git that cannot be read".into()
+        })
+    };
     if !is_folder(folder) {
         return Err(Unreadable::Damaged(
             "has a link in its folder .git: refused".into(),

@@ -1,7 +1,9 @@
 //! Finds the project in a folder: it may be a folder too deep, or in an archive in the folder.
 
-use super::archive;
+use super::archive::{self, ASK_FOR, Form};
+use super::git;
 use crate::reading::Unreadable;
+use base::{GraderError, is_of_the_machine};
 use std::path::{Path, PathBuf};
 
 /// How deep a project may lie in a submission.
@@ -25,11 +27,16 @@ pub(super) enum Found {
 /// Finds the project in `folder`: the one that is the least deep.
 pub(super) fn find(folder: &Path, stages: &[&str]) -> Result<Found, Unreadable> {
     let mut level = vec![folder.to_path_buf()];
-    let mut archives = Vec::new();
+    let (mut archives, mut others) = (Vec::new(), Vec::new());
     let mut seen = Vec::new();
     let mut folders = 0;
     for _ in 0..=MAX_DEPTH {
-        let roots: Vec<&PathBuf> = level.iter().filter(|path| is_root(path, stages)).collect();
+        let mut roots = Vec::new();
+        for path in &level {
+            if is_root(path, stages)? {
+                roots.push(path);
+            }
+        }
         match roots.as_slice() {
             [] => {}
             [root] => return Ok(Found::Root((*root).clone())),
@@ -49,20 +56,24 @@ pub(super) fn find(folder: &Path, stages: &[&str]) -> Result<Found, Unreadable> 
         }
         let mut next = Vec::new();
         for path in &level {
-            // What cannot be listed contains nothing that can be graded.
-            let Ok(entries) = std::fs::read_dir(path) else {
-                continue;
-            };
-            for entry in entries.flatten() {
+            let failed = |e| GraderError::file("read", path, e);
+            for entry in std::fs::read_dir(path).map_err(failed)? {
+                let entry = entry.map_err(failed)?;
                 let name = entry.file_name();
                 let is_folder = entry.file_type().is_ok_and(|kind| kind.is_dir());
-                if path == folder && seen.len() < NAMED {
+                if path == folder && name != ".git" && seen.len() < NAMED {
                     seen.push(name.display().to_string());
                 }
                 if is_folder && SKIPPED.iter().all(|skipped| name != *skipped) {
                     next.push(entry.path());
-                } else if !is_folder && matches!(archive::form(&entry.path()), Ok(Some(_))) {
-                    archives.push(entry.path());
+                } else if !is_folder {
+                    let path = entry.path();
+                    let form = archive::form(&path);
+                    match form.map_err(|e| GraderError::file("read", &path, e))? {
+                        None | Some(Form::Pdf) => {}
+                        Some(Form::OtherArchive(form)) => others.push((name, form)),
+                        Some(Form::Zip | Form::Tar | Form::TarGz) => archives.push(path),
+                    }
                 }
             }
         }
@@ -78,8 +89,17 @@ pub(super) fn find(folder: &Path, stages: &[&str]) -> Result<Found, Unreadable> 
     if let [archive] = archives.as_slice() {
         return Ok(Found::Archive(archive.clone()));
     }
+    if let [(name, form)] = others.as_slice() {
+        return Err(Unreadable::Damaged(format!(
+            "contains no stage, but {}, a file of the form {form}, {ASK_FOR}",
+            name.display()
+        )));
+    }
     seen.sort();
     let found = match seen.as_slice() {
+        names if git::is_without_files(folder, names.is_empty()) => {
+            "it is the history of a git clone without its files, which `--before` and `--commit` read".to_string()
+        }
         [] => "it is empty".to_string(),
         names => format!("found {}", names.join(", ")),
     };
@@ -93,11 +113,22 @@ pub(super) fn find(folder: &Path, stages: &[&str]) -> Result<Found, Unreadable> 
 const NAMED: usize = 5;
 
 /// Whether `folder` contains a stage, directly or in its folder `stages`.
-fn is_root(folder: &Path, stages: &[&str]) -> bool {
-    let above = [folder.join("stages"), folder.to_path_buf()];
-    above.iter().any(|above| {
-        let is_folder = |path: &Path| path.symlink_metadata().is_ok_and(|kind| kind.is_dir());
-        let mut stages = stages.iter().map(|stage| above.join(stage));
-        is_folder(above) && stages.any(|stage| is_folder(&stage.join("src")))
-    })
+fn is_root(folder: &Path, stages: &[&str]) -> Result<bool, GraderError> {
+    for above in [folder.join("stages"), folder.to_path_buf()] {
+        for stage in stages {
+            if is_folder(&above)? && is_folder(&above.join(stage).join("src"))? {
+                return Ok(true);
+            }
+        }
+    }
+    Ok(false)
+}
+
+/// Whether `path` is a folder, and no link to one.
+fn is_folder(path: &Path) -> Result<bool, GraderError> {
+    match path.symlink_metadata() {
+        Ok(kind) => Ok(kind.is_dir()),
+        Err(e) if is_of_the_machine(&e) => Err(GraderError::file("read", path, e)),
+        Err(_) => Ok(false),
+    }
 }

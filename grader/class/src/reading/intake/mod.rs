@@ -40,7 +40,17 @@ pub fn open(
     let mut notes = Vec::new();
     let mut unpacked = Vec::new();
     let mut commit = None;
+    let changed = uncommitted(path)?;
     let mut path = path.to_path_buf();
+    if !changed.is_empty() {
+        let are_graded = match revision {
+            None => "are graded",
+            Some(_) => "are not graded",
+        };
+        notes.push(format!(
+            "changes that are in no commit {are_graded}: {changed}"
+        ));
+    }
     if let Some(revision) = revision {
         let mut unpacker = Unpacker::new(temp_folder()?);
         commit = Some(git::unpack(&path, revision, &mut unpacker)?);
@@ -77,6 +87,15 @@ pub fn open(
     Err(Unreadable::Damaged(format!(
         "contains archives inside archives, more than {MAX_NESTED} deep: expected the folder stages"
     )))
+}
+
+/// The source files of the clone in `folder` with changes that are in no commit, as a list of names.
+fn uncommitted(folder: &Path) -> Result<String, GraderError> {
+    if !folder.is_dir() {
+        return Ok(String::new());
+    }
+    let changed = git::uncommitted(folder, Unpacker::new(temp_folder()?));
+    Ok(unpack::named(&changed))
 }
 
 /// Keeps what was unpacked, and returns its folder.

@@ -1,7 +1,8 @@
 //! Writes the files of an archive to a temporary folder, within limits.
 
+use super::archive::damage;
 use crate::reading::Unreadable;
-use base::GraderError;
+use crate::reading::content::unreadable;
 use base::interrupt::TempFolder;
 use std::collections::HashSet;
 use std::io::{self, Read, Write};
@@ -29,8 +30,17 @@ const MAX_PATH: usize = 512;
 /// Folders that no submission is graded by. They are not unpacked.
 const LEFT_OUT: [&str; 4] = ["target", ".git", "__MACOSX", "node_modules"];
 
-/// How many links are named.
-const NAMED_LINKS: usize = 3;
+/// How many files of a kind are named.
+const NAMED: usize = 3;
+
+/// The first of these names, and how many more there are.
+pub(super) fn named(paths: &[String]) -> String {
+    let named = paths.get(..NAMED).unwrap_or(paths).join(", ");
+    match paths.len().saturating_sub(NAMED) {
+        0 => named,
+        more => format!("{named} and {more} more"),
+    }
+}
 
 /// Writes files below a temporary folder. It never makes a link, so no path leads out of it.
 #[derive(Debug)]
@@ -116,14 +126,14 @@ impl Unpacker {
     /// Writes a file. Counts the bytes that arrive, whatever the archive says about its size.
     pub(super) fn write(&mut self, path: &Path, contents: impl Read) -> Result<(), Unreadable> {
         let full = self.folder.path().join(path);
-        let failed = |e: io::Error| match e.kind() {
-            io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => {
-                GraderError::file("write", &full, e).into()
-            }
-            _ => Unreadable::Damaged(format!(
-                "contains {}, which cannot be written: {e}",
-                path.display()
-            )),
+        let failed = |e: io::Error| {
+            let clash = "another entry is in its place. Ask for an archive that was made anew";
+            unreadable("write", &full, &e, || {
+                format!(
+                    "contains {}, which cannot be written: {clash}",
+                    path.display()
+                )
+            })
         };
         self.files += 1;
         self.create_folders(path, &failed)?;
@@ -132,7 +142,9 @@ impl Unpacker {
         let mut chunk = [0; 1 << 16];
         loop {
             let read = contents.read(&mut chunk).map_err(|e| {
-                Unreadable::Damaged(format!("is damaged at {}: {e}", path.display()))
+                unreadable("read", path, &e, || {
+                    format!("is damaged at {}: {}", path.display(), damage(&e))
+                })
             })?;
             if read == 0 {
                 return Ok(());
@@ -186,16 +198,6 @@ impl Unpacker {
     /// The folder, and sentences about what was left out.
     pub(super) fn finish(self) -> (TempFolder, Vec<String>) {
         let mut notes = Vec::new();
-        let named = |paths: &[String]| {
-            let named: Vec<&str> = paths.iter().take(NAMED_LINKS).map(String::as_str).collect();
-            let more = paths.len().saturating_sub(NAMED_LINKS);
-            let more = if more > 0 {
-                format!(" and {more} more")
-            } else {
-                String::new()
-            };
-            named.join(", ") + &more
-        };
         if !self.links.is_empty() {
             notes.push(format!("links were left out: {}", named(&self.links)));
         }

@@ -1,6 +1,7 @@
 //! Parts of a picture: what they have in common, and their files.
 
 use crate::failure::Failure;
+use kit::sampler::Pattern;
 use pathtracer::args::Args;
 use pathtracer::sums_file::Fingerprint;
 use pathtracer::{Job, LightSettings, PartFile, PreparedScene, Rendered, SumsFile};
@@ -21,6 +22,23 @@ pub(crate) fn write(
     SumsFile::of_cell(rendered, job, is_adaptive, picture)
         .write(part)
         .map_err(|why| Failure::Input(format!("cannot write {}: {why}", part.path().display())))
+}
+
+/// What a part has that was interrupted after `taken` samples of each pixel, and how to render the
+/// others.
+pub(crate) fn note_interrupted(job: &Job, taken: u32) -> String {
+    let (samples, first) = (job.samples, job.sampling.first_sample + taken);
+    let rest = samples - taken;
+    let had = format!("note: interrupted: the file has {taken} of {samples} samples of each pixel");
+    match job.sampling.pattern {
+        // The strata of a part depend on its number of samples.
+        Pattern::Stratified { .. } => {
+            format!("{had}, which cannot be merged with others: strata belong to all of them")
+        }
+        _ => format!(
+            "{had}. Render the others to a file of their own with --first-sample {first} -s {rest}, and merge both"
+        ),
+    }
 }
 
 /// Identifies what the samples depend on: the files that are read, the camera, the size of the

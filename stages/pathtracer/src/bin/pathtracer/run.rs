@@ -118,7 +118,10 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
         progress.next_round();
         budget.is_none_or(|budget| budget.is_spent(so_far, progress.elapsed()))
     };
-    let rendered = threads.install(|| passes.render(&stop.flag, &tile_done, &mut is_done));
+    let rendered = threads.install(|| match is_sums(path) {
+        true => passes.render_part(&stop.flag, &tile_done),
+        false => passes.render(&stop.flag, &tile_done, &mut is_done),
+    });
     let time = progress.elapsed();
     progress.finish();
     outln!(
@@ -131,14 +134,25 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
     }
     match outputs.picture {
         PictureFile::Picture(file) => file.write(&rendered.film, cell)?,
-        PictureFile::Sums(_) if stop.is_interrupted() => {
+        PictureFile::Sums(_) if stop.is_interrupted() && light.adaptive.is_some() => {
             errln!(
-                "error: interrupted: {} is not written, because a part needs all its samples",
+                "error: interrupted: {} is not written, because with -a a pixel takes all its samples at once",
                 path.display()
             );
             return Ok(ExitCode::from(INTERRUPTED));
         }
-        PictureFile::Sums(file) => part::write(&file, args, &job, &light, &prepared, &rendered)?,
+        PictureFile::Sums(file) => {
+            let taken = Job {
+                samples: (rendered.samples() / cell.area()) as u32,
+                ..job
+            };
+            part::write(&file, args, &taken, &light, &prepared, &rendered)?;
+            if stop.is_interrupted() {
+                outln!("Wrote       {}", path.display());
+                errln!("{}", part::note_interrupted(&job, taken.samples));
+                return Ok(ExitCode::from(INTERRUPTED));
+            }
+        }
     }
     outln!("Wrote       {}", path.display());
     if let (Some(rate), Picture::Lit(_)) = (outputs.rate, &prepared.picture) {

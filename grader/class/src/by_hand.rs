@@ -446,9 +446,9 @@ mod tests {
     const ROSTER: &[u8] =
         b"id,login,name,team\ns1,ada,Ada,red\ns2,bo,Bo,red\ns3,cy,Cy,\ns4,di,Di,blue\ns5,s1,Eve,\n";
 
-    /// A class of the submissions `red`, `=cy` and `cy`, graded with 10 core points in one task.
+    /// A class of the submissions `red`, `=x` and `cy`, graded with 10 core points in one task.
     fn plan() -> Plan {
-        let submissions = ["red", "=cy", "cy"];
+        let submissions = ["red", "=x", "cy"];
         let submissions =
             submissions.map(|name| json!({ "name": name, "file": name, "unreadable": "" }));
         let plan = json!({
@@ -493,14 +493,14 @@ mod tests {
              ,,RED,part1.task1,-2,,no,\n\
              ,bo,,,-10,\"alone,\nsaid \"\"no\"\"\",x,Bo\n\
              ,s3,,,,,yes,\n\
-             '=cy,,,,0,,,\n\
+             '=x,,,,0,,,\n\
              ,di,,,,,,\n",
         );
         let by_hand = by_hand.expect("a table");
         assert_eq!(
             sentences(&by_hand),
             [
-                "=cy: 0 points",
+                "=x: 0 points",
                 "cy: held back",
                 "red: +1.5 points: all of them",
                 "red: -2 points for part1.task1",

@@ -135,6 +135,13 @@ impl ByHand {
                 all.next().map_or("", |(_, cell)| cell.as_str())
             };
             let in_line = |why: String| format!("line {line}: {why}");
+            let mut more = cells.iter().skip(fields.len());
+            if let Some(cell) = more.find(|cell| !cell.is_empty()) {
+                return Err(in_line(format!(
+                    "`{}` is in no column: put words with a comma or semicolon between quotation marks",
+                    shown(cell)
+                )));
+            }
             let whose = [Field::Submission, Field::Student, Field::Team]
                 .map(value)
                 .map(|name| Some(name).filter(|name| !name.is_empty()));
@@ -578,6 +585,10 @@ mod tests {
             (
                 "id,held_back\nred,maybe\n",
                 "line 2: held_back maybe: expected yes or no",
+            ),
+            (
+                "id,words\nred,good, but late\n",
+                "line 2: `but late` is in no column",
             ),
             ("id,point\nred,1\n", "an unknown column `point`"),
             ("id,points,Points\nred,1,2\n", "a second column `Points`"),

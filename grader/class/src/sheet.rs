@@ -1,5 +1,7 @@
 //! Tables that people keep in a spreadsheet and store as CSV: the roster and the marks by hand.
 
+use submission::Untrusted;
+
 /// A table with its names of columns. Columns are divided by commas, semicolons or tabs, as the
 /// first line says; a byte order mark and the line ends of Windows do not matter.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -20,7 +22,8 @@ impl Sheet {
             let line = 1 + newlines(&bytes[..e.valid_up_to()]);
             format!("line {line} is not UTF-8: store the table as \"CSV UTF-8\"")
         })?;
-        let text = text.trim_start_matches('\u{feff}').replace("\r\n", "\n");
+        let text = text.trim_start_matches('\u{feff}');
+        let text = text.replace("\r\n", "\n").replace('\r', "\n");
         let separator = separator(&text);
         let mut reader = csv::ReaderBuilder::new()
             .flexible(true)
@@ -42,6 +45,20 @@ impl Sheet {
             if cells.iter().any(|cell| !cell.is_empty()) {
                 lines.push((line, cells));
             }
+        }
+        // A mark that is not closed makes one cell of all that follows.
+        let is_open = text.matches('"').count() % 2 == 1;
+        if let Some((line, cells)) = lines.last().filter(|_| is_open)
+            && cells.iter().any(|cell| cell.contains('\n'))
+        {
+            let start = cells.iter().find(|cell| cell.contains('\n'));
+            let start = start
+                .and_then(|cell| cell.lines().next())
+                .unwrap_or_default();
+            return Err(format!(
+                "line {line}: a quotation mark is not closed, before `{}`: close it, or write it twice in a cell between marks",
+                Untrusted::from(start).line()
+            ));
         }
         let columns = match lines.is_empty() {
             true => Vec::new(),
@@ -113,6 +130,17 @@ mod tests {
         }
         let quoted = Sheet::parse(b"\"a;b;c\",d\n").expect("a table");
         assert_eq!(quoted.columns, ["a;b;c", "d"]);
+    }
+
+    #[test]
+    fn a_quotation_mark_that_is_not_closed_hides_no_lines() {
+        let error = Sheet::parse(b"id,words\nanna,\"good\nbo,\ncy,\n").expect_err("a mark");
+        assert!(
+            error.starts_with("line 2: a quotation mark is not closed, before `good`"),
+            "{error}"
+        );
+        let inch = Sheet::parse(b"id,words\nanna,a 5\" screen\nbo,\n").expect("a table");
+        assert_eq!(inch.lines.len(), 2);
     }
 
     #[test]

@@ -312,6 +312,30 @@ mod tests {
     }
 
     #[test]
+    fn a_time_that_the_teacher_wrote_is_the_teams() {
+        let member = |team: &str, handed_in: &str| Student {
+            team: team.into(),
+            ..student("", handed_in)
+        };
+        let students = [
+            ("red", ""),
+            ("red", "2027-02-15"),
+            ("red", "2027-02-14"),
+            ("", ""),
+            ("", ""),
+        ];
+        let roster = Roster {
+            students: students.map(|(team, at)| member(team, at)).to_vec(),
+            ..Roster::default()
+        };
+        let times = (0..5).map(|i| with_time_of_team(&roster, i).handed_in.line());
+        assert_eq!(
+            times.collect::<Vec<_>>(),
+            ["2027-02-15", "2027-02-15", "2027-02-14", "", ""]
+        );
+    }
+
+    #[test]
     fn what_cannot_be_known_is_a_question() {
         let doubtful = commit(
             DUE - DAY,

@@ -258,6 +258,18 @@ fn what_is_given_by_hand_is_shown_everywhere_and_never_written() {
             "team blue: Cy, Di -> Di",
         ]
     );
+    // Two different archives of one team are a question, and no absence.
+    let roster = ROSTER
+        .replace("cy,blue", "cy,alone")
+        .replace("di,blue", "di,away");
+    std::fs::write(teams.class.folder.join("roster.csv"), roster).expect("a file");
+    let (code, printed) = teams.run(&["--for", "csv"]);
+    assert_eq!(code, Some(1), "{printed}");
+    for name in ["cy", "part1-ed"] {
+        let asked = format!("no mark: {name}: the team alone handed in more than one");
+        assert!(printed.contains(&asked), "{printed}");
+    }
+    assert!(!printed.contains("no submission: "), "{printed}");
     assert_eq!(
         teams.read("by_hand.csv"),
         "student,points,words\r\nbo,-1,came late\r\ned,3,\r\n"

@@ -37,7 +37,7 @@ pub fn command() -> Command {
                 .long("out")
                 .value_name("OUT")
                 .required(true)
-                .help("The folder for gradebook.csv, class.html, students/ and the results of all units"),
+                .help("The folder for gradebook.csv, class.html, students/ and the results of all units; your own by_hand.csv there gives points and words by hand"),
         )
         .arg(
             Arg::new("part")
@@ -107,8 +107,7 @@ pub fn command() -> Command {
                 .long("roster")
                 .value_name("ROSTER")
                 .value_parser(value_parser!(PathBuf))
-                .requires("for")
-                .help("The students, as the course system exports them (CSV): finds out whose each submission is"),
+                .help("The students, as the course system exports them (CSV): finds out whose each submission is; a column `team` names who hand in together"),
         )
         .arg(
             Arg::new("for")

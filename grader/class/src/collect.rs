@@ -6,6 +6,7 @@ mod report;
 pub use formats::gradebook::points_text as points;
 pub use report::{Case, Diagnosis, Drawing, Finding, Simplest, StudentReport, Task};
 
+use crate::by_hand::{self, ByHand};
 use crate::late;
 use crate::out::{Out, read_regular};
 use crate::plan::{Plan, Planned, State};
@@ -39,6 +40,10 @@ pub struct Row {
     pub notes: Vec<Untrusted>,
     /// What the instructor alone should look at, as sentences.
     pub doubts: Vec<Untrusted>,
+    /// The core points of `score` that were given by hand.
+    pub by_hand: f64,
+    /// What was given by hand, as sentences.
+    pub given: Vec<Untrusted>,
     /// What the tables of the class need of its unit, if there is one.
     pub graded: Option<Graded>,
 }
@@ -81,8 +86,23 @@ impl Row {
     /// What a person should know about it, in one line.
     pub fn about(&self) -> String {
         let detail = self.status.detail().into_iter();
-        let all = detail.chain(&self.notes).chain(&self.doubts);
+        let all = detail
+            .chain(&self.given)
+            .chain(&self.notes)
+            .chain(&self.doubts);
         all.map(Untrusted::line).collect::<Vec<_>>().join("; ")
+    }
+
+    /// Whether nothing of it could be read, and the teacher gives nothing for it.
+    pub fn is_unread_zero(&self) -> bool {
+        let is_zero = self.score.as_ref().is_some_and(|score| score.core == 0.0);
+        is_zero && matches!(self.status, Status::Unreadable(_))
+    }
+
+    /// Whether the code earned points.
+    pub fn has_earned(&self) -> bool {
+        let score = self.score.as_ref();
+        score.is_some_and(|score| score.core + score.extra > self.by_hand)
     }
 }
 
@@ -105,6 +125,8 @@ pub enum Status {
     Unreadable(Untrusted),
     /// Whether it counts is for a person to say: what was found.
     Question(Untrusted),
+    /// The teacher releases no mark until something is decided.
+    HeldBack,
     /// It has no score yet: the machine failed. A person has to look at it.
     Infrastructure(Untrusted),
 }
@@ -119,6 +141,7 @@ impl Status {
             Status::OverLimit(_) => "over a limit",
             Status::Unreadable(_) => "could not be read",
             Status::Question(_) => "a question",
+            Status::HeldBack => "held back",
             Status::Infrastructure(_) => "infrastructure",
         }
     }
@@ -162,6 +185,10 @@ pub struct Options {
     pub on_unreadable: OnUnreadable,
     /// The students' names, by those of their submissions.
     pub owners: BTreeMap<String, Untrusted>,
+    /// Why submissions do not count, by their names.
+    pub replaced: BTreeMap<String, Untrusted>,
+    /// What is given by hand.
+    pub by_hand: ByHand,
 }
 
 /// What a submission gets that could not be read.
@@ -189,7 +216,12 @@ impl Class {
         let mut rows = Vec::new();
         for (i, planned) in plan.submissions.iter().enumerate() {
             let (mut row, details) = row(out, &plan, planned, options.on_unreadable)?;
-            row.owner = options.owners.get(planned.name.raw()).cloned();
+            let name = planned.name.raw();
+            row.owner = options.owners.get(name).cloned();
+            row.notes.extend(options.replaced.get(name).cloned());
+            if let Some(marks) = options.by_hand.submissions.get(name) {
+                by_hand::apply(marks, &mut row);
+            }
             visit(&plan, i, &row, details.as_ref())?;
             rows.push(row);
         }
@@ -251,6 +283,8 @@ fn row(
             score,
             notes: Vec::new(),
             doubts: Vec::new(),
+            by_hand: 0.0,
+            given: Vec::new(),
             graded: None,
         };
         (row, None)
@@ -335,6 +369,8 @@ fn row(
         score: Some(score),
         notes,
         doubts: report.doubts(),
+        by_hand: 0.0,
+        given: Vec::new(),
         graded: Some(Graded {
             tasks: outcomes.collect(),
             wrong_answers: unit.wrong_answers.clone(),

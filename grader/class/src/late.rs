@@ -4,7 +4,7 @@
 //! writes: it needs the roster, which says who may hand in later.
 
 use crate::collect::{Class, Row, points};
-use crate::plan::State;
+use crate::plan::{PlannedTerm, State};
 use crate::reading::intake::CommitTimes;
 use crate::roster::join::Join;
 use crate::roster::{Roster, Student};
@@ -16,7 +16,8 @@ use toml::value::Datetime;
 
 const DAY: i64 = 24 * 60 * 60;
 
-/// What the rule does with the submissions of a class. Numbers are those of its rows.
+/// What the rule does with the submissions of a class. Numbers are those of students: each member of
+/// a team has an extension of its own.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Lateness {
     /// Late ones: the share of its points that each keeps, and why.
@@ -33,16 +34,20 @@ impl Lateness {
         let term = class.plan.term.as_ref()?;
         let (due, rule) = (term.due?, term.late?);
         let mut lateness = Lateness::default();
-        for (student, submission) in roster.students.iter().zip(&join.submissions) {
-            let Some(i) = *submission else { continue };
-            if class.rows[i].score.is_none() {
+        for (i, submission) in join.submissions.iter().enumerate() {
+            let Some(submission) = *submission else {
+                continue;
+            };
+            if !class.rows[submission].has_earned() {
                 continue; // there are no points to take
             }
-            let commit = match &class.plan.submissions[i].state {
+            let commit = match &class.plan.submissions[submission].state {
                 State::Unit { commit, .. } => commit.as_ref(),
                 _ => None,
             };
-            match decide(student, commit, join.late.contains(&i), due, &rule) {
+            let is_called_late = join.late.contains(&submission);
+            let student = with_time_of_team(roster, i);
+            match decide(&student, commit, is_called_late, due, &rule) {
                 Ok(Some((0, _))) => {}
                 Ok(Some((days, at))) => {
                     let share = share(&rule, days);
@@ -58,31 +63,44 @@ impl Lateness {
         Some(lateness)
     }
 
-    /// The class with the points that late work keeps. What a person has to decide on has none.
-    pub fn apply(&self, class: &Class) -> Class {
-        let rows = class.rows.iter().enumerate().map(|(i, row)| {
-            let mut row = Row {
-                graded: None,
-                ..row.clone()
-            };
-            if let Some((share, about)) = self.late.get(&i)
-                && let Some(score) = &mut row.score
-            {
-                let earned = points(score.core);
-                (score.core, score.extra) = (score.core * share, score.extra * share);
-                let note = format!("{about}: {earned} points before");
-                row.notes.push(note.into());
-            }
-            if self.questions.contains_key(&i) {
-                row.score = None;
-            }
-            row
-        });
-        Class {
-            rows: rows.collect(),
-            plan: class.plan.clone(),
+    /// Leaves a student's row the points that late work keeps: the share is of what the code earned,
+    /// not of points by hand. What a person has to decide on has none.
+    pub fn apply(&self, student: usize, row: &mut Row) {
+        if let Some((share, about)) = self.late.get(&student)
+            && let Some(score) = &mut row.score
+        {
+            let earned = points(score.core);
+            score.core = (share * (score.core - row.by_hand) + row.by_hand).max(0.0);
+            score.extra *= share;
+            let note = format!("{about}: {earned} points before");
+            row.notes.push(note.into());
+        }
+        if self.questions.contains_key(&student) {
+            row.score = None;
         }
     }
+}
+
+/// A student of the roster. Where the teacher wrote only with another member of the team when it
+/// handed in, that is the time.
+fn with_time_of_team(roster: &Roster, student: usize) -> Student {
+    let mut student = roster.students[student].clone();
+    if student.handed_in.is_empty() {
+        let mut mates = roster.students.iter();
+        let said = mates.find(|mate| mate.is_teammate_of(&student) && !mate.handed_in.is_empty());
+        student.handed_in = said.map(|mate| mate.handed_in.clone()).unwrap_or_default();
+    }
+    student
+}
+
+/// Whether something that was handed in at a time is in time for a student; without a deadline
+/// everything is.
+pub(crate) fn is_in_time(at: i64, student: &Student, term: Option<&PlannedTerm>) -> bool {
+    let due = term.and_then(|term| term.due);
+    let due = due.map(|due| extended(due, &student.extension).unwrap_or(due));
+    let rule = term.and_then(|term| term.late);
+    let grace = rule.map_or(0, |rule| i64::from(rule.grace_minutes) * 60);
+    due.is_none_or(|due| at <= due + grace)
 }
 
 /// How many days late a student's submission is, and when it was handed in; `None` if nobody knows
@@ -291,6 +309,30 @@ mod tests {
         for wrong in [student("soon", ""), student("", "2027-02-15 23:00")] {
             assert!(decide(&wrong, Some(&late)).is_err());
         }
+    }
+
+    #[test]
+    fn a_time_that_the_teacher_wrote_is_the_teams() {
+        let member = |team: &str, handed_in: &str| Student {
+            team: team.into(),
+            ..student("", handed_in)
+        };
+        let students = [
+            ("red", ""),
+            ("red", "2027-02-15"),
+            ("red", "2027-02-14"),
+            ("", ""),
+            ("", ""),
+        ];
+        let roster = Roster {
+            students: students.map(|(team, at)| member(team, at)).to_vec(),
+            ..Roster::default()
+        };
+        let times = (0..5).map(|i| with_time_of_team(&roster, i).handed_in.line());
+        assert_eq!(
+            times.collect::<Vec<_>>(),
+            ["2027-02-15", "2027-02-15", "2027-02-14", "", ""]
+        );
     }
 
     #[test]

@@ -18,12 +18,16 @@
 //! - [`late`]: when something was handed in, and what late work loses
 //! - [`roster`]: which student each submission belongs to, and marks in the form that course
 //!   systems import
+//! - [`by_hand`]: marks and words that the teacher gives by hand; [`decisions`]: these and the roster,
+//!   and what changed in both since the last run
 //! - [`regrade`]: old and new scores, before they are replaced
 
 pub mod alike;
+pub mod by_hand;
 pub mod cli;
 pub mod collect;
 pub mod course_hash;
+pub mod decisions;
 pub mod entries;
 pub mod gradebook;
 pub mod hash;
@@ -37,5 +41,6 @@ pub mod progress;
 pub mod reading;
 pub mod regrade;
 pub mod roster;
+pub mod sheet;
 pub mod tables;
 pub mod unit;

@@ -125,7 +125,8 @@ pub fn shared_by_many(class: &Class) -> Vec<SharedFiles> {
     .collect()
 }
 
-/// The students, by their numbers, who share something: by what it is and its hash.
+/// The students, by their numbers, who share something: by what it is and its hash. Of those who
+/// hand in together the first one.
 fn groups(
     class: &Class,
     of: impl Fn(&Row) -> Vec<(String, String)>,
@@ -133,7 +134,12 @@ fn groups(
     let mut groups: BTreeMap<(String, String), Vec<usize>> = BTreeMap::new();
     for (i, row) in class.rows.iter().enumerate() {
         for shared in of(row) {
-            groups.entry(shared).or_default().push(i);
+            let group = groups.entry(shared).or_default();
+            // Of a team several may have handed in.
+            let is_team_mate = |other: &usize| class.rows[*other].owner == row.owner;
+            if row.owner.is_none() || !group.iter().any(is_team_mate) {
+                group.push(i);
+            }
         }
     }
     groups.retain(|_, students| students.len() > 1);

@@ -1,6 +1,7 @@
 //! Old and new scores of a class whose course, seed or submissions have changed, and why they
 //! differ.
 
+use crate::by_hand::{ByHand, given};
 use crate::collect::{Class, Row, points};
 use crate::plan::{Plan, State};
 use base::GraderError;
@@ -20,10 +21,12 @@ pub struct Change {
     pub tasks: Vec<(String, [f64; 2], [f64; 2])>,
     /// Why.
     pub why: Vec<String>,
+    /// What was given by hand on top of the old points, and stays.
+    pub by_hand: Vec<String>,
 }
 
-/// What changes between two gradings of a class.
-pub fn changes(old: &Class, new: &Class) -> Vec<Change> {
+/// What changes between two gradings of a class. Both are without what is given by hand.
+pub fn changes(old: &Class, new: &Class, by_hand: &ByHand) -> Vec<Change> {
     let settings = old.plan.differences(&new.plan);
     let rows = |class: &Class| -> BTreeMap<Untrusted, Row> {
         class
@@ -58,6 +61,7 @@ pub fn changes(old: &Class, new: &Class) -> Vec<Change> {
             results,
             tasks,
             why,
+            by_hand: given_to(by_hand, name),
         });
     }
     changes
@@ -76,6 +80,17 @@ fn submission<'a>(plan: &'a Plan, name: &Untrusted) -> Option<&'a str> {
         | State::NoClone(why)
         | State::NotRead(why) => why.raw(),
     })
+}
+
+/// What is given by hand to a submission and to single students of its team.
+fn given_to(by_hand: &ByHand, name: &Untrusted) -> Vec<String> {
+    let whole = by_hand.submissions.get(name.raw()).into_iter().flatten();
+    let whole = whole.map(|(task, mark)| given(task, mark));
+    let members = by_hand.members_of(name).flat_map(|member| {
+        let marks = member.marks.iter();
+        marks.map(|(task, mark)| format!("{}: {}", member.name.line(), given(task, mark)))
+    });
+    whole.chain(members).collect()
 }
 
 fn result(row: Option<&Row>, class: &Class) -> String {
@@ -119,6 +134,9 @@ pub fn to_text(changes: &[Change], submissions: usize) -> String {
             let of = |[core, extra]: &[f64; 2]| format!("{} + {}", points(*core), points(*extra));
             let _ = writeln!(text, "    {task}: {} -> {}", of(a), of(b));
         }
+        for given in &change.by_hand {
+            let _ = writeln!(text, "    by hand, and stays: {given}");
+        }
     }
     let mut reasons: BTreeMap<&str, usize> = BTreeMap::new();
     for why in changes.iter().flat_map(|change| &change.why) {
@@ -147,6 +165,7 @@ pub fn to_csv(changes: &[Change]) -> Result<String, GraderError> {
         "old",
         "new",
         "why",
+        "by hand",
     ];
     let mut records = vec![header.map(str::to_string).to_vec()];
     for change in changes {
@@ -156,6 +175,7 @@ pub fn to_csv(changes: &[Change]) -> Result<String, GraderError> {
         record[6] = text(&change.results[0]);
         record[7] = text(&change.results[1]);
         record[8] = text(&change.why.join("; "));
+        record[9] = text(&change.by_hand.join("; "));
         records.push(record);
         for (task, a, b) in &change.tasks {
             let mut record = vec![name.clone(), text(task)];

@@ -1,11 +1,12 @@
 //! Writes all that a class gets to see: `gradebook.csv`, `class.html`, `lecture.html` and the
 //! students' pages. They are a function of the plan, of the units in `OUT` and of the options: the
-//! same bytes, whichever machines graded.
+//! same bytes, whichever machines graded. A student of a team to whom something is given by hand alone
+//! has a page besides the team's, which the others need not see.
 
-use crate::collect::{Class, Options};
+use crate::collect::{Class, Options, Row};
 use crate::out::{Out, read_regular};
 use crate::plan::Plan;
-use crate::{entries, gradebook, pages};
+use crate::{by_hand, entries, gradebook, pages};
 use base::{GraderError, write_whole};
 use grader::report::HintLevel;
 use std::path::Path;
@@ -17,15 +18,33 @@ pub fn write(
     hint: HintLevel,
     options: &Options,
 ) -> Result<Class, GraderError> {
+    let members = || options.by_hand.members.values();
+    // No file is called so.
+    let of_members =
+        members().map(|member| format!("{}\0{}", member.submission.raw(), member.key.raw()));
+    let of_members: Vec<String> = of_members.collect();
     let names = plan.submissions.iter().map(|planned| planned.name.raw());
-    let page_names = entries::page_names(&names.collect::<Vec<_>>());
+    let names: Vec<&str> = names.chain(of_members.iter().map(String::as_str)).collect();
+    let page_names = entries::page_names(&names);
     let students = out.join("students");
     std::fs::create_dir_all(&students).map_err(|e| GraderError::file("create", &students, e))?;
     let class = Class::read(out, plan, options, |plan, i, row, details| {
         let pictures = |name: &str| read_regular(&out.picture(name)).ok();
-        let page = pages::student::page(plan, row, details, hint, &pictures);
-        let path = students.join(format!("{}.html", page_names[i]));
-        write_whole(&path, page.as_bytes())
+        let write = |name: &str, row: &Row| {
+            let page = pages::student::page(plan, row, details, hint, &pictures);
+            write_whole(&students.join(format!("{name}.html")), page.as_bytes())
+        };
+        write(&page_names[i], row)?;
+        let own_pages = members().zip(&page_names[plan.submissions.len()..]);
+        for (member, name) in own_pages.filter(|(member, _)| member.submission == row.name) {
+            let mut own = Row {
+                owner: Some(member.name.clone()),
+                ..row.clone()
+            };
+            by_hand::apply(&member.marks, &mut own);
+            write(name, &own)?;
+        }
+        Ok(())
     })?;
     remove_other_pages(&students, &page_names)?;
     let page = pages::class::page(&class, &page_names);

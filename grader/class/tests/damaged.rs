@@ -4,6 +4,7 @@
 //! `cargo test` tries some thousand; the ignored tests go on for `FIRSTLIGHT_FUZZ_SECONDS` each.
 
 use crate::fake_class::{Behaviour, FakeClass};
+use class::by_hand::ByHand;
 use class::collect::Options;
 use class::out::Out;
 use class::plan::Plan;
@@ -288,8 +289,26 @@ fn damaged_plans_for_a_while() {
 
 const ROSTERS: [&str; 2] = [
     "Student,ID,SIS User ID,SIS Login ID,Section\r\n    Points Possible,,,,\r\n\"Lovelace, Ada\",17,a1,ada,S1\r\n",
-    "Identifier,Full name,Email address,Status\nParticipant 7,Zoë É,z@example.org,No submission\n",
+    "Identifier;Full name;Email address;Status;Group\nParticipant 7;Zoë É;z@example.org;No submission;Réd\n",
 ];
+
+#[test]
+fn damaged_marks_by_hand_are_read_or_refused() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let class = FakeClass::new(folder.path(), 3);
+    let out = class.out("out");
+    let whole = "id;task;points;words;held_back\r\nstudent00;part1.task1;-2,5;\"sch\u{f6}n; \"\"x\"\"\r\ny\";\r\nzz;;4;;x\r\n";
+    for seed in seeds(1000) {
+        let _naming = Naming(seed);
+        let mut random = Random::new(seed);
+        let mut bytes = whole.as_bytes().to_vec();
+        damage(&mut bytes, &mut random);
+        std::fs::write(out.join("by_hand.csv"), &bytes).expect("a file");
+        if let Err(why) = ByHand::read(&out, &class.plan, None) {
+            assert!(why.to_string().contains("by_hand.csv: "), "{why}");
+        }
+    }
+}
 
 #[test]
 fn damaged_rosters_are_read_or_refused() {

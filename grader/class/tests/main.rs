@@ -8,4 +8,5 @@ mod hostile_forms;
 mod likeness;
 mod reading;
 mod real;
+mod teams;
 mod units;

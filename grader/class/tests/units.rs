@@ -2,6 +2,7 @@
 //! bytes.
 
 use crate::fake_class::{Behaviour, FakeClass, HOSTILE};
+use class::by_hand::ByHand;
 use class::collect::{Class, OnUnreadable, Options};
 use class::out::Out;
 use class::plan::Plan;
@@ -223,7 +224,8 @@ fn what_could_not_be_read_is_a_question_and_no_zero() {
         assert_eq!(read.is_complete(), on_unreadable == OnUnreadable::Zero);
         let names: Vec<&str> = read.rows.iter().map(|row| row.name.raw()).collect();
         let join = Join::of(&roster, &names);
-        let table = table::write(&read, &roster, &join, &marks).expect("a table");
+        let rows = table::rows(&read, &roster, &join, None, &ByHand::default());
+        let table = table::write(&read.plan, &roster, &rows, &marks).expect("a table");
         assert!(table.ends_with(mark), "{table}");
     }
 }

@@ -1,6 +1,7 @@
 //! Writes the marks of a class for a course system: `--roster ROSTER --for SYSTEM`.
 
-use crate::collect::{Class, points};
+use crate::by_hand::ByHand;
+use crate::collect::{Class, Row, Status, points};
 use crate::late::Lateness;
 use crate::out::Out;
 use crate::roster::join::{Join, Problem};
@@ -8,7 +9,6 @@ use crate::roster::table::{self, Marks, System};
 use crate::roster::{Roster, Student};
 use base::{GraderError, outln, write_whole};
 use clap::ArgMatches;
-use submission::Untrusted;
 
 /// Writes the marks of the students in `roster`, whose submissions `join` knows, and prints what a
 /// person has to decide. Returns whether there is nothing to decide.
@@ -18,6 +18,7 @@ pub(super) fn write(
     class: &Class,
     roster: &Roster,
     join: &Join,
+    by_hand: &ByHand,
 ) -> Result<bool, GraderError> {
     let system = matches
         .get_one::<String>("for")
@@ -32,12 +33,11 @@ pub(super) fn write(
         add_extra: matches.get_flag("add-extra"),
     };
     let lateness = Lateness::of(class, roster, join);
-    let marked = lateness.as_ref().map(|lateness| lateness.apply(class));
-    let marked = marked.as_ref().unwrap_or(class);
+    let rows = table::rows(class, roster, join, lateness.as_ref(), by_hand);
     let file = out.join(system.file());
     write_whole(
         &file,
-        table::write(marked, roster, join, &marks)?.as_bytes(),
+        table::write(&class.plan, roster, &rows, &marks)?.as_bytes(),
     )?;
 
     let [possible, _] = class.plan.max_score();
@@ -45,21 +45,31 @@ pub(super) fn write(
         outln!("{why}");
     }
     let name = |i: usize| class.rows[i].name.line();
+    let who = |student: usize| shown(&roster.students[student]);
     let mut is_decided = join.problems.is_empty();
     if let Some(lateness) = &lateness {
         for (i, (_, about)) in &lateness.late {
-            outln!("late: {}: {about}", name(*i));
+            outln!("late: {}: {about}", who(*i));
         }
         for (i, why) in &lateness.questions {
-            outln!("no mark: {}: {why}", name(*i));
+            outln!("no mark: {}: {why}", who(*i));
         }
         if lateness.untimed > 0 {
             outln!(
-                "in time, as far as anybody knows: {} submissions without a commit time; of clones, `--before` or `--commit` takes it",
+                "in time, as far as anybody knows: {} students without a commit time; of clones, `--before` or `--commit` takes it",
                 lateness.untimed
             );
         }
         is_decided &= lateness.questions.is_empty();
+    }
+    for i in by_hand.members.keys() {
+        if rows[*i]
+            .as_ref()
+            .is_some_and(|row| row.status == Status::HeldBack)
+        {
+            outln!("no mark: {}: held back", who(*i));
+            is_decided = false;
+        }
     }
     for (submission, problem) in &join.problems {
         outln!("no mark: {}: {}", name(*submission), about(roster, problem));
@@ -70,16 +80,14 @@ pub(super) fn write(
     }
     let absent: Vec<String> = (roster.students.iter().zip(&join.submissions))
         .enumerate()
-        .filter(|(i, (_, submission))| submission.is_none() && !has_several(join, *i))
+        .filter(|(i, (_, submission))| submission.is_none() && !has_several(join, roster, *i))
         .map(|(_, (student, _))| shown(student))
         .collect();
     if !absent.is_empty() {
         outln!("no submission: {}", absent.join("; "));
     }
-    let missing = join
-        .submissions
-        .iter()
-        .filter(|submission| submission.is_none_or(|i| marked.rows[i].score.is_none()));
+    let has_mark = |row: &Option<Row>| row.as_ref().is_some_and(|row| row.score.is_some());
+    let missing = rows.iter().filter(|row| !has_mark(row));
     outln!(
         "marks: {}: {} students, {} without a mark from this folder",
         file.display(),
@@ -89,10 +97,14 @@ pub(super) fn write(
     Ok(is_decided)
 }
 
-/// Whether the student number `i` handed in more than once.
-fn has_several(join: &Join, i: usize) -> bool {
+/// Whether the student number `i`, or a teammate, handed in more than once.
+fn has_several(join: &Join, roster: &Roster, i: usize) -> bool {
+    let student = &roster.students[i];
     let mut problems = join.problems.iter();
-    problems.any(|(_, problem)| *problem == Problem::Again(i))
+    problems.any(|(_, problem)| match problem {
+        Problem::Again(of) => *of == i || roster.students[*of].is_teammate_of(student),
+        _ => false,
+    })
 }
 
 /// What does not fit the assignment in the course system. Both take a mark as one of their own
@@ -136,11 +148,14 @@ fn about_maximum(marks: &Marks, roster: &Roster, possible: f64) -> Option<String
 
 /// A student's name, and what else is known that tells the student from others.
 fn shown(student: &Student) -> String {
-    let known = [&student.id, &student.login, &student.number].map(Untrusted::line);
-    let known = known.into_iter().find(|known| !known.is_empty());
-    match known {
-        Some(known) => format!("{} ({known})", student.name.line()),
-        None => student.name.line(),
+    let team = match student.team.is_empty() {
+        true => String::new(),
+        false => format!(" of team {}", student.team.line()),
+    };
+    let (name, key) = (student.label(), student.key());
+    match name == key {
+        true => format!("{}{team}", name.line()),
+        false => format!("{} ({}){team}", name.line(), key.line()),
     }
 }
 
@@ -157,9 +172,14 @@ fn about(roster: &Roster, problem: &Problem) -> String {
                 students.join(" or ")
             )
         }
-        Problem::Again(of) => {
-            format!("{} handed in more than one. Remove those that do not count", student(of))
-        }
+        Problem::Again(of) => match roster.students[*of].team.line() {
+            team if team.is_empty() => {
+                format!("{} handed in more than one. Remove those that do not count", student(of))
+            }
+            team => format!(
+                "the team {team} handed in more than one, and nobody knows which is the last in time. Remove those that do not count"
+            ),
+        },
     }
 }
 
@@ -179,7 +199,7 @@ mod tests {
         };
         let join = Join::of(&roster, &["ada", "ADA"]);
         assert_eq!(join.submissions, [None, None]);
-        assert_eq!([0, 1].map(|i| has_several(&join, i)), [true, false]);
+        assert_eq!([0, 1].map(|i| has_several(&join, &roster, i)), [true, false]);
     }
 
     #[test]

@@ -4,13 +4,12 @@ use super::engines::{Shard, UnitCommand, missing};
 use super::{alike, marks};
 use crate::collect::{Class, OnUnreadable, Options, Status};
 use crate::course_hash;
+use crate::decisions::Decisions;
 use crate::out::Out;
 use crate::plan::{Plan, Settings};
 use crate::progress::Progress;
 use crate::reading::intake::Revision;
 use crate::reading::{Reader, process};
-use crate::roster::Roster;
-use crate::roster::join::Join;
 use crate::{pool, regrade, tables, unit};
 use base::program::Exit;
 use base::{GraderError, Workspace, errln, out, outln, write_whole};
@@ -19,7 +18,6 @@ use grader::course::Course;
 use grader::grade::GradeRequest;
 use grader::report::HintLevel;
 use judge::plural;
-use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use submission::Untrusted;
 use submission::arguments::containment;
@@ -78,6 +76,10 @@ pub fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     let unsandboxed = matches.get_flag("unsandboxed");
     let command = UnitCommand::new(workspace.root(), class, out, unsandboxed)?;
     let shard = matches.get_one::<Shard>("shard").copied();
+    if shard.is_none() {
+        // A mistake in the files of the teacher is said before hours of grading.
+        decisions(matches, out, &plan)?;
+    }
     let jobs = missing(&plan, shard, out);
     if matches.get_flag("list") {
         for (key, _) in jobs {
@@ -293,26 +295,17 @@ fn write_tables(matches: &ArgMatches, out: &Out, plan: Plan) -> Result<Exit, Gra
             .find(|hint| hint.number().to_string() == *level)
     });
     let hint = hint.unwrap_or(HintLevel::Findings);
-    let roster = matches
-        .get_one::<PathBuf>("roster")
-        .map(|path| Roster::read(path))
-        .transpose()?;
-    let names: Vec<&str> = (plan.submissions.iter())
-        .map(|planned| planned.name.raw())
-        .collect();
-    let join = roster.as_ref().map(|roster| Join::of(roster, &names));
-    let joined = roster.as_ref().zip(join.as_ref());
-    let options = Options {
-        owners: joined.map_or_else(BTreeMap::new, |(roster, join)| join.owners(roster, &names)),
-        ..options(matches)
-    };
+    let decisions = decisions(matches, out, &plan)?;
+    let options = decisions.options(&plan, options(matches));
     let class = tables::write(out, plan, hint, &options)?;
     outln!("{}", class.summary());
     for row in &class.rows {
         let what = match (&row.score, &row.status) {
-            (None, Status::Question(_) | Status::Unreadable(_)) => "your decision",
+            (None, Status::Question(_) | Status::Unreadable(_) | Status::HeldBack) => {
+                "your decision"
+            }
             (None, _) => "no score",
-            (Some(_), Status::Unreadable(_)) => "0 points",
+            _ if row.is_unread_zero() => "0 points",
             _ => continue,
         };
         outln!("{what}: {}: {}", row.name.line(), row.status);
@@ -333,10 +326,22 @@ fn write_tables(matches: &ArgMatches, out: &Out, plan: Plan) -> Result<Exit, Gra
         class.plan.settings.seed,
         out.join("{gradebook.csv,class.html,students/}").display()
     );
-    let is_decided = match joined {
-        Some((roster, join)) => marks::write(matches, out, &class, roster, join)?,
-        None => true,
-    };
+    for why in &decisions.by_hand.open {
+        outln!("your decision: {why}");
+    }
+    let mut is_decided = decisions.by_hand.open.is_empty();
+    if let Some((roster, join)) = &decisions.roster {
+        for (i, other) in &join.replaced {
+            let name = |i: usize| class.rows[i].name.line();
+            outln!(
+                "does not count: {}: the team handed in {} later",
+                name(*i),
+                name(*other)
+            );
+        }
+        is_decided &= marks::write(matches, out, &class, roster, join, &decisions.by_hand)?;
+    }
+    decisions.show_changes(out, |change| outln!("{change}"))?;
     match class.not_graded() {
         0 => Ok(exit_of(class.is_complete() && is_decided)),
         left => Err(run_again(left)),
@@ -349,6 +354,12 @@ fn run_again(left: usize) -> GraderError {
     GraderError::new(format!(
         "{have} no score, because the grader failed or has not finished: run the same command again"
     ))
+}
+
+/// What the teacher decides in the files of the class.
+fn decisions(matches: &ArgMatches, out: &Out, plan: &Plan) -> Result<Decisions, GraderError> {
+    let roster = matches.get_one::<PathBuf>("roster");
+    Decisions::read(out, plan, roster.map(PathBuf::as_path))
 }
 
 /// What the arguments say about rows.
@@ -375,7 +386,8 @@ fn show_regrade(matches: &ArgMatches, out: &Out) -> Result<Exit, GraderError> {
     let read = |plan| Class::read(out, plan, &options(matches), |_, _, _, _| Ok(()));
     let old = read(load(out.plan())?)?;
     let new = read(load(out.proposed_plan())?)?;
-    let changes = regrade::changes(&old, &new);
+    let by_hand = decisions(matches, out, &new.plan)?.by_hand;
+    let changes = regrade::changes(&old, &new, &by_hand);
     write_whole(
         &out.join("regrade.csv"),
         regrade::to_csv(&changes)?.as_bytes(),

@@ -63,7 +63,7 @@ fn without_score(class: &Class) -> Markup {
         |is: fn(&Row) -> bool| -> Vec<&Row> { class.rows.iter().filter(|row| is(row)).collect() };
     let asked = with(|row| row.score.is_none() && !matches!(row.status, Status::Infrastructure(_)));
     let failed = with(|row| matches!(row.status, Status::Infrastructure(_)));
-    let unreadable = with(|row| row.score.is_some() && matches!(row.status, Status::Unreadable(_)));
+    let unreadable = with(Row::is_unread_zero);
     html! {
         (listed("Your decision: no score until then", &asked))
         (listed("No score: the machine failed", &failed))
@@ -80,7 +80,7 @@ fn listed(heading: &str, rows: &[&Row]) -> Markup {
                 @for row in rows {
                     li {
                         strong { (row.who().line()) } ": "
-                        (row.status.detail().map(Untrusted::line).unwrap_or_default())
+                        (row.status.detail().map_or_else(|| row.about(), Untrusted::line))
                     }
                 }
             }

@@ -2,6 +2,7 @@
 
 use super::legend::marks;
 use super::{list, missing, page as whole_page};
+use crate::by_hand::signed;
 use crate::collect::{Case, Details, Row, Status, StudentReport, Task, points};
 use crate::plan::Plan;
 use ::pages::html::image_uri;
@@ -24,14 +25,17 @@ pub fn page(
 ) -> String {
     let what = &plan.settings.what;
     let [max_core, max_extra] = plan.max_score().map(points);
+    let is_held_back = row.status == Status::HeldBack;
+    let details = details.filter(|_| !is_held_back);
     let body = html! {
         h1 { (row.who().line()) }
         @match (&row.score, details) {
             (Some(score), Some(_)) => p {
                 strong { (points(score.core)) " of " (max_core) " points" }
                 ", extra credit " (points(score.extra)) " of " (max_extra)
+                @if row.by_hand != 0.0 { ". The code earned " (points(score.core - row.by_hand)) "." }
             },
-            (Some(_), None) => p { strong { "0 points" } },
+            (Some(score), None) => p { strong { (points(score.core)) " points" } },
             (None, _) => p { strong { "No score yet." } },
         }
         p.soft {
@@ -39,17 +43,19 @@ pub fn page(
             @match &row.status {
                 // Why is for the person who grades: it may name folders of the machine.
                 Status::Infrastructure(_) => "the grader failed, not your code. A person looks at it.",
+                Status::HeldBack => "held back until your teacher has decided.",
                 status => (status.to_string()),
             }
         }
-        (list(&row.notes))
+        (list(&row.given))
+        @if !is_held_back { (list(&row.notes)) }
         @if let Some((unit, report)) = details {
             @for task in told(report) {
                 @let sheet = unit.pictures.get(&task.key).and_then(|name| picture(name));
                 (task_section(task, report, hint, sheet.as_deref()))
             }
             h2 { "All tasks" }
-            (table(report))
+            (table(report, row))
             @if !report.compiler.is_empty() {
                 h2 { "Why code was not compiled" }
                 pre.sentences { (shortened(&report.compiler)) }
@@ -80,7 +86,14 @@ fn is_told(task: &Task) -> bool {
     task.status != "passed" || task.score < task.max_score
 }
 
-fn table(report: &StudentReport) -> Markup {
+fn table(report: &StudentReport, row: &Row) -> Markup {
+    let by_hand = |task: &Task| {
+        let score = row
+            .score
+            .as_ref()
+            .and_then(|score| score.tasks.get(&task.key));
+        score.map_or(0.0, |[core, _]| core - task.score)
+    };
     html! {
         div.scroll {
             table {
@@ -94,7 +107,10 @@ fn table(report: &StudentReport) -> Markup {
                             }
                         }
                         td { (task.title) }
-                        td.number { (points(task.score)) " of " (points(task.max_score)) }
+                        td.number {
+                            (points(task.score)) " of " (points(task.max_score))
+                            @if by_hand(task) != 0.0 { ", by hand " (signed(by_hand(task))) }
+                        }
                         td.number { (points(task.robust_score)) " of " (points(task.robust_max_score)) }
                     }
                 }

@@ -5,10 +5,19 @@
 //!   without spaces, perhaps `LATE`, number of the student, number of the submission, file
 //! - GitHub Classroom: `part1-alanturing`: assignment, user name
 //!
-//! Without such a pattern the name is one of the student's own: identifier, login, e-mail, name.
+//! Without such a pattern the name is one of the student's own: identifier, login, e-mail, name; or
+//! that of a team.
+//!
+//! A team has one submission, whatever member or team it is named after. Of several that are equal
+//! the first one counts. Of different clones, the one whose commit is the last before the deadline
+//! (that of the member with the longest extension); if all are late, the last one. Else a person
+//! decides.
 
 use super::{Roster, Student};
-use std::collections::BTreeMap;
+use crate::late;
+use crate::plan::{Plan, PlannedTerm, State};
+use crate::reading::intake::CommitTimes;
+use std::collections::{BTreeMap, BTreeSet};
 use submission::Untrusted;
 use unicode_normalization::UnicodeNormalization;
 use unicode_normalization::char::is_combining_mark;
@@ -95,8 +104,18 @@ pub enum Problem {
     Nobody,
     /// Several students fit its name.
     Several(Vec<usize>),
-    /// Its student handed in others, too.
+    /// Its student, or a team, of which this is the first member, handed in others, too.
     Again(usize),
+}
+
+/// What is known of a submission before it is graded.
+#[derive(Clone, Copy, Debug)]
+struct Entry<'a> {
+    name: &'a str,
+    /// The hash of its files.
+    files: Option<&'a str>,
+    /// The times of the commit that counts.
+    commit: Option<&'a CommitTimes>,
 }
 
 /// Who handed in what. Numbers of students are those of the roster, numbers of submissions those of
@@ -109,53 +128,112 @@ pub struct Join {
     pub problems: Vec<(usize, Problem)>,
     /// Submissions that the course system calls late.
     pub late: Vec<usize>,
+    /// The first student, in the order of the roster, of those who handed in a submission.
+    pub owners: Vec<Option<usize>>,
+    /// Submissions of a team that do not count, each with the one that was handed in later.
+    pub replaced: BTreeMap<usize, usize>,
 }
 
 impl Join {
-    /// Joins the submissions with these names to the students of a roster.
-    pub fn of(roster: &Roster, entries: &[&str]) -> Join {
-        let mut of_student: Vec<Vec<usize>> = vec![Vec::new(); roster.students.len()];
-        let mut join = Join::default();
+    /// Joins submissions of which only the names are known to the students of a roster.
+    pub fn of(roster: &Roster, names: &[&str]) -> Join {
+        let entries = names.iter().map(|name| Entry {
+            name,
+            files: None,
+            commit: None,
+        });
+        Join::new(roster, &entries.collect::<Vec<_>>(), None)
+    }
+
+    /// Joins the submissions of a plan to the students of a roster.
+    pub fn of_plan(roster: &Roster, plan: &Plan) -> Join {
+        let entries = plan.submissions.iter().map(|planned| {
+            let (files, commit) = match &planned.state {
+                State::Unit {
+                    submission, commit, ..
+                } => (Some(submission.as_str()), commit.as_ref()),
+                _ => (None, None),
+            };
+            Entry {
+                name: planned.name.raw(),
+                files,
+                commit,
+            }
+        });
+        Join::new(roster, &entries.collect::<Vec<_>>(), plan.term.as_ref())
+    }
+
+    fn new(roster: &Roster, entries: &[Entry], term: Option<&PlannedTerm>) -> Join {
+        let mut first_of_team: BTreeMap<&Untrusted, usize> = BTreeMap::new();
+        let students = roster.students.iter().enumerate();
+        let first_members: Vec<usize> = students
+            .map(|(i, student)| match student.team.is_empty() {
+                true => i,
+                false => *first_of_team.entry(&student.team).or_insert(i),
+            })
+            .collect();
+        let mut join = Join {
+            owners: vec![None; entries.len()],
+            ..Join::default()
+        };
+        let mut of_first: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
         for (i, entry) in entries.iter().enumerate() {
-            let clue = Clue::of(entry);
+            let clue = Clue::of(entry.name);
             if clue.is_late {
                 join.late.push(i);
             }
-            match fitting(roster, &clue).as_slice() {
-                [] => join.problems.push((i, Problem::Nobody)),
-                [student] => of_student[*student].push(i),
-                several => join.problems.push((i, Problem::Several(several.to_vec()))),
+            let fitting = fitting(roster, &clue);
+            let firsts: BTreeSet<usize> = fitting.iter().map(|s| first_members[*s]).collect();
+            match firsts.len() {
+                0 => join.problems.push((i, Problem::Nobody)),
+                1 => {
+                    join.owners[i] = firsts.first().copied();
+                    of_first
+                        .entry(first_members[fitting[0]])
+                        .or_default()
+                        .push(i);
+                }
+                _ => join.problems.push((i, Problem::Several(fitting))),
             }
         }
-        for (student, entries) in of_student.into_iter().enumerate() {
-            join.submissions.push(match entries.as_slice() {
-                [entry] => Some(*entry),
-                several => {
-                    let again = several
-                        .iter()
-                        .map(|entry| (*entry, Problem::Again(student)));
-                    join.problems.extend(again);
-                    None
+        let mut counts: BTreeMap<usize, usize> = BTreeMap::new();
+        for (first, submissions) in of_first {
+            let student = &roster.students[first];
+            match the_one_that_counts(roster, student, entries, &submissions, term) {
+                Some(one) => {
+                    counts.insert(first, one);
+                    let others = submissions
+                        .into_iter()
+                        .filter(|i| *i != one && entries[*i].files != entries[one].files);
+                    join.replaced.extend(others.map(|other| (other, one)));
                 }
-            });
+                None => {
+                    let again = submissions.into_iter();
+                    join.problems
+                        .extend(again.map(|i| (i, Problem::Again(first))));
+                }
+            }
         }
+        let submissions = first_members.iter().map(|first| counts.get(first).copied());
+        join.submissions = submissions.collect();
         join.problems.sort_by_key(|(entry, _)| *entry);
         join
     }
 
-    /// The students' names, by those of their submissions, `entries`. Namesakes have the name of
-    /// their submission after their own.
-    pub fn owners(&self, roster: &Roster, entries: &[&str]) -> BTreeMap<String, Untrusted> {
+    /// Whose each of the submissions `entries` is. Namesakes have the name of their submission after
+    /// their own, teams their members.
+    pub fn names(&self, roster: &Roster, entries: &[&str]) -> BTreeMap<String, Untrusted> {
         let mut namesakes: BTreeMap<String, usize> = BTreeMap::new();
         for student in &roster.students {
             *namesakes.entry(plain(student.name.raw())).or_default() += 1;
         }
-        let students = roster.students.iter().zip(&self.submissions);
-        students
-            .filter(|(student, _)| !student.name.is_empty())
-            .filter_map(|(student, entry)| {
-                let entry = entries[(*entry)?];
+        let owners = entries.iter().zip(&self.owners);
+        owners
+            .filter_map(|(entry, first)| {
+                let student = &roster.students[(*first)?];
                 let name = match namesakes[&plain(student.name.raw())] {
+                    _ if !student.team.is_empty() => with_members(roster, student).into(),
+                    _ if student.name.is_empty() => return None,
                     1 => student.name.clone(),
                     _ => format!("{} ({entry})", student.name.raw()).into(),
                 };
@@ -165,7 +243,55 @@ impl Join {
     }
 }
 
-/// The students who fit a clue. A number decides alone. An identifier does not decide against a
+/// The name of a student's team and of its members.
+pub fn with_members(roster: &Roster, student: &Student) -> String {
+    let members = roster
+        .students
+        .iter()
+        .filter(|other| other.is_teammate_of(student));
+    let members: Vec<&str> = members.map(|member| member.label().raw()).collect();
+    format!("{}: {}", student.team.raw(), members.join(", "))
+}
+
+/// Which of the submissions of a student and the student's team counts.
+fn the_one_that_counts(
+    roster: &Roster,
+    student: &Student,
+    entries: &[Entry],
+    submissions: &[usize],
+    term: Option<&PlannedTerm>,
+) -> Option<usize> {
+    let first = *submissions.first()?;
+    let files = entries[first].files;
+    let is_equal = |i: &usize| *i == first || files.is_some() && entries[*i].files == files;
+    if submissions.iter().all(is_equal) {
+        return Some(first);
+    }
+    if student.team.is_empty() {
+        return None;
+    }
+    let mut timed = Vec::new();
+    for i in submissions {
+        let commit = entries[*i].commit.filter(|commit| commit.doubt.is_none())?;
+        let members = roster
+            .students
+            .iter()
+            .filter(|other| other.is_teammate_of(student));
+        let is_in_time = members.map(|member| late::is_in_time(commit.committer, member, term));
+        let is_in_time = is_in_time.reduce(|a, b| a || b).unwrap_or(true);
+        timed.push(((is_in_time, commit.committer), *i));
+    }
+    let (last, _) = timed.iter().max()?;
+    let mut of_last = timed
+        .iter()
+        .filter(|(time, _)| time == last)
+        .map(|(_, i)| *i);
+    let one = of_last.next()?;
+    let same = |i: usize| entries[i].files == entries[one].files;
+    of_last.all(same).then_some(one)
+}
+
+/// The students who fit a clue, or whose team fits it. A number decides alone. An identifier does not decide against a
 /// name: students choose their logins, and one may be the name of somebody else.
 fn fitting(roster: &Roster, clue: &Clue) -> Vec<usize> {
     let those = |fits: &dyn Fn(&Student) -> bool| -> Vec<usize> {
@@ -194,15 +320,24 @@ fn fitting(roster: &Roster, clue: &Clue) -> Vec<usize> {
         true => is_exact(student),
         false => identifiers(student).iter().any(|id| is(id)),
     };
-    let by_name = |student: &Student| orders(student.name.raw()).iter().any(|name| is(name));
-    // GitHub Classroom: the assignment, a hyphen, the login. It counts beside a login that looks
-    // like all of that, which another student may have chosen.
+    let is_exact_team = |student: &Student| student.team == clue.name.as_str();
+    let has_exact_team = !clue.name.is_empty() && roster.students.iter().any(is_exact_team);
+    let by_team = |student: &Student| match has_exact_team {
+        true => is_exact_team(student),
+        false => is(student.team.raw()),
+    };
+    let by_name = |student: &Student| {
+        by_team(student) || orders(student.name.raw()).iter().any(|name| is(name))
+    };
+    // GitHub Classroom: the assignment, a hyphen, the login or the team. It counts beside a login
+    // that looks like all of that, which another student may have chosen.
     let name = clue.name.to_lowercase();
-    let by_suffix = |student: &Student| {
-        let login = student.login.raw().to_lowercase();
-        let start = name.strip_suffix(&login).filter(|_| !login.is_empty());
+    let is_suffix = |text: &Untrusted| {
+        let text = text.raw().to_lowercase().replace(' ', "-");
+        let start = name.strip_suffix(&text).filter(|_| !text.is_empty());
         start.is_some_and(|start| start.ends_with('-'))
     };
+    let by_suffix = |student: &Student| is_suffix(&student.login) || is_suffix(&student.team);
     those(&|student| by_identifier(student) || by_name(student) || !has_exact && by_suffix(student))
 }
 
@@ -360,8 +495,132 @@ mod tests {
     fn namesakes_are_told_apart() {
         let entries = ["kim1", "kim2", "ada"];
         let join = Join::of(&roster(), &entries);
-        let owners = join.owners(&roster(), &entries);
+        let owners = join.names(&roster(), &entries);
         let names: Vec<&str> = owners.values().map(Untrusted::raw).collect();
         assert_eq!(names, ["Ada Lovelace", "Kim Lee (kim1)", "Kim Lee (kim2)"]);
+    }
+
+    /// The roster with Ada and Grace as the team C++, and Alan alone as the team C#.
+    fn teams() -> Roster {
+        let mut roster = roster();
+        for (student, team) in [
+            (0, "C++"),
+            (1, "C++"),
+            (2, "C#"),
+            (3, "Red Team"),
+            (4, "Red Team"),
+        ] {
+            roster.students[student].team = team.into();
+        }
+        roster
+    }
+
+    #[test]
+    fn a_teams_submission_is_each_members() {
+        let [cpp, alone, red] = [[0, 1].as_slice(), &[2], &[3, 4]];
+        for (entry, members) in [
+            ("ada", cpp),
+            ("Grace Hopper", cpp),
+            ("hoppergrace_98765_4567890_stages", cpp),
+            ("C++", cpp),
+            ("C#", alone),
+            ("red team", red),
+            ("part1-red-team", red),
+            ("part1-kim2", red),
+            ("Kim Lee", red),
+        ] {
+            let join = Join::of(&teams(), &[entry]);
+            let expected: Vec<_> = (0..5).map(|i| members.contains(&i).then_some(0)).collect();
+            assert_eq!(join.submissions, expected, "{entry}: {:?}", join.problems);
+        }
+        let problem = |entry: &str| Join::of(&teams(), &[entry]).problems;
+        assert_eq!(problem("c"), [(0, Problem::Several(vec![0, 1, 2]))]);
+        let mut roster = teams();
+        roster.students[2].team = "ada".into();
+        let join = Join::of(&roster, &["ada"]);
+        assert_eq!(join.problems, [(0, Problem::Several(vec![0, 2]))]);
+        let join = Join::of(&teams(), &["ada", "ghopper", "kim1"]);
+        assert_eq!(
+            join.problems,
+            [(0, Problem::Again(0)), (1, Problem::Again(0))]
+        );
+        assert_eq!(join.submissions, [None, None, None, Some(2), Some(2)]);
+        let names = join.names(&teams(), &["ada", "ghopper", "kim1"]);
+        assert_eq!(names["kim1"], "Red Team: Kim Lee, Kim Lee");
+    }
+
+    /// Of clones of one team, with the times of their commits, the last one in time counts.
+    #[test]
+    fn the_last_clone_before_the_deadline_counts() {
+        let due = 1_000_000;
+        let hour = 60 * 60;
+        let clone = |after: i64| CommitTimes {
+            author: due + after,
+            committer: due + after,
+            doubt: None,
+        };
+        let doubtful = CommitTimes {
+            doubt: Some("committed in the future".into()),
+            ..clone(-hour)
+        };
+        let term = PlannedTerm {
+            title: String::new(),
+            due: Some(due),
+            late: None,
+        };
+        let join = |roster: &Roster, clones: [(&str, &CommitTimes); 2], term| {
+            let entries = [("ada", clones[0]), ("ghopper", clones[1])];
+            let entries = entries.map(|(name, (files, commit))| Entry {
+                name,
+                files: Some(files),
+                commit: Some(commit),
+            });
+            Join::new(roster, &entries, term)
+        };
+        let mut extended = teams();
+        extended.students[1].extension = "2".into();
+        for (roster, clones, counts) in [
+            (
+                teams(),
+                [("a", &clone(-2 * hour)), ("b", &clone(-hour))],
+                Some(1),
+            ),
+            (
+                teams(),
+                [("a", &clone(-hour)), ("b", &clone(hour))],
+                Some(0),
+            ),
+            (
+                extended,
+                [("a", &clone(-hour)), ("b", &clone(hour))],
+                Some(1),
+            ),
+            (
+                teams(),
+                [("a", &clone(2 * hour)), ("b", &clone(hour))],
+                Some(0),
+            ),
+            (teams(), [("a", &clone(hour)), ("b", &clone(hour))], None),
+            (teams(), [("a", &clone(-2 * hour)), ("b", &doubtful)], None),
+        ] {
+            let join = join(&roster, clones, Some(&term));
+            assert_eq!(join.submissions[..2], [counts; 2], "{clones:?}");
+            assert_eq!(join.problems.len(), if counts.is_none() { 2 } else { 0 });
+            let replaced: Vec<_> = join.replaced.into_iter().collect();
+            assert_eq!(replaced, Vec::from_iter(counts.map(|one| (1 - one, one))));
+        }
+        let late = [("a", &clone(-hour)), ("b", &clone(hour))];
+        assert_eq!(join(&teams(), late, None).submissions[0], Some(1));
+        let equal = join(
+            &teams(),
+            [("a", &doubtful), ("a", &clone(hour))],
+            Some(&term),
+        );
+        assert_eq!((equal.submissions[0], equal.replaced.len()), (Some(0), 0));
+        let mut alone = teams();
+        alone.students[0].team = "".into();
+        alone.students[1].team = "".into();
+        alone.students[1].login = "x".into();
+        assert_eq!(join(&alone, late, None).submissions[0], Some(0));
     }
 }

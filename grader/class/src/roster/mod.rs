@@ -6,9 +6,12 @@
 pub mod join;
 pub mod table;
 
+use crate::sheet::Sheet;
 use base::GraderError;
+use std::collections::BTreeMap;
 use std::path::Path;
 use submission::Untrusted;
+use unicode_normalization::UnicodeNormalization;
 
 /// The students of a class.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -42,6 +45,32 @@ pub struct Student {
     pub extension: Untrusted,
     /// The teacher's own column `handed_in`: when, if the submission does not say it.
     pub handed_in: Untrusted,
+    /// The team with which the student hands in. Members of a team have equal texts here, however
+    /// the file spells them.
+    pub team: Untrusted,
+}
+
+impl Student {
+    /// What tells the student from others: the first that is known of the school's identifier, the
+    /// login, the address, the number and the name.
+    pub fn key(&self) -> &Untrusted {
+        let known = [&self.id, &self.login, &self.email, &self.number];
+        let mut known = known.into_iter().filter(|text| !text.is_empty());
+        known.next().unwrap_or(&self.name)
+    }
+
+    /// The name, or what else is known.
+    pub fn label(&self) -> &Untrusted {
+        match self.name.is_empty() {
+            true => self.key(),
+            false => &self.name,
+        }
+    }
+
+    /// Whether both hand in together.
+    pub fn is_teammate_of(&self, other: &Student) -> bool {
+        !self.team.is_empty() && self.team == other.team
+    }
 }
 
 /// What a column is about.
@@ -60,11 +89,22 @@ enum Field {
     Maximum,
     Extension,
     HandedIn,
+    Team,
 }
 
-/// The names of columns in the files of Canvas (gradebook), Moodle (participants, grading worksheet,
-/// grades), Gradescope (roster) and GitHub Classroom, and in a table of one's own. In lower case.
-const COLUMNS: [(&str, Field); 29] = [
+/// The names of columns in the files of Canvas (gradebook, groups), Moodle (participants, grading
+/// worksheet, grades), Gradescope (roster) and GitHub Classroom, and in a table of one's own. In
+/// lower case.
+const COLUMNS: [(&str, Field); 38] = [
+    ("team", Field::Team),
+    ("team name", Field::Team),
+    ("team_name", Field::Team),
+    ("group", Field::Team),
+    ("group name", Field::Team),
+    ("group_name", Field::Team),
+    ("canvas_user_id", Field::Number),
+    ("user_id", Field::Id),
+    ("login_id", Field::Login),
     ("extension", Field::Extension),
     ("handed_in", Field::HandedIn),
     ("student", Field::Name),
@@ -115,13 +155,9 @@ impl Roster {
     }
 
     fn parse(bytes: &[u8]) -> Result<Roster, String> {
-        let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
-        let mut reader = csv::ReaderBuilder::new()
-            .flexible(true)
-            .trim(csv::Trim::All)
-            .from_reader(bytes);
-        let header = reader.headers().map_err(|e| e.to_string())?.clone();
-        let names: Vec<String> = header.iter().map(str::to_lowercase).collect();
+        let sheet = Sheet::parse(bytes)?;
+        let header = &sheet.columns;
+        let names: Vec<String> = header.iter().map(|name| name.to_lowercase()).collect();
         let is_canvas = names.iter().any(|name| name == "sis login id");
         let fields = names.iter().map(|name| match name.as_str() {
             ID if is_canvas => Some(Field::Number),
@@ -138,7 +174,7 @@ impl Roster {
                 "no column names a student. Expected the export of Canvas (Student, ID, SIS User ID, SIS Login ID, Section), of Moodle (Identifier, Full name, Email address), of Gradescope (Name, SID, Email), or columns id and name; found {}",
                 header
                     .iter()
-                    .map(|name| Untrusted::from(name).line())
+                    .map(|name| Untrusted::from(name.as_str()).line())
                     .collect::<Vec<_>>()
                     .join(", ")
             ));
@@ -146,11 +182,12 @@ impl Roster {
         let mut students = Vec::new();
         let mut maximum = None;
         let mut assignments = Vec::new();
-        for record in reader.records() {
-            let record = record.map_err(|e| e.to_string())?;
+        let mut teams = Teams::default();
+        for (line, record) in &sheet.lines {
             let value = |field: Field| {
                 let column = fields.iter().position(|other| *other == Some(field));
-                column.and_then(|i| record.get(i)).unwrap_or_default()
+                let cell = column.and_then(|i| record.get(i));
+                cell.map_or("", String::as_str)
             };
             let parts = [value(Field::FirstName), value(Field::LastName)];
             let name = match value(Field::Name) {
@@ -163,7 +200,7 @@ impl Roster {
                 Some((_, digits)) if digits.bytes().all(|c| c.is_ascii_digit()) => digits,
                 _ => "",
             };
-            let student = Student {
+            let mut student = Student {
                 name: name.as_str().into(),
                 number: match value(Field::Number) {
                     "" => digits.into(),
@@ -180,6 +217,7 @@ impl Roster {
                 mark_changed: value(Field::MarkChanged).into(),
                 extension: value(Field::Extension).into(),
                 handed_in: value(Field::HandedIn).into(),
+                team: Untrusted::default(),
             };
             let is_empty = [&student.name, &student.id, &student.login, &student.number]
                 .iter()
@@ -187,13 +225,14 @@ impl Roster {
             if name == POINTS_POSSIBLE {
                 assignments = header
                     .iter()
-                    .zip(&record)
-                    .filter_map(|(name, points)| Some((name.into(), points.parse().ok()?)))
+                    .zip(record)
+                    .filter_map(|(name, points)| Some((name.as_str().into(), points.parse().ok()?)))
                     .collect();
             } else if is_canvas && name == TEST_STUDENT && student.id.is_empty() {
                 continue;
             } else if !is_empty {
                 maximum = maximum.or_else(|| value(Field::Maximum).parse().ok());
+                student.team = teams.of(*line, &student, value(Field::Team))?;
                 students.push(student);
             }
         }
@@ -205,6 +244,58 @@ impl Roster {
             maximum,
             assignments,
         })
+    }
+}
+
+/// The teams of a roster while it is read.
+#[derive(Default)]
+struct Teams {
+    /// How each is spelt first, by its spelling in small letters.
+    spelling: BTreeMap<String, Untrusted>,
+    /// The line and team of each student so far, by whatever identifies the student.
+    of_student: BTreeMap<(usize, Untrusted), (usize, Untrusted)>,
+}
+
+impl Teams {
+    /// The team in a `cell` of a student's line. A student in two teams is an error.
+    fn of(&mut self, line: usize, student: &Student, cell: &str) -> Result<Untrusted, String> {
+        let in_two = |one: &str, other: &str| {
+            Err(format!(
+                "line {line}: {} is in the teams {one} and {other}. A student hands in with one team: keep that one",
+                student.label().line()
+            ))
+        };
+        let mut parts = cell
+            .split(';')
+            .map(str::trim)
+            .filter(|part| !part.is_empty());
+        let Some(team) = parts.next() else {
+            return Ok(Untrusted::default());
+        };
+        let shown = |team: &str| Untrusted::from(team).line();
+        if let Some(other) = parts.next() {
+            return in_two(&shown(team), &shown(other));
+        }
+        let words: Vec<&str> = team.split_whitespace().collect();
+        let key: String = words.join(" ").nfc().flat_map(char::to_lowercase).collect();
+        let team = self
+            .spelling
+            .entry(key)
+            .or_insert_with(|| team.into())
+            .clone();
+        let known = [&student.number, &student.id, &student.login, &student.email];
+        for (i, known) in known
+            .into_iter()
+            .enumerate()
+            .filter(|(_, known)| !known.is_empty())
+        {
+            let place = (i, known.clone());
+            let (first, other) = self.of_student.entry(place).or_insert((line, team.clone()));
+            if *other != team {
+                return in_two(&team.line(), &format!("{} (line {first})", other.line()));
+            }
+        }
+        Ok(team)
     }
 }
 
@@ -245,6 +336,40 @@ mod tests {
             ["s3", "alanturing"]
         );
         assert_eq!(parse("id,name\nanna,Anna B\n")[0].id, "anna");
+    }
+
+    #[test]
+    fn teams_are_read_as_course_systems_export_groups() {
+        let teams = |text: &str| -> Vec<String> {
+            let students = parse(text).into_iter();
+            students.map(|student| student.team.line()).collect()
+        };
+        let canvas = "name,canvas_user_id,user_id,login_id,sections,group_name,canvas_group_id,group_id\n\
+            Ada Lovelace,1,s1,ada,A,Red  Team,7,\nGrace Hopper,2,s2,grace,A,red team,7,\nAl Absent,3,s3,al,B,,,\n";
+        assert_eq!(teams(canvas), ["Red  Team", "Red  Team", ""]);
+        let ada = &parse(canvas)[0];
+        assert_eq!(
+            [&ada.number, &ada.id, &ada.login, &ada.section].map(Untrusted::raw),
+            ["1", "s1", "ada", "A"]
+        );
+        assert_eq!(
+            teams("id;team\r\nada;Red, green\r\nbo;C++\r\ncy;C#\r\n"),
+            ["Red, green", "C++", "C#"]
+        );
+        for (text, expected) in [
+            (
+                "id,team\nada,red\nbo,red\n\nada,blue\n",
+                "line 5: ada is in the teams blue and red (line 2)",
+            ),
+            (
+                "id,name,team\nada,Ada,red;blue\n",
+                "line 2: Ada is in the teams red and blue",
+            ),
+        ] {
+            let error = Roster::parse(text.as_bytes()).expect_err(text);
+            assert!(error.starts_with(expected), "{error}");
+        }
+        assert_eq!(teams("id,team\nada,red\nada,RED\n"), ["red", "red"]);
     }
 
     #[test]

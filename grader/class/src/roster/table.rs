@@ -17,7 +17,10 @@
 
 use super::join::Join;
 use super::{Roster, Student};
+use crate::by_hand::{self, ByHand};
 use crate::collect::{Class, Row, points};
+use crate::late::Lateness;
+use crate::plan::Plan;
 use base::GraderError;
 use formats::gradebook::{self, text};
 use submission::Untrusted;
@@ -71,17 +74,47 @@ pub struct Marks {
     pub add_extra: bool,
 }
 
-/// The table of the marks.
-pub fn write(
+/// The row of each student: that of the submission, with what late work of this student loses and what
+/// this student alone gets by hand. `None` without a submission.
+pub fn rows(
     class: &Class,
     roster: &Roster,
     join: &Join,
+    lateness: Option<&Lateness>,
+    by_hand: &ByHand,
+) -> Vec<Option<Row>> {
+    let students = roster.students.iter().zip(&join.submissions).enumerate();
+    let rows = students.map(|(i, (student, submission))| {
+        let mut row = Row {
+            graded: None,
+            ..class.rows[(*submission)?].clone()
+        };
+        if !student.team.is_empty() {
+            row.notes
+                .push(format!("team {}", student.team.raw()).into());
+        }
+        if let Some(lateness) = lateness {
+            lateness.apply(i, &mut row);
+        }
+        if let Some(member) = by_hand.members.get(&i) {
+            by_hand::apply(&member.marks, &mut row);
+        }
+        Some(row)
+    });
+    rows.collect()
+}
+
+/// The table of the marks. `rows` are those of the students.
+pub fn write(
+    plan: &Plan,
+    roster: &Roster,
+    rows: &[Option<Row>],
     marks: &Marks,
 ) -> Result<String, GraderError> {
-    let row = |i: usize| join.submissions[i].map(|submission| &class.rows[submission]);
-    let students = roster.students.iter().enumerate();
-    let students: Vec<(&Student, Option<&Row>)> =
-        students.map(|(i, student)| (student, row(i))).collect();
+    let students = roster.students.iter().zip(rows);
+    let students: Vec<(&Student, Option<&Row>)> = students
+        .map(|(student, row)| (student, row.as_ref()))
+        .collect();
     let marked = students.iter().filter_map(|(student, row)| {
         let row = (*row)?;
         let score = row.score.as_ref()?;
@@ -91,7 +124,7 @@ pub fn write(
         });
         Some(Marked { student, row, mark })
     });
-    let [max, _] = class.plan.max_score();
+    let [max, _] = plan.max_score();
     let records = match marks.system {
         System::Canvas => canvas(marked, &marks.assignment, max),
         System::Moodle
@@ -102,7 +135,7 @@ pub fn write(
             worksheet(marked, max)
         }
         System::Moodle => moodle_grades(marked, &marks.assignment),
-        System::Csv => return gradebook_of(class, &students),
+        System::Csv => return gradebook_of(plan, &students),
     };
     gradebook::table(&records)
 }
@@ -168,10 +201,17 @@ fn worksheet<'a>(marked: impl Iterator<Item = Marked<'a>>, max: f64) -> Vec<Vec<
             mark,
             points(max),
             student.mark_changed.line(),
-            row.status.label().to_string(),
+            text(&feedback(row)),
         ]
     }));
     records
+}
+
+/// What the student reads in Moodle.
+fn feedback(row: &Row) -> String {
+    let given = row.given.iter().map(Untrusted::line);
+    let all = [row.status.label().to_string()].into_iter().chain(given);
+    all.collect::<Vec<_>>().join("; ")
 }
 
 fn moodle_grades<'a>(
@@ -195,16 +235,8 @@ fn name(student: &Student) -> String {
 
 /// The gradebook, with the identifiers and names of the roster. Students who handed in nothing have
 /// no points.
-fn gradebook_of(
-    class: &Class,
-    students: &[(&Student, Option<&Row>)],
-) -> Result<String, GraderError> {
-    let tasks: Vec<&str> = class
-        .plan
-        .tasks
-        .iter()
-        .map(|task| task.key.as_str())
-        .collect();
+fn gradebook_of(plan: &Plan, students: &[(&Student, Option<&Row>)]) -> Result<String, GraderError> {
+    let tasks: Vec<&str> = plan.tasks.iter().map(|task| task.key.as_str()).collect();
     let lines = students.iter().map(|(student, row)| {
         let mut line = row
             .map(|row| crate::gradebook::line(row, &tasks))
@@ -212,13 +244,11 @@ fn gradebook_of(
                 status: "not handed in".into(),
                 ..gradebook::Line::default()
             });
-        let ids = [&student.id, &student.login, &student.email, &student.number];
-        let id = ids.into_iter().find(|id| !id.is_empty());
-        line.id = id.map(Untrusted::line).unwrap_or_default();
+        line.id = student.key().line();
         line.name = student.name.line();
         line
     });
-    gradebook::write(&tasks, class.plan.max_score(), &lines.collect::<Vec<_>>())
+    gradebook::write(&tasks, plan.max_score(), &lines.collect::<Vec<_>>())
 }
 
 #[cfg(test)]
@@ -250,6 +280,8 @@ mod tests {
             }),
             notes: Vec::new(),
             doubts: Vec::new(),
+            by_hand: 0.0,
+            given: Vec::new(),
             graded: None,
         });
         Class {
@@ -276,7 +308,8 @@ mod tests {
             assignment: "Part 1 (1234)".into(),
             add_extra,
         };
-        write(&class, &roster, &join, &marks).expect("a table")
+        let rows = rows(&class, &roster, &join, None, &ByHand::default());
+        write(&class.plan, &roster, &rows, &marks).expect("a table")
     }
 
     #[test]
@@ -376,7 +409,8 @@ mod tests {
             assignment: String::new(),
             add_extra: false,
         };
-        let written = write(&lateness.apply(&class), &roster, &join, &marks).expect("a table");
+        let rows = rows(&class, &roster, &join, Some(&lateness), &ByHand::default());
+        let written = write(&class.plan, &roster, &rows, &marks).expect("a table");
         let scores: Vec<&str> = written
             .lines()
             .skip(1)

@@ -1,0 +1,153 @@
+//! Tables that people keep in a spreadsheet and store as CSV: the roster and the marks by hand.
+
+use submission::Untrusted;
+
+/// A table with its names of columns. Columns are divided by commas, semicolons or tabs, as the
+/// first line says; a byte order mark and the line ends of Windows do not matter.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Sheet {
+    /// The names of the columns.
+    pub columns: Vec<String>,
+    /// The lines that have a cell with text: the number in the file, and the cells without blanks
+    /// around them. A line may have fewer or more cells than there are columns.
+    pub lines: Vec<(usize, Vec<String>)>,
+    /// Whether a comma divides no columns, so that `2,5` is a number.
+    pub has_decimal_commas: bool,
+}
+
+impl Sheet {
+    /// Reads the contents of a file.
+    pub fn parse(bytes: &[u8]) -> Result<Sheet, String> {
+        let text = std::str::from_utf8(bytes).map_err(|e| {
+            let line = 1 + newlines(&bytes[..e.valid_up_to()]);
+            format!("line {line} is not UTF-8: store the table as \"CSV UTF-8\"")
+        })?;
+        let text = text.trim_start_matches('\u{feff}');
+        let text = text.replace("\r\n", "\n").replace('\r', "\n");
+        let separator = separator(&text);
+        let mut reader = csv::ReaderBuilder::new()
+            .flexible(true)
+            .has_headers(false)
+            .delimiter(separator)
+            .trim(csv::Trim::All)
+            .from_reader(text.as_bytes());
+        let mut lines = Vec::new();
+        let (mut line, mut counted) = (1, 0);
+        for record in reader.records() {
+            let record = record.map_err(|e| e.to_string())?;
+            let at = record.position().map_or(0, |at| at.byte() as usize);
+            // A record that follows empty lines is said to start at the first of them.
+            let rest = &text[at..];
+            let start = at + rest.len() - rest.trim_start_matches('\n').len();
+            line += newlines(&text.as_bytes()[counted..start]);
+            counted = start;
+            let cells: Vec<String> = record.iter().map(str::to_string).collect();
+            if cells.iter().any(|cell| !cell.is_empty()) {
+                lines.push((line, cells));
+            }
+        }
+        // A mark that is not closed makes one cell of all that follows.
+        let is_open = text.matches('"').count() % 2 == 1;
+        if let Some((line, cells)) = lines.last().filter(|_| is_open)
+            && cells.iter().any(|cell| cell.contains('\n'))
+        {
+            let start = cells.iter().find(|cell| cell.contains('\n'));
+            let start = start
+                .and_then(|cell| cell.lines().next())
+                .unwrap_or_default();
+            return Err(format!(
+                "line {line}: a quotation mark is not closed, before `{}`: close it, or write it twice in a cell between marks",
+                Untrusted::from(start).line()
+            ));
+        }
+        let columns = match lines.is_empty() {
+            true => Vec::new(),
+            false => lines.remove(0).1,
+        };
+        Ok(Sheet {
+            columns,
+            lines,
+            has_decimal_commas: separator != b',',
+        })
+    }
+}
+
+fn newlines(bytes: &[u8]) -> usize {
+    bytes.iter().filter(|byte| **byte == b'\n').count()
+}
+
+/// What divides the columns: of the three, the one that the first line has most often outside
+/// quotes.
+fn separator(text: &str) -> u8 {
+    let first = text.lines().find(|line| !line.trim().is_empty());
+    // Every second part is between quotes.
+    let outside = first.unwrap_or_default().split('"').step_by(2);
+    let outside: String = outside.collect();
+    let count = |separator: &u8| outside.bytes().filter(|byte| byte == separator).count();
+    // Of equals the last one.
+    let most = [b'\t', b';', b','].into_iter().max_by_key(count);
+    most.unwrap_or(b',')
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_spreadsheets_store_is_one_table() {
+        let plain = "id,words\nanna,\"a, \"\"b\"\"\nc\"\n\nbo,\n";
+        let expected = Sheet::parse(plain.as_bytes()).expect("a table");
+        assert_eq!(expected.columns, ["id", "words"]);
+        let lines = [(2, ["anna", "a, \"b\"\nc"]), (5, ["bo", ""])];
+        let lines = lines.map(|(line, cells)| (line, cells.map(str::to_string).to_vec()));
+        assert_eq!(expected.lines, lines);
+        for (text, commas) in [
+            (format!("\u{feff}{}", plain.replace('\n', "\r\n")), false),
+            (plain.replace("id,words", "\"id\" , words"), false),
+            (plain.replace("\n\n", "\n , \n"), false),
+            (
+                plain
+                    .replace("d,w", "d;w")
+                    .replace("anna,", "anna;")
+                    .replace("bo,", "bo;"),
+                true,
+            ),
+            (
+                plain
+                    .replace("d,w", "d\tw")
+                    .replace("anna,", "anna\t")
+                    .replace("bo,", "bo\t"),
+                true,
+            ),
+        ] {
+            let sheet = Sheet::parse(text.as_bytes()).expect("a table");
+            assert_eq!(
+                (&sheet.columns, &sheet.lines),
+                (&expected.columns, &expected.lines),
+                "{text}"
+            );
+            assert_eq!(sheet.has_decimal_commas, commas, "{text}");
+        }
+        let quoted = Sheet::parse(b"\"a;b;c\",d\n").expect("a table");
+        assert_eq!(quoted.columns, ["a;b;c", "d"]);
+    }
+
+    #[test]
+    fn a_quotation_mark_that_is_not_closed_hides_no_lines() {
+        let error = Sheet::parse(b"id,words\nanna,\"good\nbo,\ncy,\n").expect_err("a mark");
+        assert!(
+            error.starts_with("line 2: a quotation mark is not closed, before `good`"),
+            "{error}"
+        );
+        let inch = Sheet::parse(b"id,words\nanna,a 5\" screen\nbo,\n").expect("a table");
+        assert_eq!(inch.lines.len(), 2);
+    }
+
+    #[test]
+    fn other_encodings_are_named_with_the_line() {
+        let error = Sheet::parse(b"id,words\nanna,\nbo,sch\xf6n\n").expect_err("Latin-1");
+        assert!(error.starts_with("line 3 is not UTF-8"), "{error}");
+        let error = Sheet::parse(b"\xff\xfei\0d\0").expect_err("UTF-16");
+        assert!(error.starts_with("line 1 is not UTF-8"), "{error}");
+    }
+}

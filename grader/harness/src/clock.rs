@@ -316,7 +316,7 @@ mod tests {
         assert!(time_of_others() - before >= Duration::from_millis(60));
         let mut control = Control::new();
         let (own, all) = (time(false), time(true));
-        (0..20).for_each(|_| drop(control.round()));
+        (0..20).for_each(|_| assert!(control.round() < Duration::MAX));
         assert!(time(false) > own && time(true) > all);
     }
 

@@ -247,7 +247,7 @@ mod tests {
         assert!(read_all(&frames[..5]).next_began);
         assert!(!read_all(&frames[..4]).next_began);
         let spent = RecordFrame::Spent { case: 0, ms: 7 };
-        let reported = [&frames[..1], &[spent.clone()], &frames[1..2]].concat();
+        let reported = [&frames[..1], std::slice::from_ref(&spent), &frames[1..2]].concat();
         assert_eq!(summary(&reported), (1, None));
         assert!(summary(&[spent]).1.is_some());
         let late = [&frames[..1], &[RecordFrame::TimedOut { case: 0, call: 1 }]].concat();

@@ -76,7 +76,7 @@ impl FakeClass {
             Behaviour::Only(most) => (most.to_string(), 0),
             Behaviour::FailsFirst(failures) => (String::new(), failures),
         };
-        let places = out.join(&format!("places{}", std::process::id()));
+        let places = out.join(format!("places{}", std::process::id()));
         let script = "set -e
             echo >> \"$3.tries\"
             if [ $(wc -l < \"$3.tries\") -le $5 ]; then echo 'error: the disk is full' >&2; exit 2; fi

@@ -10,7 +10,7 @@ use std::sync::mpsc::{self, Receiver};
 use std::time::Duration;
 
 /// Longer than any build takes.
-const PATIENCE: Duration = Duration::from_secs(500);
+const PATIENCE: Duration = Duration::from_secs(5000);
 
 /// A connection to rust-analyzer in a folder.
 struct Editor {

@@ -156,7 +156,7 @@ mod tests {
     use std::time::Duration;
 
     /// Longer than any machine needs to end two programs, and shorter than the program's sleep.
-    const TIMEOUT: Duration = Duration::from_secs(60);
+    const TIMEOUT: Duration = Duration::from_secs(900);
 
     #[test]
     fn terminating_a_program_also_ends_its_children() {

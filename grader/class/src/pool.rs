@@ -19,7 +19,7 @@ pub const ATTEMPTS: u32 = 3;
 
 /// After this time a process counts as failed. Everything in it has limits of its own, which are
 /// shorter: a submission that uses them up has a score.
-const LONGEST: Duration = Duration::from_secs(2 * 3600);
+const LONGEST: Duration = Duration::from_secs(5 * 3600);
 
 /// How often to look whether a process has ended.
 const POLL: Duration = Duration::from_millis(20);

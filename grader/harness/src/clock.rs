@@ -1,6 +1,9 @@
-//! Measures the processor time of the student's thread. Neither waiting for a processor on a busy
-//! machine nor printing counts.
+//! Measures what the student's code takes: the processor time of all its threads, and the time in
+//! which it waits. Neither waiting for a processor on a busy machine nor printing counts.
+//!
+//! No time decides alone: limits grow with the time of a [`Control`] beside the code.
 
+use crate::control::{Control, Rounds};
 use crate::usage::text;
 use std::fs::File;
 use std::path::Path;
@@ -23,40 +26,13 @@ impl ThreadFiles {
             io: open("io"),
         }
     }
-
-    /// The times of the thread since its start, if the system reports them.
-    fn times(&mut self) -> Option<ThreadTimes> {
-        ThreadTimes::parse(&text(self.schedstat.as_mut()?)?)
-    }
 }
 
-/// What a thread did with its time.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-struct ThreadTimes {
-    /// It ran.
-    worked: Duration,
-    /// It could have run, but no processor was free.
-    queued: Duration,
-}
-
-impl ThreadTimes {
-    /// Reads the text of a file `schedstat`: its first two numbers, in nanoseconds.
-    fn parse(schedstat: &str) -> Option<ThreadTimes> {
-        let mut numbers = schedstat.split_whitespace();
-        let mut next = || Some(Duration::from_nanos(numbers.next()?.parse().ok()?));
-        Some(ThreadTimes {
-            worked: next()?,
-            queued: next()?,
-        })
-    }
-
-    /// The times since `before`.
-    fn since(self, before: ThreadTimes) -> ThreadTimes {
-        ThreadTimes {
-            worked: self.worked.saturating_sub(before.worked),
-            queued: self.queued.saturating_sub(before.queued),
-        }
-    }
+/// Reads the text of a file `schedstat`: its second number is the time, in nanoseconds, in which the
+/// thread could have run and no processor was free.
+fn queued(schedstat: &str) -> Option<Duration> {
+    let number = schedstat.split_whitespace().nth(1)?;
+    Some(Duration::from_nanos(number.parse().ok()?))
 }
 
 /// The files of the student's thread.
@@ -79,6 +55,16 @@ const WAITING: u32 = 8;
 /// prints may come late, and a full pipe makes it wait.
 const WAITING_FOR_READER: Duration = Duration::from_secs(30);
 
+/// Between two looks at a case no more than this counts as waiting: a machine that was stopped for
+/// longer, or had no processor for whoever looks, is not the code's fault.
+const LONGEST_LOOK: Duration = Duration::from_millis(20);
+
+/// How often the control is timed while a case runs.
+const BETWEEN_ROUNDS: Duration = Duration::from_millis(50);
+
+/// How many rounds it takes to say that the time is over.
+const MIN_ROUNDS: u32 = 5;
+
 /// How code used up its time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum TimeUp {
@@ -100,6 +86,11 @@ pub fn code_time() -> Duration {
     time(STUDENT.get().is_some())
 }
 
+/// The processor time of this thread.
+pub(crate) fn time_of_this_thread() -> Duration {
+    time(false)
+}
+
 /// The processor time of all threads of this process, or of this thread.
 fn time(of_all_threads: bool) -> Duration {
     #[cfg(unix)]
@@ -119,40 +110,113 @@ fn time(of_all_threads: bool) -> Duration {
     }
 }
 
+/// What the code of a case has taken so far.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+struct Taken {
+    /// Processor time of all threads but this one, which watches.
+    worked: Duration,
+    /// Elapsed time, counted at each look.
+    passed: Duration,
+    /// Of it, the student's thread could have run, but no processor was free.
+    queued: Duration,
+    output: Output,
+}
+
+impl Taken {
+    /// The processor time, without what printing takes.
+    fn computed(self) -> Duration {
+        self.worked.saturating_sub(self.output.time())
+    }
+
+    /// The time in which no thread of the code worked and its own did not wait for a processor.
+    fn waited(self) -> Duration {
+        self.passed.saturating_sub(self.worked + self.queued)
+    }
+
+    /// The rest of `limit` on a machine that is so many times slower than the one whose seconds the
+    /// limit is.
+    fn left(self, limit: Duration, slowness: f64) -> Result<Duration, TimeUp> {
+        let to_wait = match self.output.writes {
+            0 => limit * WAITING,
+            _ => limit * WAITING + WAITING_FOR_READER,
+        };
+        let left = limit.mul_f64(slowness).saturating_sub(self.computed());
+        if left.is_zero() {
+            Err(TimeUp::Computing)
+        } else if self.waited() >= to_wait.mul_f64(slowness) {
+            Err(TimeUp::Waiting)
+        } else {
+            Ok(left)
+        }
+    }
+}
+
 /// Measures the time of one case.
 pub(crate) struct Stopwatch {
-    times_before: ThreadTimes,
+    worked_before: Duration,
+    queued_before: Duration,
     output_before: Output,
-    started: Instant,
+    last_look: Instant,
+    last_round: Instant,
+    taken: Taken,
+    rounds: Rounds,
 }
 
 impl Stopwatch {
     /// Starts a stopwatch.
     pub(crate) fn start() -> Stopwatch {
+        let now = Instant::now();
         Stopwatch {
+            worked_before: time_of_others(),
             // A thread that has not started has used no time.
-            times_before: times().unwrap_or_default(),
+            queued_before: queued_so_far().unwrap_or_default(),
             output_before: Output::of_student(),
-            started: Instant::now(),
+            last_look: now,
+            last_round: now,
+            taken: Taken::default(),
+            rounds: Rounds::default(),
         }
     }
 
-    /// How much of `limit` is left.
-    pub(crate) fn left(&self, limit: Duration) -> Result<Duration, TimeUp> {
-        let times = times().map(|now| now.since(self.times_before));
-        let queued = times.unwrap_or_default().queued;
-        let output = Output::of_student().since(self.output_before);
-        let printing = output.time();
-        let to_wait = match output.writes {
-            0 => limit * WAITING,
-            _ => limit * WAITING + WAITING_FOR_READER,
+    /// Looks at the code, and says how much of `limit` is left.
+    pub(crate) fn left(
+        &mut self,
+        limit: Duration,
+        control: &mut Control,
+    ) -> Result<Duration, TimeUp> {
+        let now = Instant::now();
+        let queued = queued_so_far().unwrap_or_default();
+        self.taken = Taken {
+            worked: time_of_others().saturating_sub(self.worked_before),
+            passed: self.taken.passed + (now - self.last_look).min(LONGEST_LOOK),
+            queued: queued.saturating_sub(self.queued_before),
+            output: Output::of_student().since(self.output_before),
         };
-        left(
-            limit,
-            to_wait,
-            self.started.elapsed().saturating_sub(printing + queued),
-            times.map(|times| times.worked.saturating_sub(printing)),
-        )
+        self.last_look = now;
+        if now - self.last_round >= BETWEEN_ROUNDS {
+            self.last_round = now;
+            self.rounds.add(control.round());
+        }
+        let mut left = self.taken.left(limit, self.rounds.slowness());
+        while left.is_err() && self.rounds.count < MIN_ROUNDS {
+            self.rounds.add(control.round());
+            left = self.taken.left(limit, self.rounds.slowness());
+        }
+        left
+    }
+
+    /// What the case has taken so far, in seconds of the machine whose seconds the limits are.
+    pub(crate) fn spent(&self) -> Duration {
+        let all = self.taken.computed() + self.taken.waited();
+        all.div_f64(self.rounds.slowness())
+    }
+}
+
+/// The processor time of all threads but this one.
+fn time_of_others() -> Duration {
+    match cfg!(unix) {
+        true => time(true).saturating_sub(time(false)),
+        false => time(true),
     }
 }
 
@@ -203,28 +267,10 @@ impl Output {
     }
 }
 
-/// The rest of `limit` after `worked` processor time and `passed` elapsed time in which the thread
-/// had a processor or waited for something else, `to_wait` at most. Where the system does not
-/// report processor time, elapsed time counts.
-fn left(
-    limit: Duration,
-    to_wait: Duration,
-    passed: Duration,
-    worked: Option<Duration>,
-) -> Result<Duration, TimeUp> {
-    let left = limit.saturating_sub(worked.unwrap_or(passed));
-    if left.is_zero() {
-        Err(TimeUp::Computing)
-    } else if passed >= to_wait {
-        Err(TimeUp::Waiting)
-    } else {
-        Ok(left)
-    }
-}
-
-/// The times of the student's thread since its start, if the system reports them.
-fn times() -> Option<ThreadTimes> {
-    STUDENT.get()?.lock().ok()?.times()
+/// How long the student's thread had no processor since its start, if the system reports it.
+fn queued_so_far() -> Option<Duration> {
+    let mut files = STUDENT.get()?.lock().ok()?;
+    queued(&text(files.schedstat.as_mut()?)?)
 }
 
 #[cfg(test)]
@@ -232,13 +278,10 @@ mod tests {
     use super::*;
 
     #[test]
-    fn schedstat_has_the_time_of_running_and_of_waiting_for_a_processor() {
-        let times = ThreadTimes {
-            worked: Duration::from_nanos(11_223_344),
-            queued: Duration::from_nanos(556_677),
-        };
-        assert_eq!(ThreadTimes::parse("11223344 556677 89\n"), Some(times));
-        assert_eq!(ThreadTimes::parse("11223344"), None);
+    fn schedstat_has_the_time_of_waiting_for_a_processor() {
+        let time = Duration::from_nanos(556_677);
+        assert_eq!(queued("11223344 556677 89\n"), Some(time));
+        assert_eq!(queued("11223344"), None);
     }
 
     #[test]
@@ -256,36 +299,88 @@ mod tests {
         assert_eq!(Output::parse(""), Output::default());
     }
 
+    #[cfg(unix)]
     #[test]
-    fn work_on_another_thread_counts() {
-        let before = time(true);
+    fn work_on_other_threads_counts_and_that_of_the_watch_does_not() {
+        let before = time_of_others();
         let work = || {
-            let started = time(true);
-            while time(true) < started + Duration::from_millis(20) {
+            let started = time_of_this_thread();
+            while time_of_this_thread() < started + Duration::from_millis(20) {
                 std::hint::black_box(0);
             }
         };
-        std::thread::spawn(work).join().unwrap();
-        assert!(time(true) - before >= Duration::from_millis(20));
+        let threads = [(); 3].map(|()| std::thread::spawn(work));
+        threads
+            .into_iter()
+            .for_each(|thread| thread.join().unwrap());
+        assert!(time_of_others() - before >= Duration::from_millis(60));
+        let mut control = Control::new();
+        let (own, all) = (time(false), time(true));
+        (0..20).for_each(|_| assert!(control.round() < Duration::MAX));
+        assert!(time(false) > own && time(true) > all);
+    }
+
+    /// What is left of five seconds after so many seconds.
+    fn of_five(worked: u64, passed: u64, queued: u64, slowness: f64) -> Result<Duration, TimeUp> {
+        let seconds = Duration::from_secs;
+        let taken = Taken {
+            worked: seconds(worked),
+            passed: seconds(passed),
+            queued: seconds(queued),
+            output: Output::default(),
+        };
+        taken.left(seconds(5), slowness)
     }
 
     #[test]
     fn waiting_for_the_processor_does_not_count() {
-        let seconds = Duration::from_secs;
-        let of_five = |passed, worked: Option<u64>| {
-            left(
-                seconds(5),
-                seconds(40),
-                seconds(passed),
-                worked.map(seconds),
-            )
-        };
-        assert_eq!(of_five(30, Some(2)), Ok(seconds(3)));
-        assert_eq!(of_five(30, Some(5)), Err(TimeUp::Computing));
-        assert_eq!(of_five(30, Some(6)), Err(TimeUp::Computing));
+        let left = |seconds| Ok(Duration::from_secs(seconds));
+        assert_eq!(of_five(2, 300, 298, 1.0), left(3));
+        assert_eq!(of_five(5, 300, 295, 1.0), Err(TimeUp::Computing));
+        // Several threads work more than a second in each.
+        assert_eq!(of_five(6, 2, 0, 1.0), Err(TimeUp::Computing));
         // It sleeps beyond 8 limits.
-        assert_eq!(of_five(40, Some(0)), Err(TimeUp::Waiting));
-        assert_eq!(of_five(2, None), Ok(seconds(3)));
-        assert_eq!(of_five(6, None), Err(TimeUp::Computing));
+        assert_eq!(of_five(0, 39, 0, 1.0), left(5));
+        assert_eq!(of_five(0, 40, 0, 1.0), Err(TimeUp::Waiting));
+        assert_eq!(of_five(0, 80, 41, 1.0), left(5));
+    }
+
+    #[test]
+    fn printing_is_no_computing() {
+        let seconds = Duration::from_secs;
+        let printed = |writes| Taken {
+            worked: seconds(20),
+            passed: seconds(20),
+            output: Output {
+                writes,
+                bytes: 30 * writes,
+            },
+            ..Taken::default()
+        };
+        assert!(printed(1_500_000).left(seconds(5), 1.0).is_ok());
+        assert_eq!(
+            printed(1_000_000).left(seconds(5), 1.0),
+            Err(TimeUp::Computing)
+        );
+    }
+
+    #[test]
+    fn a_machine_ten_times_as_slow_ends_the_same_code() {
+        for (worked, waited) in [(0, 0), (4, 0), (5, 0), (4, 39), (4, 40), (0, 41)] {
+            let fast = of_five(worked, worked + waited, 0, 1.0);
+            let slow = of_five(10 * worked, 10 * (worked + waited), 0, 10.0);
+            assert_eq!(slow, fast.map(|left| 10 * left), "{worked} {waited}");
+        }
+    }
+
+    #[test]
+    fn a_stopped_machine_is_one_look() {
+        let mut watch = Stopwatch::start();
+        let mut control = Control::new();
+        let hour = Duration::from_secs(3600);
+        watch.last_look = watch.last_look.checked_sub(hour).unwrap_or(watch.last_look);
+        assert!(watch.left(hour, &mut control).is_ok());
+        assert!(watch.taken.passed <= LONGEST_LOOK);
+        assert!(watch.spent() <= LONGEST_LOOK + watch.taken.worked);
     }
 }

@@ -8,6 +8,7 @@
 mod call_limit;
 mod channel;
 mod clock;
+mod control;
 mod isolate;
 mod supervise;
 mod usage;

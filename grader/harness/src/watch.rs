@@ -1,6 +1,7 @@
 //! Runs the cases on a thread of their own and ends the worker when one exceeds a limit.
 
 use crate::clock::{self, Output, Stopwatch, TimeUp};
+use crate::control::Control;
 use crate::isolate;
 use crate::usage::UsageFile;
 use std::io::Write;
@@ -22,6 +23,10 @@ const MIN_WAIT: Duration = Duration::from_millis(1);
 
 /// The longest one: a case that starts threads or fills their stacks is ended before it has many.
 const MAX_WAIT: Duration = Duration::from_millis(5);
+
+/// How much a case takes between two reports of it: the grader adds up what the cases of a task take,
+/// and sees that the worker is alive.
+const BETWEEN_REPORTS: Duration = Duration::from_millis(500);
 
 /// The most threads of a worker: code that divides its work among the processors needs fewer.
 const MOST_THREADS: u64 = 128;
@@ -67,6 +72,7 @@ pub(crate) fn watch(job: Job, records: &'static Mutex<FrameWriter>) -> Result<()
         .spawn(student)
         .map_err(|e| format!("cannot start a thread: {e}"))?;
     let mut usage = UsageFile::open();
+    let control = Control::new();
     let sealed_student = started.recv().map_err(|e| e.to_string())?;
     // This thread, too: the student's code could be made to run on it.
     sealed_student
@@ -80,6 +86,7 @@ pub(crate) fn watch(job: Job, records: &'static Mutex<FrameWriter>) -> Result<()
         finished,
         most_resident: usage.now().resident.saturating_add(of_cases),
         usage,
+        control,
     };
     for (case, limit) in (first..).zip(&limits[(first as usize).min(limits.len())..]) {
         if watch.case(case, *limit).is_none() {
@@ -112,6 +119,7 @@ struct Watch {
     usage: UsageFile,
     /// The most bytes of memory that the process may use.
     most_resident: u64,
+    control: Control,
 }
 
 impl Watch {
@@ -119,12 +127,19 @@ impl Watch {
     /// `None` if a record cannot be written or will not come.
     fn case(&mut self, case: u32, limit: Duration) -> Option<()> {
         self.write(&RecordFrame::Started { case })?;
-        let stopwatch = Stopwatch::start();
+        let mut stopwatch = Stopwatch::start();
+        let mut reported = Duration::ZERO;
         let mut printing = PrintingCall::default();
         self.to_student.send(case).ok()?;
         loop {
             let call = isolate::current_call();
-            let left = match stopwatch.left(limit) {
+            let left = stopwatch.left(limit, &mut self.control);
+            if left.is_err() || stopwatch.spent() >= reported + BETWEEN_REPORTS {
+                reported = stopwatch.spent();
+                let ms = reported.as_millis() as u64;
+                self.write(&RecordFrame::Spent { case, ms })?;
+            }
+            let left = match left {
                 Ok(left) => left,
                 Err(TimeUp::Computing) => return self.end(&RecordFrame::TimedOut { case, call }),
                 Err(TimeUp::Waiting) => {

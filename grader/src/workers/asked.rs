@@ -250,4 +250,34 @@ mod tests {
         assert!(asked.reply(case, call, Question::Prim(u32::MAX)).is_err());
         assert!(asked.reply(77, call, Question::Box(0)).is_err());
     }
+
+    #[test]
+    fn more_tests_for_hidden_rays_than_for_the_others_are_found() {
+        let cases = cases();
+        let Work::Traverse(world) = &cases[0].work else {
+            panic!("it is a traversal")
+        };
+        let rays = world.rays.len();
+        // Where the others are counted as they are, and where they are set back.
+        for (of_others, is_found) in [(40, false), (3, true)] {
+            let (mut asked, _) = Asked::hide(&cases);
+            let hidden: Vec<u32> = asked.counts.keys().map(|(_, call)| *call).collect();
+            for &call in &hidden {
+                (0..40).for_each(|_| drop(asked.reply(0, call, Question::Box(0))));
+            }
+            let counts = |call| {
+                (
+                    if hidden.contains(&call) {
+                        40
+                    } else {
+                        of_others
+                    },
+                    0,
+                )
+            };
+            let found = (0..20).any(|_| asked.check(&record(rays, counts)).is_err());
+            assert_eq!(found, is_found, "{of_others}");
+            assert_eq!(asked.why_changed().is_some(), is_found);
+        }
+    }
 }

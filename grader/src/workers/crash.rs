@@ -2,7 +2,6 @@
 
 use crate::workers::printed::{MOST_BYTES, with_commas};
 use crate::workers::runner::Ending;
-use crate::workers::task_time;
 use wire::Outcome;
 
 /// A case whose code did not return an answer.
@@ -63,24 +62,21 @@ fn is_closed_output(message: &str) -> bool {
 /// How the code of a case crashed, to end the sentence "your code ..."; `None` if it did not.
 pub fn describe(ending: &Ending) -> Option<String> {
     Some(match ending {
-        Ending::TimedOut { limit_ms, waited: true, .. } => format!(
-            "did not return in many times its limit of {} s of computing: does it sleep, or wait for a lock or a thread?",
-            *limit_ms as f64 / 1e3
-        ),
-        Ending::TimedOut { limit_ms, .. } => format!(
-            "did not return within {} s of computing: an endless loop?",
-            *limit_ms as f64 / 1e3
-        ),
+        Ending::TimedOut { waited: true, .. } => {
+            "did not return in many times the time of correct code, and waited for most of it: does it sleep, or wait for a lock or a thread?".into()
+        }
+        Ending::TimedOut { .. } => {
+            "did not return in many times the time of correct code: too much work, or an endless loop?".into()
+        }
         Ending::PrintedTooMuch { .. } => {
             "printed more than 5,000,000 times in one call: an endless loop?".into()
         }
         Ending::TooManyThreads { .. } => {
             "started more than a hundred threads at once: join them, or start one for each processor".into()
         }
-        Ending::OutOfTime => format!(
-            "took more than {} minutes in the cases of this task together, or in all tasks more than the grader waits: does it sleep or wait?",
-            task_time::MOST.as_secs() / 60
-        ),
+        Ending::OutOfTime => {
+            "was not run to its end: with it, the cases of this task or of all tasks take many times the time of correct code: does it sleep or wait?".into()
+        }
         Ending::Died { how, .. } => how.to_string(),
         Ending::Malformed(how) => how.clone(),
         Ending::ChangedCounts(how) => format!("changed the grader's counts of its tests: {how}"),
@@ -188,12 +184,12 @@ mod tests {
             (
                 timed_out,
                 CrashKind::Endless,
-                "did not return within 0.5 s of computing: an endless loop? (call 2 of the case)",
+                "did not return in many times the time of correct code: too much work, or an endless loop? (call 2 of the case)",
             ),
             (
                 waiting,
                 CrashKind::Endless,
-                "did not return in many times its limit of 0.5 s of computing: does it sleep, or wait for a lock or a thread? (call 2 of the case)",
+                "did not return in many times the time of correct code, and waited for most of it: does it sleep, or wait for a lock or a thread? (call 2 of the case)",
             ),
             (
                 Ending::PrintedTooMuch { call: 1 },
@@ -208,7 +204,7 @@ mod tests {
             (
                 Ending::OutOfTime,
                 CrashKind::Endless,
-                "took more than 4 minutes in the cases of this task together, or in all tasks more than the grader waits: does it sleep or wait?",
+                "was not run to its end: with it, the cases of this task or of all tasks take many times the time of correct code: does it sleep or wait?",
             ),
             (
                 Ending::TooManyThreads { call: 3 },

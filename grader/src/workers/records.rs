@@ -51,6 +51,7 @@ pub fn read(
                 records.next_began = true;
                 continue;
             }
+            Ok(RecordFrame::Spent { case, .. }) if is_next(case) && began => continue,
             Ok(RecordFrame::Calling { case, call }) if is_next(case) && began => {
                 records.call = Some(call);
                 continue;
@@ -156,6 +157,7 @@ fn out_of_order(frame: &RecordFrame, next: usize, began: bool) -> String {
         RecordFrame::PrintedTooMuch { case, .. } => ("prints too much", case),
         RecordFrame::Calling { case, .. } => ("calls", case),
         RecordFrame::TookTooMuch { case, .. } => ("takes too much", case),
+        RecordFrame::Spent { case, .. } => ("runs", case),
         // The runner has replied.
         RecordFrame::Asking { case, .. } => ("asks", case),
         RecordFrame::Done(record) => ("ends", &record.case),
@@ -245,6 +247,10 @@ mod tests {
         assert_eq!(summary(&frames), (3, None));
         assert!(read_all(&frames[..5]).next_began);
         assert!(!read_all(&frames[..4]).next_began);
+        let spent = RecordFrame::Spent { case: 0, ms: 7 };
+        let reported = [&frames[..1], std::slice::from_ref(&spent), &frames[1..2]].concat();
+        assert_eq!(summary(&reported), (1, None));
+        assert!(summary(&[spent]).1.is_some());
         let late = [&frames[..1], &[RecordFrame::TimedOut { case: 0, call: 1 }]].concat();
         let limit = Ending::TimedOut {
             call: 1,

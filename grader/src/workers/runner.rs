@@ -100,21 +100,22 @@ const TIMING_MEMORY_MB: u32 = 4096;
 /// For this many cases of a task that end the worker, a second run finds out in which call.
 const TRACED_DEATHS: u32 = 2;
 
-/// A worker ends a case that waits for this many times its limit (`harness/src/clock.rs`), so its
-/// next frame is due then at the latest, and [`GRACE`].
-const WAITING: u64 = 8;
-
-/// The time for what is not the case's own: starting, and printing up to the most that is read.
-const GRACE: Duration = Duration::from_secs(60);
+/// A worker that is alive sends a frame each second (`harness/src/watch.rs`): after so long without
+/// one it was stopped. A machine that is a hundred times as slow does not decide.
+const SILENCE: Duration = Duration::from_secs(120);
 
 /// After this many workers that sent nothing in time, no other is started for the remaining cases.
 const MOST_STALLS: u32 = 2;
 
 /// How long a worker may take to end after its last record.
-const ENDING: Duration = Duration::from_secs(10);
+const ENDING: Duration = Duration::from_secs(60);
+
+/// The processor time of a worker is limited to so many times the limits of its cases, and
+/// [`SPARE_CPU_SECONDS`]: the system's limit, should the worker's own fail.
+const SPARE_CPU: u64 = 20;
 
 /// The processor time of a worker beyond the limits of its cases, in seconds.
-const SPARE_CPU_SECONDS: u64 = 120;
+const SPARE_CPU_SECONDS: u64 = 600;
 
 /// A worker to run.
 #[derive(Clone, Debug)]
@@ -346,7 +347,7 @@ impl Process<'_> {
             program,
             WorkerLimits {
                 memory_mb: memory_mb(self.cases),
-                cpu_seconds: (limits / 500).saturating_add(SPARE_CPU_SECONDS),
+                cpu_seconds: (limits / 1000 * SPARE_CPU).saturating_add(SPARE_CPU_SECONDS),
             },
         )
     }
@@ -371,9 +372,12 @@ impl Process<'_> {
             return (Records::default(), false);
         };
         let (mut frames, deadline) = channel.frames(has_ended);
-        let mut wait = GRACE.min(times.left_of_all().unwrap_or(GRACE));
+        let mut is_over = false;
         let in_time = std::iter::from_fn(|| {
-            deadline.set(wait);
+            deadline.set(match is_over {
+                true => Duration::ZERO,
+                false => SILENCE.min(times.left_of_all().unwrap_or(SILENCE)),
+            });
             let frame = loop {
                 match frames.next() {
                     Some(Ok(RecordFrame::Asking {
@@ -398,16 +402,14 @@ impl Process<'_> {
                 }
             };
             match &frame {
-                Some(Ok(RecordFrame::Calling { .. })) => {}
-                Some(Ok(RecordFrame::Started { case })) => {
+                Some(Ok(RecordFrame::Started { .. })) => times.start(),
+                Some(Ok(RecordFrame::Spent { case, ms })) => {
                     if let Some(case) = self.cases.get(*case as usize) {
-                        times.start(case);
-                        let limit = Duration::from_millis(case.limit_ms.saturating_mul(WAITING));
-                        let of_task = times.left(case).unwrap_or(Duration::MAX);
-                        wait = (GRACE + limit).min(of_task);
+                        times.spend(case, Duration::from_millis(*ms));
+                        is_over = times.is_over(case);
                     }
                 }
-                _ => times.stop(),
+                _ => {}
             }
             // Without an end that the case is to blame for.
             frame.filter(|frame| frame.is_ok() || !deadline.has_passed())
@@ -593,7 +595,7 @@ mod tests {
     }
 
     #[test]
-    #[ignore = "waits until a worker counts as stalled: a minute"]
+    #[ignore = "waits until a worker counts as stalled: two minutes"]
     fn a_worker_that_stops_itself_is_ended() {
         let endings = endings("kill -STOP $$", 1).unwrap();
         let late = Ending::TimedOut {

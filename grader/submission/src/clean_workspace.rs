@@ -105,6 +105,14 @@ impl CleanWorkspace {
         }
     }
 
+    /// The same with another program in place of the compiler, which may use its folder. For tests.
+    pub(crate) fn with_compiler(mut self, program: &Path) -> CleanWorkspace {
+        self.toolchain.rustc = program.to_path_buf();
+        let folder = program.parent().map(Path::to_path_buf);
+        self.toolchain.folders.extend(folder);
+        self
+    }
+
     /// How the code of submissions is contained.
     pub fn containment(&self) -> &Containment {
         &self.containment

@@ -9,8 +9,8 @@ use std::process::{Command, ExitStatus};
 use std::time::Instant;
 
 /// Processor time of one process that compiles, in seconds. The largest crate of the course takes
-/// 6 seconds.
-const COMPILER_SECONDS: u64 = 45;
+/// 6 seconds; on a machine ten times as slow a fifth of this.
+const COMPILER_SECONDS: u64 = 300;
 
 /// Address space of one process that compiles, in megabytes.
 const COMPILER_MB: u64 = 4096;

@@ -263,10 +263,10 @@ fn without_learned_points(
     Ok(said)
 }
 
-/// How long all stages of a submission may be built and run: some thirty times what honest code takes,
-/// because a class may have a busy machine. Code that waits as long as each case lets it would otherwise take hours, and a class would give it
-/// up instead of grading it.
-const MOST_TIME: Duration = Duration::from_secs(50 * 60);
+/// How long all stages of a submission may be built and run: some sixty times what honest code takes,
+/// because a class may have a slow and busy machine. Code that waits as long as each case lets it
+/// would otherwise take hours, and a class would give it up instead of grading it.
+const MOST_TIME: Duration = Duration::from_secs(100 * 60);
 
 /// The end of that time, if it begins now.
 fn end_of_all_stages() -> Option<Instant> {

@@ -54,6 +54,17 @@ impl GradingCourse {
         )
     }
 
+    /// The same course with another program in place of the compiler. For tests.
+    pub fn with_compiler(self, program: &Path) -> GradingCourse {
+        let clean = self.clean.with_compiler(program);
+        GradingCourse { clean, ..self }
+    }
+
+    /// What all submissions share.
+    pub fn clean(&self) -> &CleanWorkspace {
+        &self.clean
+    }
+
     /// The list of parts and tasks.
     pub fn course(&self) -> &Course {
         &self.course

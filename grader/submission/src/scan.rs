@@ -35,7 +35,8 @@ const LINKS: &str =
     "changes how the program is linked or started: a stage is a library that is only called";
 const OTHER_FILE: &str =
     "names another file as the source of a module: put it where `mod` expects it";
-const OUTLIVES: &str = "refers to a reference of another lifetime: functions with such arguments get around the compiler's checks (rust-lang/rust#25860)";
+const OUTLIVES: &str =
+    "refers to a reference of another lifetime: no function of a stage needs such an argument";
 const HIDDEN: &str =
     "is a name for the compiler that an argument of a macro decides: write the name itself";
 const ALIAS: &str =

@@ -54,6 +54,13 @@ pub enum RecordFrame {
         /// What it took.
         what: Excess,
     },
+    /// The case is running.
+    Spent {
+        /// Index in the list of cases.
+        case: u32,
+        /// What it has taken so far: milliseconds of the machine whose seconds the limits are.
+        ms: u64,
+    },
 }
 
 /// What code can take too much of.

@@ -37,6 +37,7 @@ fn frames() -> (Vec<u8>, Key) {
         record(Outcome::Unable {
             reason: "none".into(),
         }),
+        RecordFrame::Spent { case: 1, ms: 500 },
         RecordFrame::TimedOut { case: 1, call: 2 },
         RecordFrame::PrintedTooMuch { case: 1, call: 2 },
         RecordFrame::TookTooMuch {

@@ -33,8 +33,9 @@ pub struct ReadingLimits {
 
 /// The limits that a class is read with.
 pub const LIMITS: ReadingLimits = ReadingLimits {
-    cpu_seconds: 20,
-    elapsed: Duration::from_secs(120),
+    // On a slow machine git takes a minute for the longest list of files that is read.
+    cpu_seconds: 300,
+    elapsed: Duration::from_secs(3000),
     memory_mb: 1024,
     output: 80 << 20,
 };
@@ -43,7 +44,7 @@ pub const LIMITS: ReadingLimits = ReadingLimits {
 const FILE_MB: u64 = 128;
 
 /// How long the process may take to end after its last words.
-const ENDING: Duration = Duration::from_secs(10);
+const ENDING: Duration = Duration::from_secs(60);
 
 /// Where programs and their libraries are, git among them.
 const SYSTEM: [&str; 8] = [

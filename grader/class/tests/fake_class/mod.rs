@@ -23,8 +23,8 @@ pub(crate) struct FakeClass {
 pub(crate) enum Behaviour {
     /// Nothing.
     Fine,
-    /// It takes so many seconds.
-    Slow(f64),
+    /// So many processes of a run end; the others wait until the run has ended.
+    Only(usize),
     /// The first attempts of each unit fail, so many of them.
     FailsFirst(u32),
 }
@@ -71,15 +71,23 @@ impl FakeClass {
 
     /// The process that grades a unit.
     pub(crate) fn command(&self, out: &Out, key: &str, behaviour: Behaviour) -> Command {
-        let (seconds, failures) = match behaviour {
-            Behaviour::Fine => (0.0, 0),
-            Behaviour::Slow(seconds) => (seconds, 0),
-            Behaviour::FailsFirst(failures) => (0.0, failures),
+        let (most, failures) = match behaviour {
+            Behaviour::Fine => (String::new(), 0),
+            Behaviour::Only(most) => (most.to_string(), 0),
+            Behaviour::FailsFirst(failures) => (String::new(), failures),
         };
+        let places = out.join(format!("places{}", std::process::id()));
         let script = "set -e
             echo >> \"$3.tries\"
             if [ $(wc -l < \"$3.tries\") -le $5 ]; then echo 'error: the disk is full' >&2; exit 2; fi
-            sleep $4
+            if [ -n \"$4\" ]; then
+                place=0; mkdir -p \"$6\"
+                until mkdir \"$6/$place\" 2> /dev/null; do
+                    place=$((place + 1))
+                    # The pipe is closed when whoever started this is gone.
+                    if [ $place -ge $4 ]; then cat > /dev/null; exit 1; fi
+                done
+            fi
             cp \"$1\" \"$2.$$\"; mv \"$2.$$\" \"$2\"";
         let mut command = Command::new("sh");
         command
@@ -87,8 +95,9 @@ impl FakeClass {
             .arg(self.folder.join("made").join(key))
             .arg(out.unit(key))
             .arg(out.join(key))
-            .arg(seconds.to_string())
-            .arg(failures.to_string());
+            .arg(most)
+            .arg(failures.to_string())
+            .arg(places);
         command
     }
 

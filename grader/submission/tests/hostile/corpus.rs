@@ -5,7 +5,7 @@ use grader::build::BuildOutcome;
 use grader::grade::GradeRequest;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
-use submission::clean_workspace::CleanWorkspace;
+use std::time::Instant;
 use submission::containment::Containment;
 use submission::file_tree::{self, Files};
 use submission::one::{GradedSubmission, GradingCourse, NotGraded, Options, grade_one};
@@ -26,8 +26,6 @@ pub(crate) struct Case {
     pub(crate) unscanned: Option<String>,
     /// Its score: `less`, `all` or `any`.
     pub(crate) score: Option<String>,
-    /// The limit that it exceeds.
-    pub(crate) limit: Option<String>,
 }
 
 /// The function that the code is called in.
@@ -63,7 +61,6 @@ pub(crate) fn cases(name: &str) -> Vec<Case> {
             never: owned("never"),
             unscanned: owned("unscanned"),
             score: owned("score"),
-            limit: owned("limit"),
         }
     });
     cases.collect()
@@ -126,32 +123,15 @@ fn filled_in(code: &str) -> String {
 type Made = (&'static str, fn() -> String);
 
 /// Code that is too long to be written, or does not show when it is.
-const MADE: [Made; 9] = [
+const MADE: [Made; 5] = [
     ("{LRM}", || "\u{200e}".into()),
     ("{ESC}", || "\u{1b}".into()),
     ("{RLO}", || "\u{202e}".into()),
     ("{NUL}", || "\0\u{1}".into()),
-    ("{BRACKETS}", || {
-        "(".repeat(100_000) + "1" + &")".repeat(100_000)
-    }),
     ("{ERRORS}", || {
         each(0..10_000, |i| {
             format!("pub fn f{i}() -> u8 {{ \"a text that is no number\" }}\n")
         })
-    }),
-    ("{LONG_STRING}", || format!("\"{}\"", "x".repeat(800_000))),
-    ("{DOUBLED}", || {
-        let next = |i| format!("let a{i} = (a{0}, a{0});", i - 1);
-        "let a0 = (0_u8, 0_u8);".to_string() + &each(1..31, next)
-    }),
-    ("{PATTERNS}", || {
-        each(0..24, |i| {
-            let column = |j| match i == j {
-                true => "(true, false),",
-                false => "(_, true) | (false, _),",
-            };
-            format!("[{}] => false,", each(0..24, |j| column(j).to_string()))
-        }) + "_ => true"
     }),
 ];
 
@@ -244,13 +224,18 @@ impl Class {
         Class(GradingCourse::open(&workspace, containment).expect("it can be built"))
     }
 
-    /// Builds the worker without scanning the files.
-    pub(crate) fn build(&self, files: &Files) -> BuildOutcome {
-        let workspace = Workspace::above(&root()).expect("this is the course");
-        let containment = self.0.containment().clone();
-        let clean = CleanWorkspace::open(&workspace, containment).expect("it is built");
-        let folder = clean
-            .with_stages(&[("intersect", files)], None)
+    /// The same with another program in place of the compiler.
+    pub(crate) fn with_compiler(program: &Path) -> Class {
+        let Class(course) = Class::open();
+        Class(course.with_compiler(program))
+    }
+
+    /// Builds the worker without scanning the files. It has to end at `end`.
+    pub(crate) fn build(&self, files: &Files, end: Option<Instant>) -> BuildOutcome {
+        let folder = self
+            .0
+            .clean()
+            .with_stages(&[("intersect", files)], end)
             .expect("it is written");
         let built = folder.build_root().build_worker(&["intersect"]);
         built.expect("cargo runs")

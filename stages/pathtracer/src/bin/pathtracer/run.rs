@@ -77,6 +77,7 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
     let start = Instant::now();
     let prepared = PreparedScene::new(picture, textures, args.accel.into());
     let building = start.elapsed();
+    let stop = Stop::on_ctrl_c();
     outln!("{}", summary::accel(&prepared.accel, building));
 
     let budget = match &prepared.picture {
@@ -94,7 +95,6 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
         samples,
         sampling: args.sampling(samples),
     };
-    let stop = Stop::on_ctrl_c();
     let thread_count = args.thread_count();
     let threads = rayon::ThreadPoolBuilder::new()
         .num_threads(thread_count)

@@ -126,35 +126,10 @@ fn statistics(findings: &mut Findings, work: &DirectWork, answers: &[DirectAnswe
             "uniformly over the hemisphere",
         );
         super::degrees::judge(findings, work, &directions);
-        near_the_plane(findings, &directions);
+        super::near_the_plane::judge(findings, &directions);
     }
     let green: Tally = answers.iter().map(|answer| answer.radiance[1]).collect();
     chance::mean(findings, "estimates", &green, place.lit_by(&work.world).y);
-}
-
-/// The heights above the surface below which directions are counted: a little less than those to
-/// which code may raise directions.
-const LOW: [f64; 2] = [0.9e-3, 0.9e-2];
-
-/// Tests how many uniform directions are near the plane of the surface: a share `h` has a cosine
-/// below `h`. Each of both tests, as each other test of a run, has a false alarm.
-fn near_the_plane(findings: &mut Findings, directions: &[Option<Vec3>]) {
-    let all = directions.len();
-    for height in LOW {
-        let is_low = |d: &&Vec3| d.z.abs() < height;
-        let low = directions.iter().flatten().filter(is_low).count();
-        let expected = height * all as f64;
-        let p = chance::poisson_two_sided(low, expected);
-        let class = (p < chance::test_false_alarm()).then_some(match (low as f64) < expected {
-            true => Class::Named("too few near the plane"),
-            false => Class::Named("too many near the plane"),
-        });
-        findings.judge_class(Aspect::Spread, 0, class, -p.max(1e-300).log10(), || {
-            format!(
-                "your result: {low} of {all} directions have a cosine below {height} to the normal; expected: about {expected}, since uniform directions come as near to the plane of the surface as to any other height"
-            )
-        });
-    }
 }
 
 struct Estimate<'a> {

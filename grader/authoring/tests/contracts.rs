@@ -178,6 +178,41 @@ fn each_mistake_loses_points_in_the_case_beside_it() {
     assert!(judged > 150, "only {judged} rows are judged");
 }
 
+/// The public functions of a source file whose solution a handout of the task replaces by a hole.
+fn functions_with_holes(text: &str, key: &str) -> BTreeSet<String> {
+    let of_task = ["hole", "untouched"].map(|name| format!("kit::{name}!(\"{key}\""));
+    let mut function = "";
+    let mut with_holes = BTreeSet::new();
+    for line in text.lines() {
+        if let Some((_, after)) = line.split_once("pub fn ") {
+            let is_of_name = |c: char| c.is_alphanumeric() || c == '_';
+            function = &after[..after.find(|c| !is_of_name(c)).unwrap_or(after.len())];
+        }
+        if line.contains("// STUB:") && of_task.iter().any(|hole| line.contains(hole)) {
+            with_holes.insert(function.to_string());
+        }
+    }
+    with_holes
+}
+
+#[test]
+fn what_a_handout_lets_students_write_is_judged_or_said_not_to_be() {
+    let workspace = workspace();
+    let course = Course::read(&workspace).expect("the course is valid");
+    for task in course.tasks().filter(|task| !task.cases.is_empty()) {
+        let folder = workspace.root().join("stages").join(&task.stage);
+        let files = rust_files(&folder.join("src"));
+        let written: BTreeSet<String> = files
+            .iter()
+            .flat_map(|file| functions_with_holes(file, &task.key))
+            .collect();
+        let names = task.holes.iter().chain(&task.not_judged);
+        // `Type::function` is a function of a type.
+        let listed = names.map(|name| name.rsplit("::").next().unwrap_or(name).to_string());
+        assert_eq!(written, listed.collect(), "{}", task.key);
+    }
+}
+
 #[test]
 fn a_text_is_divided_into_sentences() {
     let text = "Adds `a` and `b`.\n\nChapter: x.md\n\n- The sum\n  is exact. `a` may be 1.5.\n- A NaN is a NaN.\n```text\nno\n```\n";

@@ -68,6 +68,9 @@ pub struct Task {
     pub stage: String,
     /// The functions to write.
     pub holes: Vec<String>,
+    /// Functions beyond the course that a handout lets students write, and that no case judges.
+    #[serde(default)]
+    pub not_judged: Vec<String>,
     /// What shows that a function has the idea of the task. One that is mostly wrong in any of
     /// them gets a quarter of its points.
     #[serde(default)]

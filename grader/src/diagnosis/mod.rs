@@ -4,6 +4,7 @@
 //! --bless` makes it from the mutants, `grader mutants TASK --stored` prints it. A student's
 //! signature is compared with all of them.
 
+pub(crate) mod constant;
 pub(crate) mod fresh_cases;
 mod several;
 pub mod simplest;
@@ -22,7 +23,7 @@ use std::path::{Path, PathBuf};
 pub struct Known {
     /// The mistake's names; two for a pair.
     pub mistakes: Vec<String>,
-    /// How the sentence "your answers equal those of code that ..." ends; one for each mistake.
+    /// How a sentence such as "your answers equal those of code that ..." ends; one for each mistake.
     pub descriptions: Vec<String>,
     /// Where to look; one for each mistake.
     pub hints: Vec<String>,
@@ -63,7 +64,7 @@ impl Diagnosis {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Certainty {
-    /// The answers equal those of the mistake, but for a few.
+    /// The answers are those of the mistake, but for a few.
     Likely,
     /// The answers look like those of the mistake, but many of them differ, or a whole case does.
     Perhaps,
@@ -88,7 +89,7 @@ impl Certainty {
     }
 }
 
-/// From this likeness on, the report says that the answers equal those of the mistake.
+/// From this likeness on, the report says that the answers are those of the mistake.
 const SURE: f64 = 0.95;
 
 /// So many wrong calls must agree before a name is likely: one call agrees with many mistakes.
@@ -151,7 +152,7 @@ fn path(workspace: &Workspace, task: &str) -> PathBuf {
 /// The known mistakes that are most like `student`, best first: their names, the likeness, and
 /// whether right answers contradict them. For authors who wonder about a diagnosis.
 pub fn candidates(known: &[Known], student: &Signature) -> Vec<(Vec<String>, f64, bool)> {
-    let mut all: Vec<(Vec<String>, f64, bool)> = within(known, &student.functions())
+    let mut all: Vec<(Vec<String>, f64, bool)> = within(known, student)
         .iter()
         .map(|InFunctions { known, .. }| {
             let likeness = student.agreement(&known.signature).likeness();
@@ -191,9 +192,15 @@ pub fn leave_out_unwritten(known: &mut [Known], cases: &[CaseResult]) {
     }
 }
 
+/// What is wrong with the code whose answers gave `student` and `cases`: that it always gives the
+/// same answer, or what its answers look like.
+pub fn of_task(known: &[Known], student: &Signature, cases: &[CaseResult]) -> Option<Diagnosis> {
+    constant::or_known(cases, diagnose(known, student))
+}
+
 /// What `student` looks like, if it looks like anything known.
 pub fn diagnose(known: &[Known], student: &Signature) -> Option<Diagnosis> {
-    let mut in_functions = within(known, &student.functions());
+    let mut in_functions = within(known, student);
     in_functions.retain(|InFunctions { known, .. }| {
         !known.is_symptom || known.signature.shows_the_same(student)
     });
@@ -235,21 +242,21 @@ pub fn diagnose(known: &[Known], student: &Signature) -> Option<Diagnosis> {
         true => Certainty::Perhaps,
         false => Certainty::of(likeness, student),
     };
-    let verb = match certainty {
-        Certainty::Likely if equal == of => "equal",
-        Certainty::Likely => "nearly equal",
-        Certainty::Perhaps if is_extra => "equal",
-        Certainty::Perhaps => "look most like",
-    };
     let preface = match is_extra {
         true => EXTRA_CREDIT,
         false => "",
     };
+    let answers = match certainty {
+        Certainty::Perhaps if !is_extra => {
+            format!(
+                "your answers look most like those of code that {says}: on {equal} of {of} calls"
+            )
+        }
+        _ => student.evidence().says(&says, equal, of),
+    };
     Some(Diagnosis {
         mistakes,
-        says: format!(
-            "{preface}your answers {verb} those of code that {says}: on {equal} of {of} calls{others}"
-        ),
+        says: format!("{preface}{answers}{others}"),
         description: says,
         hint,
         equal,
@@ -258,10 +265,11 @@ pub fn diagnose(known: &[Known], student: &Signature) -> Option<Diagnosis> {
     })
 }
 
-/// The known mistakes, restricted to their effect in these functions: a mistake that passes from
+/// The known mistakes, as a student shows them who is wrong in some functions only: a mistake that passes from
 /// one function to others may be made in only one of them. Of two mistakes that look the same in
 /// these functions, the one that affects only them comes first.
-fn within(known: &[Known], functions: &BTreeSet<&str>) -> Vec<InFunctions> {
+fn within(known: &[Known], student: &Signature) -> Vec<InFunctions> {
+    let functions = &student.functions();
     let mut known: Vec<InFunctions> = known
         .iter()
         .map(|known| {
@@ -269,7 +277,7 @@ fn within(known: &[Known], functions: &BTreeSet<&str>) -> Vec<InFunctions> {
             InFunctions {
                 elsewhere: known.signature.wrong() - signature.wrong(),
                 known: Known {
-                    signature,
+                    signature: signature.as_seen_by(student),
                     ..known.clone()
                 },
             }

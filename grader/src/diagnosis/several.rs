@@ -1,7 +1,7 @@
 //! Diagnoses of code that makes several mistakes at once.
 
 use super::{Certainty, Diagnosis, FEWEST_CALLS, Named, Ranked, SURE, with_twins};
-use crate::signature::{Alone, Signature};
+use crate::signature::{Alone, Evidence, Signature};
 use std::cmp::Reverse;
 
 /// Two mistakes together must explain this share of the wrong values.
@@ -144,10 +144,14 @@ pub(super) fn one_of_several(ranked: &[Ranked], student: &Signature) -> Option<D
         others,
         hint,
     } = with_twins(ranked, best)?;
+    let are = match student.evidence() {
+        Evidence::Exact => "equal",
+        _ => "are wrong in the same way as",
+    };
     Some(Diagnosis {
         mistakes,
         says: format!(
-            "several mistakes at once: {equal} of {wrong} wrong values equal those of code that {says}{others}; the cause of the other {} has no name",
+            "several mistakes at once: {equal} of {wrong} wrong values {are} those of code that {says}{others}; the cause of the other {} has no name",
             wrong - equal
         ),
         description: says,

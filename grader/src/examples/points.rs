@@ -38,6 +38,7 @@ pub fn case_of(task: &Task, text: Option<&str>) -> Option<CaseResult> {
         shares: Vec::new(),
         with_neighbours: false,
         calls: 0,
+        answer_to_all: None,
         crash: None,
     })
 }

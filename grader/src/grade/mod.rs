@@ -265,9 +265,17 @@ fn explain(
     seed: u64,
     workers: &WorkerSet,
 ) -> Result<Vec<TaskReport>, GraderError> {
+    let not_judged = |result: &TaskResult| {
+        let task = course.tasks().find(|task| task.key == result.key);
+        task.map_or(Vec::new(), |task| task.not_judged.clone())
+    };
     let explained = results.into_iter().map(|result| {
+        let not_judged = not_judged(&result);
         if result.status == Status::Passed {
-            return Ok(result.into());
+            return Ok(TaskReport {
+                not_judged,
+                ..TaskReport::from(result)
+            });
         }
         let of_stage = workers.workers(&result.stage);
         let unmoved = match &of_stage {
@@ -285,7 +293,7 @@ fn explain(
         let (diagnosis, mut regularities) = match result.fails_only_with_neighbours() {
             true => (None, Vec::new()),
             false => (
-                diagnosis::diagnose(&known, &signature),
+                diagnosis::of_task(&known, &signature, cases),
                 regularity::of(&result.key, cases, specs),
             ),
         };
@@ -303,6 +311,7 @@ fn explain(
             None => repro::worst(failed_cases(cases), specs, &result.key),
         };
         Ok(TaskReport {
+            not_judged,
             diagnosis,
             regularities,
             simplest,
@@ -400,11 +409,16 @@ pub fn score_tasks(
                     (Status::Passed, findings)
                 }
             };
+            let result = CaseResult::new(entry, spec.about, status, findings, &holes);
+            let answer = answered(&task.key, ending, course)?.ok();
+            let failed = answer.filter(|_| result.status == Status::Failed);
             case_results.push(CaseResult {
                 with_neighbours: spec.needs_all_stages(),
                 calls: judge::calls(&spec.work),
+                answer_to_all: failed
+                    .and_then(|answer| diagnosis::constant::answer_to_all(&spec.work, answer)),
                 crash,
-                ..CaseResult::new(entry, spec.about, status, findings, &holes)
+                ..result
             });
         }
         results.push(TaskResult::new(task, case_results));

@@ -7,7 +7,7 @@
 use crate::diagnosis::Diagnosis;
 use crate::score::regularity::{FEW_EXCEPTIONS, IN_CORE, OTHERS_RIGHT};
 use crate::score::{CaseResult, Status};
-use crate::signature::Signature;
+use crate::signature::{Evidence, Signature};
 use crate::workers::crash::CrashKind;
 use judge::Tier;
 use judge::cases::Spec;
@@ -227,8 +227,11 @@ fn contradict_diagnosis(diagnosis: &Diagnosis, answers: &Signature) -> Option<St
     if equal > of {
         return Some("more are equal than there are".into());
     }
-    if says.starts_with("your answers equal") && equal < of {
+    if says.contains("your answers equal") && equal < of {
         return Some("some are not equal".into());
+    }
+    if says.contains(" equal those of") && answers.evidence() != Evidence::Exact {
+        return Some("they are alike, which is not equal".into());
     }
     if says.starts_with("several mistakes") && *of != answers.wrong() {
         return Some(format!("{} values are wrong", answers.wrong()));

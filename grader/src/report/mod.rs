@@ -46,6 +46,9 @@ pub struct TaskReport {
     /// The score.
     #[serde(flatten)]
     pub result: TaskResult,
+    /// Its functions that no case judges: the points say nothing about them.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub not_judged: Vec<String>,
     /// The known mistake that explains the wrong answers, if there is one.
     pub diagnosis: Option<Diagnosis>,
     /// What the wrong answers have in common.
@@ -70,6 +73,7 @@ impl From<TaskResult> for TaskReport {
     fn from(result: TaskResult) -> TaskReport {
         TaskReport {
             result,
+            not_judged: Vec::new(),
             diagnosis: None,
             regularities: Vec::new(),
             simplest: None,
@@ -78,6 +82,21 @@ impl From<TaskResult> for TaskReport {
             picture: None,
         }
     }
+}
+
+/// A sentence about each task with functions that no case judges.
+fn not_judged(report: &Report) -> impl Iterator<Item = String> {
+    let tasks = report
+        .tasks
+        .iter()
+        .filter(|task| !task.not_judged.is_empty());
+    tasks.map(|task| {
+        format!(
+            "not judged: {} of {}, which is beyond the course",
+            task.not_judged.join(", "),
+            task.result.key
+        )
+    })
 }
 
 impl Report {

@@ -251,6 +251,7 @@ fn score(report: &Report, page: Page) -> Block {
             wrap_to(&text, 2, page.width, 2)
         }));
     }
+    lines.extend(super::not_judged(report).flat_map(|text| wrap_to(&text, 2, page.width, 2)));
     Block { rank: 0, lines }
 }
 

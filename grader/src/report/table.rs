@@ -54,6 +54,9 @@ pub fn format_report(report: &Report, reveal: Reveal) -> String {
             "extra credit {score} of {max_score}, for answers that stay right where textbook formulas fail"
         );
     }
+    for sentence in super::not_judged(report) {
+        let _ = writeln!(text, "{sentence}");
+    }
     text
 }
 

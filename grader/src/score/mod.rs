@@ -79,6 +79,9 @@ pub struct CaseResult {
     /// The number of its calls.
     #[serde(skip)]
     pub calls: usize,
+    /// The answer to every one of its calls, as text, if it failed and there is only one.
+    #[serde(skip)]
+    pub answer_to_all: Option<String>,
     /// How its code crashed, if it did.
     #[serde(skip)]
     pub crash: Option<Crash>,
@@ -127,6 +130,7 @@ impl CaseResult {
             shares: Vec::new(),
             with_neighbours: false,
             calls: 0,
+            answer_to_all: None,
             crash: None,
         }
     }
@@ -174,6 +178,7 @@ impl CaseResult {
             shares,
             with_neighbours: false,
             calls: 0,
+            answer_to_all: None,
             crash: None,
         }
     }

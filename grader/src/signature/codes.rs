@@ -4,7 +4,7 @@ use super::key::{Side, SignatureKey};
 use crate::score::{CaseResult, Status};
 use crate::workers::crash::CrashKind;
 use base::fnv;
-use judge::findings::{BLACK_CHANNEL, Class, Fault};
+use judge::findings::{BLACK_CHANNEL, Class, DirectionCounts, Fault};
 use std::collections::{BTreeMap, HashSet};
 use std::fmt;
 use std::sync::LazyLock;
@@ -101,6 +101,36 @@ pub(super) fn codes_of(case: &CaseResult) -> Vec<(SignatureKey, Codes)> {
         all.extend(codes.map(|(side, faults)| (key(side), Codes::of(&faults))));
     }
     all
+}
+
+/// Whether a wrong answer of the case may differ from others with the same code.
+pub(super) fn is_rough(case: &CaseResult) -> bool {
+    let findings = case.findings.iter();
+    findings.filter(|finding| !finding.passed()).any(|finding| {
+        let mut faults = finding.faults.iter();
+        finding.aspect.is_of_chance() || faults.any(|fault| fault.class.is_rough(finding.aspect))
+    })
+}
+
+/// The wrong distributions of directions in a case, side by side.
+pub(super) fn distributions_of(case: &CaseResult) -> Vec<(SignatureKey, Vec<DirectionCounts>)> {
+    let mut sides: BTreeMap<SignatureKey, Vec<DirectionCounts>> = BTreeMap::new();
+    for finding in &case.findings {
+        for fault in &finding.faults {
+            if let Class::Distribution(counts) = fault.class {
+                let key = SignatureKey {
+                    case: case.name.clone(),
+                    side: Side::Aspect {
+                        aspect: finding.aspect,
+                        function: fault.function.map(str::to_string),
+                        fault: None,
+                    },
+                };
+                sides.entry(key).or_default().push(counts);
+            }
+        }
+    }
+    sides.into_iter().collect()
 }
 
 /// The codes of classes that identify a mistake on their own, such as the same wrong factor in

@@ -3,14 +3,16 @@
 //!
 //! A `SignatureKey` names a side of a case, the `Codes` describe what is wrong there. `stored` is
 //! the form in which the known mistakes of a task are stored. `together` compares a signature with
-//! those of two mistakes.
+//! those of two mistakes; `evidence` says how answers with the same codes are alike.
 
 mod codes;
+mod evidence;
 mod key;
 pub(crate) mod stored;
 mod together;
 
 use codes::{Codes, TELLING_KINDS, codes_of};
+pub(crate) use evidence::Evidence;
 pub use key::Side;
 use key::SignatureKey;
 use together::Hiding;
@@ -18,7 +20,7 @@ pub use together::{Alone, Together};
 
 use crate::score::CaseResult;
 use judge::Tier;
-use judge::findings::Aspect;
+use judge::findings::{Aspect, DirectionCounts};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// For each side of each case a code for each call: 0 where the answer is right, else a digest of
@@ -28,11 +30,27 @@ use std::collections::{BTreeMap, BTreeSet};
 ///
 /// Core and robust cases are separate: different formulas differ in robust cases, so these count
 /// only where all core cases are right.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, Eq)]
 pub struct Signature {
     core: Cases,
     robust: Cases,
+    /// The distributions of directions that are wrong. Their codes are the same only if the counts
+    /// are; see [`Signature::as_seen_by`].
+    distributions: Distributions,
+    /// Whether answers with these codes may differ. Of known mistakes it is not stored.
+    is_rough: bool,
 }
+
+impl PartialEq for Signature {
+    fn eq(&self, other: &Signature) -> bool {
+        self.core == other.core
+            && self.robust == other.robust
+            && self.distributions == other.distributions
+    }
+}
+
+/// The wrong distributions of a side, in the order in which they were judged.
+type Distributions = BTreeMap<SignatureKey, Vec<DirectionCounts>>;
 
 type Cases = BTreeMap<SignatureKey, Codes>;
 
@@ -75,10 +93,43 @@ impl Signature {
                 .filter(|case| case.tier == tier && !case.with_neighbours);
             cases.flat_map(codes_of).collect()
         };
+        let core: Cases = of_tier(Tier::Core);
+        let counted = cases.iter().filter(|case| !case.with_neighbours);
+        let mut that_count = counted
+            .clone()
+            .filter(|case| core.is_empty() || case.tier == Tier::Core);
         Signature {
-            core: of_tier(Tier::Core),
+            is_rough: that_count.any(codes::is_rough),
             robust: of_tier(Tier::Robust),
+            distributions: counted.flat_map(codes::distributions_of).collect(),
+            core,
         }
+    }
+
+    /// The signature of a mistake, to be compared with `student`: where a χ² test cannot tell a
+    /// distribution of its directions from the student's, it has the student's code. Other random
+    /// numbers change the counts, and with them the code.
+    pub fn as_seen_by(&self, student: &Signature) -> Signature {
+        let mut seen = self.clone();
+        for (key, own) in &self.distributions {
+            let theirs = student.distributions.get(key);
+            let is_like = theirs.is_some_and(|theirs| {
+                let mut pairs = own.iter().zip(theirs);
+                own.len() == theirs.len() && pairs.all(|(own, theirs)| own.is_like(theirs))
+            });
+            let tiers = [
+                (&mut seen.core, &student.core),
+                (&mut seen.robust, &student.robust),
+            ];
+            for (cases, students) in tiers {
+                if let (true, Some(codes), Some(theirs)) =
+                    (is_like, cases.get_mut(key), students.get(key))
+                {
+                    codes.0[0] = theirs.0[0];
+                }
+            }
+        }
+        seen
     }
 
     /// Whether nothing was wrong.
@@ -158,9 +209,13 @@ impl Signature {
             cases.retain(|key, _| is_kept(key));
             cases
         };
+        let mut distributions = self.distributions.clone();
+        distributions.retain(|key, _| is_kept(key));
         Signature {
             core: of(&self.core),
             robust: of(&self.robust),
+            distributions,
+            is_rough: self.is_rough,
         }
     }
 
@@ -181,6 +236,11 @@ impl Signature {
     /// Counts the calls on which both are wrong, and those on which both are wrong in the same way.
     pub fn agreement(&self, other: &Signature) -> Agreement {
         Agreement::of(self.cases(), other.cases())
+    }
+
+    /// Whether the likeness to `other` is at least `least`, if alike distributions are the same.
+    pub fn is_alike(&self, other: &Signature, least: f64) -> bool {
+        self.agreement(&other.as_seen_by(self)).likeness() >= least
     }
 
     /// As [`Signature::agreement`], in the robust cases alone.
@@ -280,7 +340,7 @@ impl Signature {
                 continue;
             }
             let codes: BTreeSet<u16> = codes.0.iter().copied().filter(|code| *code != 0).collect();
-            // The position of the mean of many directions also identifies a mistake.
+            // A distribution also identifies a mistake.
             let is_spread = matches!(side.place(), Some((Aspect::Spread, _)));
             let telling = |code| is_spread || TELLING_KINDS.contains(code);
             if !codes.iter().all(telling) {
@@ -369,7 +429,7 @@ pub(crate) mod tests {
             core: core
                 .map(|(side, text)| (key(side), Codes(codes(text))))
                 .collect(),
-            robust: Cases::new(),
+            ..Signature::default()
         }
     }
 
@@ -377,8 +437,8 @@ pub(crate) mod tests {
         /// The same faults in robust cases.
         pub(crate) fn into_robust(self) -> Signature {
             Signature {
-                core: Cases::new(),
                 robust: self.core,
+                ..Signature::default()
             }
         }
 
@@ -389,6 +449,24 @@ pub(crate) mod tests {
                 ..self
             }
         }
+    }
+
+    #[test]
+    fn distributions_that_no_test_tells_apart_have_the_same_code() {
+        let side = "case spread@sample";
+        let of = |counts: [u16; 2], code| {
+            let mut all = [0; judge::findings::COUNTS];
+            all[..2].copy_from_slice(&counts);
+            Signature {
+                distributions: [(key(side), vec![DirectionCounts::from_counts(all)])].into(),
+                ..signature(&[(side, code), ("case t", "1*7")])
+            }
+        };
+        let student = of([1000, 1000], "1*a");
+        let seen = |counts| of(counts, "1*b").as_seen_by(&student);
+        assert!(seen([1020, 980]).shows_the_same(&student));
+        assert!(!seen([1200, 800]).shows_the_same(&student));
+        assert_eq!(seen([1200, 800]), of([1200, 800], "1*b"));
     }
 
     #[test]

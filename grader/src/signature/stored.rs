@@ -2,15 +2,18 @@
 //!
 //! Most of it are codes. The codes of one key resemble each other, those of one mistake do not: so
 //! they are ordered by their keys. The commonest codes have the smallest numbers, which take one
-//! byte. Both make the packed value shorter.
+//! byte. Both make the packed value shorter. The counts of a distribution of directions are stored
+//! like codes, with a key of their own.
 
-use super::Cases;
 use super::codes::Codes;
 use super::key::SignatureKey;
+use super::{Cases, Distributions};
 use crate::course::packed::binary;
 use crate::diagnosis::Known;
+use judge::findings::{COUNTS, DirectionCounts};
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
+use std::fmt;
 
 /// The known mistakes of a task.
 #[derive(Debug, Default, Serialize, Deserialize)]
@@ -54,20 +57,64 @@ enum CodesOfKey {
     Same(u32),
 }
 
+/// What a list of numbers describes.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Key {
+    /// The codes of a side.
+    Codes(SignatureKey),
+    /// The counts of the distributions of a side.
+    Distributions(SignatureKey),
+}
+
+/// The text of a key of distributions ends with this.
+const DISTRIBUTIONS: &str = " (distributions)";
+
+impl fmt::Display for Key {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Key::Codes(key) => key.fmt(f),
+            Key::Distributions(key) => write!(f, "{key}{DISTRIBUTIONS}"),
+        }
+    }
+}
+
+impl Key {
+    fn parse(text: &str) -> Option<Key> {
+        match text.strip_suffix(DISTRIBUTIONS) {
+            Some(side) => SignatureKey::parse(side).map(Key::Distributions),
+            None => SignatureKey::parse(text).map(Key::Codes),
+        }
+    }
+}
+
+/// The lists of one signature: those of core cases with the distributions of all, then those of
+/// robust cases.
+fn lists_of(known: &Known) -> [BTreeMap<Key, Codes>; 2] {
+    let signature = &known.signature;
+    let [mut core, robust] = [&signature.core, &signature.robust].map(|cases| {
+        let all = cases.iter();
+        all.map(|(key, codes)| (Key::Codes(key.clone()), codes.clone()))
+            .collect::<BTreeMap<_, _>>()
+    });
+    core.extend(signature.distributions.iter().map(|(key, all)| {
+        let counts = all.iter().flat_map(|counts| *counts.counts());
+        (Key::Distributions(key.clone()), Codes(counts.collect()))
+    }));
+    [core, robust]
+}
+
 /// Packs known mistakes.
 pub(crate) fn write(known: &[Known]) -> Result<Vec<u8>, String> {
-    let tiers = || {
-        let signatures = known.iter().map(|known| &known.signature);
-        signatures.flat_map(|signature| [&signature.core, &signature.robust])
-    };
-    let keys: BTreeSet<&SignatureKey> = tiers().flat_map(Cases::keys).collect();
+    let lists: Vec<_> = known.iter().map(lists_of).collect();
+    let all = || lists.iter().flatten();
+    let keys: BTreeSet<&Key> = all().flat_map(BTreeMap::keys).collect();
     let mut writer = Writer {
         number_of_code: BTreeMap::from([(0, 0)]),
         places: vec![BTreeMap::new(); keys.len()],
         stored: Stored {
             keys: keys.iter().map(|key| key.to_string()).collect(),
             codes: keys.iter().map(|_| Vec::new()).collect(),
-            alphabet: by_frequency(tiers().flat_map(Cases::values)),
+            alphabet: by_frequency(all().flat_map(BTreeMap::values)),
             ..Stored::default()
         },
         number_of_key: (0..).zip(keys).map(|(n, key)| (key, n)).collect(),
@@ -76,8 +123,8 @@ pub(crate) fn write(known: &[Known]) -> Result<Vec<u8>, String> {
     writer
         .number_of_code
         .extend(numbered.map(|(code, n)| (*code, n)));
-    for known in known {
-        writer.known(known);
+    for (known, lists) in known.iter().zip(&lists) {
+        writer.known(known, lists);
     }
     binary::to_bytes(&writer.stored)
 }
@@ -95,14 +142,14 @@ fn by_frequency<'a>(all: impl Iterator<Item = &'a Codes>) -> Vec<u16> {
 
 struct Writer<'a> {
     stored: Stored,
-    number_of_key: BTreeMap<&'a SignatureKey, u32>,
+    number_of_key: BTreeMap<&'a Key, u32>,
     number_of_code: BTreeMap<u16, u16>,
     /// For each key, the place of all codes that its list already contains.
     places: Vec<BTreeMap<&'a Codes, u32>>,
 }
 
 impl<'a> Writer<'a> {
-    fn known(&mut self, known: &'a Known) {
+    fn known(&mut self, known: &Known, [core, robust]: &'a [BTreeMap<Key, Codes>; 2]) {
         let texts = known.descriptions.iter().zip(&known.hints);
         let mistakes = known.mistakes.iter().zip(texts);
         let signature = StoredSignature {
@@ -116,8 +163,8 @@ impl<'a> Writer<'a> {
                 })
                 .collect(),
             is_symptom: known.is_symptom,
-            core: self.cases(&known.signature.core),
-            robust: self.cases(&known.signature.robust),
+            core: self.lists(core),
+            robust: self.lists(robust),
         };
         self.stored.signatures.push(signature);
     }
@@ -132,15 +179,15 @@ impl<'a> Writer<'a> {
         }) as u32
     }
 
-    /// Writes the codes of the cases, and returns the numbers of their keys.
-    fn cases(&mut self, cases: &'a Cases) -> Vec<u32> {
-        cases
+    /// Writes lists, and returns the numbers of their keys.
+    fn lists(&mut self, lists: &'a BTreeMap<Key, Codes>) -> Vec<u32> {
+        lists
             .iter()
             .map(|(key, codes)| self.codes(key, codes))
             .collect()
     }
 
-    fn codes(&mut self, key: &SignatureKey, codes: &'a Codes) -> u32 {
+    fn codes(&mut self, key: &Key, codes: &'a Codes) -> u32 {
         let number = self.number_of_key[key];
         let list = &mut self.stored.codes[number as usize];
         let places = &mut self.places[number as usize];
@@ -172,18 +219,14 @@ pub(crate) fn read(bytes: &[u8]) -> Result<Vec<Known>, String> {
 
 struct Reader<'a> {
     mistakes: &'a [Mistake],
-    keys: Vec<SignatureKey>,
+    keys: Vec<Key>,
     /// For each key, the codes of its list and how many of them are used.
     codes: Vec<(Vec<Codes>, usize)>,
 }
 
 impl Reader<'_> {
     fn new(stored: &Stored) -> Option<Reader<'_>> {
-        let keys: Option<_> = stored
-            .keys
-            .iter()
-            .map(|key| SignatureKey::parse(key))
-            .collect();
+        let keys: Option<_> = stored.keys.iter().map(|key| Key::parse(key)).collect();
         let lists = stored.codes.iter();
         let codes: Option<Vec<_>> = lists
             .map(|list| Some((codes_of_key(list, &stored.alphabet)?, 0)))
@@ -206,18 +249,30 @@ impl Reader<'_> {
             known.descriptions.push(mistake.description.clone());
             known.hints.push(mistake.hint.clone());
         }
-        known.signature.core = self.cases(&signature.core)?;
-        known.signature.robust = self.cases(&signature.robust)?;
+        let mut distributions = Distributions::new();
+        known.signature.core = self.cases(&signature.core, &mut distributions)?;
+        known.signature.robust = self.cases(&signature.robust, &mut distributions)?;
+        known.signature.distributions = distributions;
         Some(known)
     }
 
-    fn cases(&mut self, numbers: &[u32]) -> Option<Cases> {
+    fn cases(&mut self, numbers: &[u32], distributions: &mut Distributions) -> Option<Cases> {
         let mut cases = Cases::new();
         for number in numbers {
-            let key = self.keys.get(*number as usize)?;
-            let (codes, used) = self.codes.get_mut(*number as usize)?;
-            cases.insert(key.clone(), codes.get(*used)?.clone());
+            let (list, used) = self.codes.get_mut(*number as usize)?;
+            let codes = list.get(*used)?;
             *used += 1;
+            match self.keys.get(*number as usize)?.clone() {
+                Key::Codes(key) => {
+                    cases.insert(key, codes.clone());
+                }
+                Key::Distributions(key) => {
+                    let all = codes.0.chunks(COUNTS).map(|counts| counts.try_into().ok());
+                    let all: Option<Vec<[u16; COUNTS]>> = all.collect();
+                    let all = all?.into_iter().map(DirectionCounts::from_counts);
+                    distributions.insert(key, all.collect());
+                }
+            }
         }
         Some(cases)
     }
@@ -252,6 +307,7 @@ mod tests {
             signature: Signature {
                 core: signature(core).core,
                 robust: signature(robust).core,
+                ..Signature::default()
             },
             is_symptom: names == ["other"],
         };
@@ -270,6 +326,14 @@ mod tests {
 
     #[test]
     fn written_mistakes_are_read_back() {
+        let mut with_distributions = known();
+        let counts = std::array::from_fn(|i| 300 * i as u16);
+        with_distributions[1].signature.distributions.insert(
+            SignatureKey::parse("one spread@sample").unwrap(),
+            vec![DirectionCounts::from_counts(counts); 2],
+        );
+        let bytes = write(&with_distributions).unwrap();
+        assert_eq!(read(&bytes), Ok(with_distributions));
         let bytes = write(&known()).unwrap();
         assert_eq!(read(&bytes), Ok(known()));
         assert_eq!(read(&write(&[]).unwrap()), Ok(Vec::new()));

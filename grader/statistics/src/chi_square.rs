@@ -103,6 +103,37 @@ pub fn test_counts(counted: &[f64], expected: &[f64]) -> f64 {
     compare(counted, expected).0
 }
 
+/// Returns the p-value of two lists of counts against the same distribution (Numerical Recipes,
+/// 14.3). Cells with few samples are pooled.
+pub fn test_same_distribution(counted: &[f64], others: &[f64]) -> f64 {
+    let [samples, other_samples] = [counted, others].map(|counts| counts.iter().sum::<f64>());
+    if samples == 0.0 || other_samples == 0.0 {
+        return if samples == other_samples { 1.0 } else { 0.0 };
+    }
+    let scale = (other_samples / samples).sqrt();
+    let (mut chi2, mut cells) = (0.0, 0_u32);
+    let mut add = |a: f64, b: f64| {
+        let d = a * scale - b / scale;
+        chi2 += d * d / (a + b);
+        cells += 1;
+    };
+    let mut pooled = (0.0, 0.0);
+    for (&a, &b) in counted.iter().zip(others) {
+        if a + b < 2.0 * FEWEST_EXPECTED {
+            pooled = (pooled.0 + a, pooled.1 + b);
+        } else {
+            add(a, b);
+        }
+    }
+    if pooled.0 + pooled.1 > 0.0 {
+        add(pooled.0, pooled.1);
+    }
+    match cells {
+        0 | 1 => 1.0,
+        cells => chi_square_tail(chi2, f64::from(cells - 1)),
+    }
+}
+
 /// Returns the p-value and the degrees of freedom.
 fn compare(counted: &[f64], expected: &[f64]) -> (f64, f64) {
     let (mut chi2, mut cells) = (0.0, 0_u32);
@@ -255,6 +286,18 @@ mod tests {
     /// Probability of a false alarm of one test here. The points are fixed, so each test either
     /// always passes or always fails.
     const ALARM: f64 = 1e-6;
+
+    #[test]
+    fn two_lists_of_counts_are_compared_with_each_other() {
+        let p = test_same_distribution;
+        assert_eq!(p(&[50.0, 50.0], &[50.0, 50.0]), 1.0);
+        // (60 - 40)²/100 twice: χ² = 8 with one degree of freedom.
+        assert!((p(&[60.0, 40.0], &[40.0, 60.0]) - chi_square_tail(8.0, 1.0)).abs() < 1e-12);
+        // Twice as many samples of the same distribution.
+        assert!((p(&[60.0, 40.0], &[120.0, 80.0]) - 1.0).abs() < 1e-12);
+        assert_eq!(p(&[9.0, 1.0], &[0.0, 0.0]), 0.0);
+        assert_eq!(p(&[], &[]), 1.0);
+    }
 
     #[test]
     fn chi_square_tails_match_known_values() {

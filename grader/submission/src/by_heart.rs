@@ -199,6 +199,7 @@ mod tests {
             shares: Vec::new(),
             with_neighbours: false,
             calls: 60,
+            answer_to_all: None,
             crash: None,
         }
     }

@@ -39,6 +39,27 @@ pub trait Kind: 'static {
     fn answered(answer: Self::Answer) -> Answer;
 }
 
+/// The answers to all calls of a work, as far as they can be compared with each other.
+trait AllCalls {
+    /// Whether there are several, and all are the same.
+    fn are_equal(&self) -> bool {
+        false
+    }
+}
+
+impl<T: PartialEq> AllCalls for Vec<T> {
+    fn are_equal(&self) -> bool {
+        self.len() > 1 && self.windows(2).all(|pair| pair[0] == pair[1])
+    }
+}
+
+impl AllCalls for HitsAnswer {}
+impl AllCalls for BuildAnswer {}
+impl AllCalls for BuildGrowthAnswer {}
+impl AllCalls for TimingAnswer {}
+impl AllCalls for VisitsAnswer {}
+impl AllCalls for PictureAnswer {}
+
 /// Defines [`Work`] and [`Answer`], with a variant of the same name for each kind, the types in
 /// [`kind`], and the list [`each_kind!`](crate::each_kind).
 macro_rules! kinds {
@@ -72,6 +93,13 @@ macro_rules! kinds {
             pub fn kind(&self) -> &'static str {
                 match self {
                     $(Answer::$kind(_) => stringify!($kind),)*
+                }
+            }
+
+            /// Whether the answers to all of several calls are the same.
+            pub fn is_the_same_for_all_calls(&self) -> bool {
+                match self {
+                    $(Answer::$kind(answer) => answer.are_equal(),)*
                 }
             }
         }

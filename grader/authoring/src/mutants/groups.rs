@@ -50,7 +50,7 @@ pub fn of(graded: Vec<Graded>, known: &[Known]) -> Groups {
         let alike = groups
             .unnamed
             .iter_mut()
-            .find(|group| group.signature.agreement(&signature).likeness() >= ALIKE);
+            .find(|group| group.signature.is_alike(&signature, ALIKE));
         match alike {
             Some(group) => group.members.push(mutant),
             None => groups.unnamed.push(Group {

@@ -295,8 +295,7 @@ pub fn known(corpus: &Corpus, graded: &[Graded]) -> Vec<Known> {
     let mut alike = Vec::new();
     for (mutant, result) in all_known(corpus, graded) {
         let is_alike = |other: &Known| {
-            other.mistakes == mutant.mistakes
-                && other.signature.agreement(&mutant.signature).likeness() >= ALIKE
+            other.mistakes == mutant.mistakes && other.signature.is_alike(&mutant.signature, ALIKE)
         };
         match known.iter().any(is_alike) {
             true => alike.push((mutant, result)),

@@ -53,8 +53,8 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         .only(&[Origin, Direction, Range]),
         case(
             "in_the_shadow",
-            "A wall between the point and a light blocks the light; a wall behind the light does \
-             not.",
+            "A wall between the point and a light blocks the light, however far the light is; a \
+             wall behind the light does not.",
             shadows(),
         )
         .only(&[Radiance, Rays]),
@@ -245,12 +245,18 @@ fn shadows() -> DirectWork {
         max: [9.0; 2],
         ..lamp(3.5, [0.0; 3])
     });
+    // Behind all walls: no light arrives from there.
+    let far = Panel {
+        min: [-1e6; 2],
+        max: [1e6; 2],
+        ..lamp(3e6, [4.0; 3])
+    };
     let mut rng = ProbeRng::new("shadows", 0);
     let points = (0..80).map(|_| ShadedPoint {
         p: [rng.range(-3.0, 3.0), 0.0, rng.range(-3.0, 3.0)],
         ..floor()
     });
-    let world = world(vec![point()], vec![lamp(3.0, [4.0; 3]), half, behind]);
+    let world = world(vec![point()], vec![lamp(3.0, [4.0; 3]), half, behind, far]);
     work(Strategy::Lights, world, points.collect(), 4, 0)
 }
 

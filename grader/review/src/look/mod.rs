@@ -96,7 +96,7 @@ impl Look {
             Status::Passed | Status::NotAttempted => None,
             _ => {
                 let known = diagnosis::known(workspace, &task.key)?;
-                diagnosis::diagnose(&known, &Signature::of(&result.cases))
+                diagnosis::of_task(&known, &Signature::of(&result.cases), &result.cases)
             }
         };
         let simplest = match result.status {

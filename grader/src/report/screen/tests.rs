@@ -74,6 +74,21 @@ fn talkative(key: &str) -> TaskReport {
     }
 }
 
+#[test]
+fn functions_that_no_case_judges_are_named_beside_the_points() {
+    let full = TaskReport {
+        not_judged: vec!["estimate_direct_lighting_mis".into()],
+        ..task("part3.task3", "Lights", 1.0, Vec::new())
+    };
+    let text = screen(
+        vec![full],
+        &context("part3.task3"),
+        reveal(HintLevel::Cases),
+    );
+    let says = "not judged: estimate_direct_lighting_mis of part3.task3";
+    assert!(text.contains(says), "{text}");
+}
+
 fn reveal(hint: HintLevel) -> Reveal {
     Reveal { hint, extra: false }
 }

@@ -88,7 +88,8 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         ),
         case(
             "corners_of_the_square",
-            "u at the corners of the unit square: the direction and f / pdf are finite. Pitfall: \
+            "u at the corners of the unit square: the direction and f / pdf are finite, and the \
+             lowest directions are near the plane of the surface. Pitfall: \
              1 - x² - y² rounds to 0 or below at the rim, so that the density is 0 and f / pdf \
              infinite; the height is the square root of 1 - u, which is exact.",
             corners(),
@@ -140,9 +141,19 @@ fn probes(
     (0..count).map(probe).collect()
 }
 
+/// The largest number below 1.
+const BELOW_ONE: f64 = 1.0 - f64::EPSILON / 2.0;
+
+/// The corners of the unit square.
+pub(super) const CORNERS: [[f64; 2]; 4] = [
+    [0.0, 0.0],
+    [0.0, BELOW_ONE],
+    [BELOW_ONE, 0.0],
+    [BELOW_ONE, BELOW_ONE],
+];
+
 fn corners() -> Vec<LambertProbe> {
-    let below_one = 1.0 - f64::EPSILON / 2.0;
-    let numbers = [0.0, 1e-300, 0.5, 1.0 - 1e-12, 1.0 - 1e-14, below_one];
+    let numbers = [0.0, 1e-300, 0.5, 1.0 - 1e-12, 1.0 - 1e-14, BELOW_ONE];
     let squares = numbers
         .iter()
         .flat_map(|&x| numbers.iter().map(move |&y| [x, y]));

@@ -1,5 +1,6 @@
 //! Judges diffuse surfaces.
 
+use super::cases::CORNERS;
 use super::truth::{density, right, sampled_f};
 use super::turns;
 use crate::tools::aspects::chance::{self, MIN_ESTIMATES};
@@ -18,6 +19,7 @@ pub(crate) fn lambert(findings: &mut Findings, probes: &[LambertProbe], answers:
     for (call, (probe, answer)) in probes.iter().zip(answers).enumerate() {
         one(findings, call, probe, answer);
     }
+    reaches_the_plane(findings, probes, answers);
     if probes.len() < MIN_ESTIMATES || !findings.is_written("lambert_sample", &[Aspect::Spread]) {
         return;
     }
@@ -38,6 +40,38 @@ pub(crate) fn lambert(findings: &mut Findings, probes: &[LambertProbe], answers:
             chance::spread(findings, &directions, pdf, "by the cosine to the normal");
         }
     }
+}
+
+/// A lower direction is near the plane of the surface. For numbers a rounding below 1 the height is
+/// 1e-8.
+const NEAR_THE_PLANE: f64 = 1e-5;
+
+/// Judges that directions come down to the plane of the surface, if the numbers are at the corners
+/// of the unit square: there, each map onto the hemisphere has a point of its rim.
+fn reaches_the_plane(findings: &mut Findings, probes: &[LambertProbe], answers: &[LambertAnswer]) {
+    let samples: Option<Vec<f64>> = answers
+        .iter()
+        .map(|answer| answer.sample.map(|sample| sample.wi[2].abs()))
+        .collect();
+    let has_corners = CORNERS.iter().all(|corner| {
+        let mut numbers = probes.iter().map(|probe| probe.u);
+        numbers.any(|u| u == *corner)
+    });
+    let Some(heights) = samples.filter(|_| has_corners) else {
+        return;
+    };
+    let (call, lowest) = heights
+        .into_iter()
+        .enumerate()
+        .min_by(|a, b| a.1.total_cmp(&b.1))
+        .unwrap_or_default();
+    let class = (lowest > NEAR_THE_PLANE).then_some(Class::Named("none near the plane"));
+    findings.judge_class(Aspect::SampledDirection, call, class, lowest, || {
+        format!(
+            "your result: the lowest direction has the height {lowest:?}; expected: directions come as near to the plane of the surface as numbers can. lambert_sample: u = {:?}",
+            probes[call].u
+        )
+    });
 }
 
 /// Records the sampled directions whose distribution is not tested.

@@ -5,7 +5,7 @@
 //! that they always detect: each finding has it, each case states it for students ("A bias of 6 %
 //! is always detected"), and a test of the goldens checks that the two agree.
 
-use crate::tools::findings::{Aspect, Class, Findings};
+use crate::tools::findings::{Aspect, Class, DirectionCounts, Findings};
 use kit::{Tally, Vec3};
 use statistics::chi_square;
 use statistics::{detectable_bias, sidak, two_sided};
@@ -67,6 +67,18 @@ pub(crate) fn mean(findings: &mut Findings, what: &str, numbers: &Tally, truth: 
     });
 }
 
+/// The probability that a count is at least as far from `expected` as `counted`, on either side, if
+/// it counts rare events (Poisson).
+pub(crate) fn poisson_two_sided(counted: usize, expected: f64) -> f64 {
+    let mut term = kit::math::exp(-expected);
+    let mut below = 0.0;
+    for i in 0..counted {
+        below += term;
+        term *= expected / (i + 1) as f64;
+    }
+    (2.0 * f64::min(below + term, 1.0 - below)).min(1.0)
+}
+
 /// Tests whether `directions` are distributed with the density `pdf` (a χ² test).
 pub(crate) fn spread(
     findings: &mut Findings,
@@ -93,7 +105,7 @@ pub(crate) fn spread(
     let repeated = 2 * different < directions.len();
     let class = (fit.p < test_false_alarm()).then(|| match repeated {
         true => ALWAYS_THE_SAME,
-        false => mean_direction_class(directions),
+        false => distribution_class(directions),
     });
     findings.judge_class(Aspect::Spread, 0, class, badness, || {
         if repeated {
@@ -158,19 +170,13 @@ fn different(directions: &[Option<Vec3>]) -> usize {
     bits.collect::<HashSet<_>>().len()
 }
 
-/// Quantisation of mean directions across the normal (x, y) and along it (z): so coarse that random
-/// variation does not change the class. Along the normal, the means of uniform and of
-/// cosine-distributed directions, 1/2 and 2/3, are whole numbers of steps.
-const MEAN_DIRECTION_STEPS: Vec3 = Vec3::new(8.0, 8.0, 24.0);
-
-/// The class of wrongly distributed directions: their mean.
-fn mean_direction_class(directions: &[Option<Vec3>]) -> Class {
-    let sum: Vec3 = directions.iter().flatten().sum();
-    let mean = MEAN_DIRECTION_STEPS * sum / directions.len() as f64;
-    if mean.is_nan() {
-        return Class::NotANumber;
+/// The class of wrongly distributed directions.
+fn distribution_class(directions: &[Option<Vec3>]) -> Class {
+    let is_nan = directions.iter().flatten().any(|d| d.is_nan());
+    match is_nan {
+        true => Class::NotANumber,
+        false => Class::Distribution(DirectionCounts::of(directions)),
     }
-    Class::Towards(mean.to_array().map(|along| along.round() as i8))
 }
 
 #[cfg(test)]
@@ -207,7 +213,7 @@ mod tests {
         };
         assert_eq!(of_directions(&[0.3, 0.6]), Some(ALWAYS_THE_SAME));
         let all: Vec<f64> = (0..8000).map(|i| f64::from(i) / 8000.0).collect();
-        assert!(matches!(of_directions(&all), Some(Class::Towards(_))));
+        assert!(matches!(of_directions(&all), Some(Class::Distribution(_))));
     }
 
     #[test]
@@ -228,6 +234,16 @@ mod tests {
         // The mean distance from the axis, 2/3, times that of a sine over half a turn, 2/pi.
         let expected = " (their mean is (0, 0.42, 0.67), that of right ones (0, 0, 0.67))";
         assert_eq!(half, expected);
+    }
+
+    #[test]
+    fn rare_events_are_counted_on_both_sides() {
+        let p = poisson_two_sided;
+        // None of two that are expected: e⁻², on either side.
+        assert!((p(0, 2.0) - 2.0 * (-2.0_f64).exp()).abs() < 1e-15);
+        assert!((p(1, 2.0) - 6.0 * (-2.0_f64).exp()).abs() < 1e-12);
+        assert_eq!(p(2, 2.0), 1.0);
+        assert!(p(20, 2.0) < 1e-10 && p(0, 32.0) < 1e-13 && p(32, 32.0) > 0.9);
     }
 
     #[test]

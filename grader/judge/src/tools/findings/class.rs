@@ -1,5 +1,6 @@
 //! How an answer is wrong.
 
+use super::{Aspect, DirectionCounts};
 use kit::Vec3;
 
 /// The class of a wrong answer: the same mistake gives the same class, whatever formula contains
@@ -40,8 +41,10 @@ pub enum Class {
     /// A colour whose channels are about 2 to the power of these numbers over `PER_OCTAVE` times
     /// the right ones; `BLACK_CHANNEL` for channels that are rightly black.
     Colour([i8; 3]),
-    /// A wrong direction, or the mean of many, quantised along each axis.
+    /// A wrong direction, or the mean of many positions, quantised along each axis.
     Towards([i8; 3]),
+    /// Directions with a wrong distribution.
+    Distribution(DirectionCounts),
     /// An infinite number.
     Infinite,
     /// 0 where the right number is not 0.
@@ -55,6 +58,34 @@ pub enum Class {
 }
 
 impl Class {
+    /// Whether answers of this class may differ: the class has the size of an error to a factor of
+    /// 2, say, or only that there is one.
+    pub fn is_rough(self, aspect: Aspect) -> bool {
+        match self {
+            Class::Wrong
+            | Class::Off(_)
+            | Class::WrongSign
+            | Class::Negative
+            | Class::OtherSide
+            | Class::WrongLength
+            | Class::Ratio(_)
+            | Class::SlightlyLess
+            | Class::SlightlyMore
+            | Class::Colour(_)
+            | Class::Towards(_)
+            | Class::Distribution(_)
+            | Class::Rounded => true,
+            Class::FalseHit => !aspect.is_decision(),
+            Class::FalseMiss
+            | Class::NotANumber
+            | Class::Negated
+            | Class::Infinite
+            | Class::Zero
+            | Class::Swapped
+            | Class::Named(_) => false,
+        }
+    }
+
     /// The class of a wrong number.
     pub fn of_number(answered: f64, right: f64) -> Class {
         let ratio = answered / right;

@@ -2,12 +2,14 @@
 
 mod aspect;
 mod class;
+mod distribution;
 mod finding;
 mod not_judged;
 
 pub use aspect::Aspect;
 pub(crate) use class::SAME;
 pub use class::{BLACK_CHANNEL, Class};
+pub use distribution::{COUNTS, DirectionCounts};
 pub use finding::{Fault, Finding, FunctionCount, Worst, WrongAnswer};
 pub use not_judged::NotJudged;
 

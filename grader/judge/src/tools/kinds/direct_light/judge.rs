@@ -24,8 +24,12 @@ const SUM_BOUND: f64 = 1e-9;
 /// bound of points is 2e-12.
 const ORIGIN_BOUND: f64 = 2e-13;
 
-/// How far the length of a direction may be from 1, and a direction from that of a delta light.
+/// How far a direction may be from that of a delta light.
 pub(super) const DIRECTION_BOUND: f64 = 1e-6;
+
+/// How far the length of a direction may be from 1: some roundings. A component that is raised to
+/// 0.001 makes it 0.0000005 longer.
+const LENGTH_BOUND: f64 = 1e-12;
 
 /// The largest gap between the end of a shadow ray and its light, relative to the distance.
 const LONGEST_GAP: f64 = 1e-6;
@@ -122,6 +126,7 @@ fn statistics(findings: &mut Findings, work: &DirectWork, answers: &[DirectAnswe
             "uniformly over the hemisphere",
         );
         super::degrees::judge(findings, work, &directions);
+        super::near_the_plane::judge(findings, &directions);
     }
     let green: Tally = answers.iter().map(|answer| answer.radiance[1]).collect();
     chance::mean(findings, "estimates", &green, place.lit_by(&work.world).y);
@@ -221,7 +226,7 @@ impl Estimate<'_> {
             findings.expect(Aspect::Direction);
             let side = self.place.frame.to_local(d).z * self.place.wo.z;
             let length = d.length();
-            let class = if (length - 1.0).abs() > DIRECTION_BOUND || length.is_nan() {
+            let class = if (length - 1.0).abs() > LENGTH_BOUND || length.is_nan() {
                 Some(Class::WrongLength)
             } else {
                 (side < 0.0).then_some(wrong_side)

@@ -6,6 +6,7 @@ mod judge;
 mod lamps;
 mod mistakes;
 mod moves;
+mod near_the_plane;
 mod shadow_targets;
 mod simple;
 mod terms;

@@ -10,9 +10,11 @@ use base::Workspace;
 use grader::course::Course;
 use grader::diagnosis;
 use grader::report::claims;
-use grader::score::{CaseResult, Status, regularity};
+use grader::score::regularity::{self, Regularity, Shared};
+use grader::score::{CaseResult, Status};
 use grader::signature::Signature;
 use judge::cases::Spec;
+use judge::findings::{Aspect, Class};
 use std::path::Path;
 use wire::{Answer, Work};
 
@@ -73,7 +75,7 @@ fn no_sentence_is_false_of_planted_mistakes() {
             let common = regularity::of(TASK, &cases, &SPECS);
             let diagnosis = diagnosis::diagnose(&known, &Signature::of(&cases));
             said += common.len() + usize::from(diagnosis.is_some());
-            let of = |common: &[String]| {
+            let of = |common: &[Regularity]| {
                 claims::false_ones(TASK, &cases, &SPECS, common, diagnosis.as_ref())
             };
             assert_eq!(of(&common), [""; 0], "{name}, {second}: {}", mistakes.len());
@@ -84,13 +86,26 @@ fn no_sentence_is_false_of_planted_mistakes() {
             {
                 continue;
             }
-            for planted in [
-                "wrong: uv; all other fields are right",
-                "only the answers of nobody are wrong",
-                "wrong only where the moon shines",
-                "an unheard sentence",
+            for shared in [
+                Shared::Fields(Vec::new()),
+                Shared::Function("nobody"),
+                Shared::Circumstances(vec!["the moon shines"]),
+                Shared::Manner {
+                    aspect: Aspect::Pdf,
+                    class: Class::Zero,
+                    has_exceptions: true,
+                    is_robust: false,
+                },
             ] {
-                assert_eq!(of(&[planted.into()]).len(), 1, "{name}: {planted}");
+                let planted = Regularity {
+                    in_core: false,
+                    shared,
+                };
+                assert_eq!(
+                    of(std::slice::from_ref(&planted)).len(),
+                    1,
+                    "{name}: {planted}"
+                );
             }
         }
     }

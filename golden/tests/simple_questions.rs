@@ -50,7 +50,7 @@ fn the_reference_answers_every_simple_question_rightly() {
             wrong.extend(failed.map(|finding| {
                 let first = finding.faults.first().map_or(0, |fault| fault.call);
                 let input = simple.input(first as usize);
-                let worst = finding.worst.map(|worst| worst.message);
+                let worst = finding.worst.map(|worst| worst.message.to_string());
                 format!(
                     "{} {} {:?}: {} of {} wrong; {input:?}: {worst:?}",
                     spec.task, spec.name, finding.aspect, finding.wrong, finding.judged

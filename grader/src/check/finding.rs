@@ -126,11 +126,9 @@ impl Finding {
             (None, Some(call)) => counted(task, call).unwrap_or_else(|| worst(first)),
             (None, None) => worst(first),
         };
-        let result = simplest.map(message::found);
-        let names = result
-            .as_deref()
-            .or(first.worst().map(|(_, worst)| worst.message.as_str()));
-        let named = || function_of(names.unwrap_or_default(), &graded.holes);
+        let of_worst = || first.worst().map(|(_, worst)| &worst.message);
+        let names = simplest.map(|call| &call.result).or_else(of_worst);
+        let named = || function_of(&names?.result, &graded.holes);
         let mut finding = Finding {
             function: function.map(str::to_owned).or_else(named),
             only_with_others: task.fails_only_with_neighbours(),
@@ -237,8 +235,7 @@ fn worst(case: &CaseResult) -> String {
             let wrong = wrong_calls(case, found);
             match &found.worst {
                 Some(worst) => {
-                    let (result, _) = message::parts(&worst.message);
-                    format!("{wrong}: {}", message::with_telling_digits(result))
+                    format!("{wrong}: {}", message::with_telling_digits(&worst.message))
                 }
                 None => wrong,
             }

@@ -278,7 +278,7 @@ fn explain(
         };
         // What all wrong answers of the cases share may be chance.
         if let Some(call) = &simplest {
-            regularities.retain(|says| !regularity::is_refuted(says, &call.circumstances));
+            regularity::drop_refuted(&mut regularities, &call.wrong_where);
         }
         let simplest_test = simplest.as_ref().and_then(|call| call.test.as_ref());
         let worst_as_test = match simplest_test {

@@ -508,7 +508,7 @@ fn show_marked_down(name: &str, graded: &run::Graded) {
     for case in cases.filter(|case| case.score < case.max_score) {
         let why = case
             .worst()
-            .map(|(_, worst)| worst.message.as_str())
+            .map(|(_, worst)| worst.message.to_string())
             .unwrap_or_default();
         outln!("    {}: {why}", case.name);
     }

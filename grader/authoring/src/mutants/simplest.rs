@@ -128,6 +128,7 @@ fn numbers(text: &str) -> impl Iterator<Item = f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use judge::findings::Message;
 
     fn shown(input: &str) -> Shown {
         Shown {
@@ -136,10 +137,10 @@ mod tests {
                 case: String::new(),
                 aspect: None,
                 input: input.into(),
-                result: String::new(),
+                result: Message::default(),
                 test: None,
                 only: None,
-                circumstances: Vec::new(),
+                wrong_where: Vec::new(),
                 shown: None,
             }),
             digits_of_worst: 0,

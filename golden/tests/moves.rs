@@ -1,7 +1,7 @@
 //! An instructor's run moves every question by an exact symmetry. Moved back, the answers have the
 //! same bits.
 
-use crate::shared::moved_back;
+use crate::shared::{AfterTheGoldens, moved_back};
 use base::Workspace;
 use grader::course::Course;
 use grader::course::moved_points::MovedPoints;
@@ -45,6 +45,7 @@ fn is_small(spec: &Spec) -> bool {
 
 #[test]
 fn moved_answers_are_the_same_bit_for_bit() {
+    let _begin = AfterTheGoldens;
     compare(1..3, is_small);
 }
 
@@ -68,6 +69,7 @@ fn a_move_changes_the_question() {
 
 #[test]
 fn the_cases_that_no_seed_changes_are_listed() {
+    let _begin = AfterTheGoldens;
     let workspace =
         Workspace::above(Path::new(env!("CARGO_MANIFEST_DIR"))).expect("golden is in a workspace");
     let course = Course::read(&workspace).expect("the course is sound");

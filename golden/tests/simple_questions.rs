@@ -1,6 +1,7 @@
 //! The reference answers every simple question rightly, so no simple question marks right code
 //! down. `grader mutants` asks the correct variants the same questions.
 
+use crate::shared::AfterTheGoldens;
 use judge::cases::{self, Spec};
 use judge::{Tier, plural};
 use std::collections::BTreeMap;
@@ -33,6 +34,7 @@ fn kinds() -> Vec<(Spec, Vec<Spec>)> {
 
 #[test]
 fn the_reference_answers_every_simple_question_rightly() {
+    let _begin = AfterTheGoldens;
     let mut wrong = Vec::new();
     let mut asked = 0;
     for (spec, simple) in kinds() {

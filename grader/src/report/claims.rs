@@ -5,6 +5,8 @@
 //! this for every known mistake, a test of `golden` for some.
 
 use super::message;
+use super::screen::WHOLE;
+use super::wrap::wrap;
 use crate::diagnosis::Diagnosis;
 use crate::diagnosis::simplest::SimplestCall;
 use crate::score::regularity::{self, Regularity, Shared, told_class};
@@ -19,6 +21,9 @@ use judge::shown::ShownCall;
 
 /// A sentence that is true but for few wrong answers is true of at least this share of them.
 const NEARLY_ALL: f64 = 0.95;
+
+/// The columns of a narrow page.
+const PAGE: usize = 76;
 
 /// The sentences that are false of the answers of `cases`, each with what contradicts it.
 pub fn false_ones(
@@ -147,9 +152,13 @@ pub fn false_of_call(call: &SimplestCall, common: &[Regularity]) -> Vec<String> 
         .map(|says| format!("\"{says}\": a simple call refutes it"));
     let unseen = call.input.is_empty();
     let unseen = unseen.then(|| "the simplest call is not written".to_owned());
+    let texts = [message::input(call), message::found(call)].into_iter();
+    let long = texts.filter(|text| wrap(text, 4, PAGE).len() > WHOLE);
+    let cut = long.map(|text| format!("\"{text}\" is cut"));
     let drawing = call.shown.iter().flat_map(false_of_drawing);
     refuted
         .chain(unseen)
+        .chain(cut)
         .chain(false_of_message(&call.result))
         .chain(drawing)
         .collect()

@@ -2,6 +2,7 @@
 //! first task that is not complete.
 
 mod detail;
+pub(super) use detail::WHOLE;
 #[cfg(test)]
 mod tests;
 

@@ -143,6 +143,18 @@ pub fn of(task: &str, all: &[CaseResult], specs: &[Spec]) -> Vec<Regularity> {
     each.map(|shared| Regularity { in_core, shared }).collect()
 }
 
+/// As [`of`], without what the circumstances of wrong simple calls refute.
+pub fn beside(
+    task: &str,
+    all: &[CaseResult],
+    specs: &[Spec],
+    wrong_where: &[Vec<&str>],
+) -> Vec<Regularity> {
+    let mut regularities = of(task, all, specs);
+    drop_refuted(&mut regularities, wrong_where);
+    regularities
+}
+
 /// The sentences as one, without a full stop. What they all begin with stands once.
 pub(crate) fn joined(regularities: &[Regularity]) -> String {
     let Some((first, others)) = regularities.split_first() else {

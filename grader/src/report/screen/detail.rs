@@ -27,7 +27,7 @@ const MISTAKE: usize = 5;
 const MESSAGE: usize = 9;
 const RESULT: usize = 4;
 /// The simplest call and what was found there are not cut: other blocks are left out before.
-pub(crate) const WHOLE: usize = 12;
+pub(in crate::report) const WHOLE: usize = 12;
 
 /// How many failed cases are described at the level that shows nothing else.
 const DESCRIBED: usize = 4;

@@ -340,8 +340,8 @@ fn alike(case: &CaseResult, answered: &[Asked<'_>]) -> Option<SimplestCall> {
 /// The circumstances of all wrong calls, each combination once.
 fn wrong_where(answered: &[Asked<'_>]) -> Vec<Vec<&'static str>> {
     let wrong = answered.iter().flat_map(|asked| {
-        let of_calls = asked.findings.iter();
-        let of_calls = of_calls.filter(|finding| !finding.aspect.is_of_all_calls());
+        let findings = asked.findings.iter();
+        let of_calls = findings.filter(|finding| !finding.aspect.is_of_all_calls());
         let faults = of_calls.flat_map(|finding| &finding.faults);
         faults.filter_map(|fault| asked.spec.circumstances(fault.call as usize))
     });

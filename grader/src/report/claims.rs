@@ -150,8 +150,8 @@ pub fn false_of_call(call: &SimplestCall, common: &[Regularity]) -> Vec<String> 
         .iter()
         .filter(|says| !left.contains(says))
         .map(|says| format!("\"{says}\": a simple call refutes it"));
-    let unseen = call.input.is_empty();
-    let unseen = unseen.then(|| "the simplest call is not written".to_owned());
+    let is_unseen = call.input.is_empty();
+    let unseen = is_unseen.then(|| "the simplest call is not written".to_owned());
     let texts = [message::input(call), message::found(call)].into_iter();
     let long = texts.filter(|text| wrap(text, 4, PAGE).len() > WHOLE);
     let cut = long.map(|text| format!("\"{text}\" is cut"));

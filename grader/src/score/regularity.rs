@@ -96,8 +96,8 @@ impl fmt::Display for Shared {
                     [aspect] if !aspect.is_plural() => "is",
                     _ => "are",
                 };
-                let labels: Vec<&str> = wrong.iter().map(|aspect| aspect.label()).collect();
-                let labels = labels.join(", ");
+                let each: Vec<&str> = wrong.iter().map(|aspect| aspect.label()).collect();
+                let labels = each.join(", ");
                 write!(f, "{labels} {verb} wrong, all other fields are right")
             }
             Shared::Function(name) => write!(f, "only the answers of {name} are wrong"),
@@ -259,8 +259,7 @@ fn manner(cases: &[&CaseResult], aspect: Aspect) -> Option<Shared> {
     let all: usize = classes.values().sum();
     let (class, same) = classes.into_iter().max_by_key(|(_, count)| *count)?;
     let is_regular = all >= FEWEST && same as f64 >= MOST * all as f64;
-    let is_robust = |case: &&CaseResult| case.tier == Tier::Robust;
-    let is_robust = cases.iter().all(is_robust);
+    let is_robust = cases.iter().all(|case| case.tier == Tier::Robust);
     in_words(aspect, class, is_robust)?;
     is_regular.then_some(Shared::Manner {
         aspect,

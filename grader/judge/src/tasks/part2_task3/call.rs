@@ -21,13 +21,10 @@ pub(super) fn input(world: &ScriptedWorld, call: usize) -> Option<String> {
                 self::node(world, node, *span, &scripted.prims)
             )
         });
-    let listed = (world.tree.nodes.len() <= LISTED_NODES).then(|| each.collect::<Vec<_>>());
-    let listed = listed.filter(|each| !each.is_empty());
-    let listed = listed.map(|each| each.join("; "));
-    let listed = match listed {
-        Some(listed) => format!(": {listed}"),
-        None if world.tree.nodes.is_empty() => String::new(),
-        None => overview(&world.tree),
+    let listed = match world.tree.nodes.len() {
+        0 => String::new(),
+        1..=LISTED_NODES => format!(": {}", each.collect::<Vec<_>>().join("; ")),
+        _ => overview(&world.tree),
     };
     Some(ray_and(
         &scripted.ray,

@@ -61,8 +61,8 @@ impl Message {
             off if off.is_nan() => f64::INFINITY,
             off => off,
         };
-        let different = self.compared.iter().copied();
-        let different = different.filter(|[yours, expected]| yours != expected);
+        let compared = self.compared.iter().copied();
+        let different = compared.filter(|[yours, expected]| yours != expected);
         different.max_by(|a, b| off(*a).total_cmp(&off(*b)))
     }
 }

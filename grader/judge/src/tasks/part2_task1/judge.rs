@@ -431,7 +431,7 @@ mod tests {
         assert!(failed.next().is_none());
         let (aspect, worst) = worst?;
         assert_eq!(aspect, Aspect::Work);
-        worst.map(|worst| worst.message)
+        worst.map(|worst| worst.message.to_string())
     }
 
     #[test]

@@ -290,7 +290,7 @@ mod tests {
                 findings.judge(Aspect::T, call, false, *badness, || message.to_string());
             }
             let finding = findings.into_vec().remove(0);
-            finding.worst.map(|worst| worst.message)
+            finding.worst.map(|worst| worst.message.to_string())
         };
         let all = [
             (1.0, "1.741 against 1.74"),

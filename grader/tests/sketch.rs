@@ -359,3 +359,19 @@ fn no_word_of_a_drawing_covers_another_one_or_is_cut_off() {
     }
     assert!(drawings > 300, "{drawings}");
 }
+
+/// README and the book show a report with this drawing.
+#[test]
+fn the_drawing_in_the_texts_is_drawn_like_that() {
+    let ray = Ray::new(Vec3::new(1.0, 5.0, -1.0), Vec3::Z);
+    let drawn = text(ShownCall::Ray(triangle(ray, None, Some(1.0))));
+    for (name, shown) in [
+        ("README.md", include_str!("../../README.md")),
+        (
+            "grading.md",
+            include_str!("../../stages/book/src/grading.md"),
+        ),
+    ] {
+        assert!(shown.contains(&drawn), "{name}:\n{drawn}");
+    }
+}

@@ -340,11 +340,11 @@ impl TAxis {
                 *cell = both(*cell, mark);
             }
         }
-        let range: String = ['[', '=', ']']
+        let range_signs: String = ['[', '=', ']']
             .into_iter()
             .filter(|c| line.contains(c))
             .collect();
-        let range = match range.as_str() {
+        let range = match range_signs.as_str() {
             "" => String::new(),
             range => format!("  {range} range"),
         };

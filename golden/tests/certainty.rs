@@ -1,7 +1,7 @@
 //! Tests the smallest error that a statistical test always detects. The text of each case with
 //! such a test states this error: the reference's answers pass, and answers with this error fail.
 
-use crate::shared::moved_back;
+use crate::shared::{AfterTheGoldens, moved_back};
 use judge::Tier;
 use judge::cases::{self, Spec};
 use judge::findings::{Aspect, Finding};
@@ -50,6 +50,7 @@ fn with_statistical_tests(seed: u64) -> Vec<(Spec, Answer, Vec<Finding>)> {
 
 #[test]
 fn each_case_states_what_it_always_detects() {
+    let _begin = AfterTheGoldens;
     let mut unlike = Vec::new();
     for seed in [0, 1] {
         for (spec, _, findings) in with_statistical_tests(seed) {
@@ -71,6 +72,7 @@ fn each_case_states_what_it_always_detects() {
 
 #[test]
 fn answers_with_the_stated_error_fail() {
+    let _begin = AfterTheGoldens;
     for (spec, answer, findings) in with_statistical_tests(0) {
         for finding in findings {
             let share = stated(&spec, finding.aspect).expect("the other test checks it");
@@ -98,6 +100,7 @@ fn answers_with_the_stated_error_fail() {
 /// solved.
 #[test]
 fn there_are_cases_with_statistical_tests() {
+    let _begin = AfterTheGoldens;
     let cases = with_statistical_tests(0);
     let of = |task: &str| cases.iter().filter(|(spec, ..)| spec.task == task).count();
     let solved = |task: &str| {

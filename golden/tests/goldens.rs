@@ -5,7 +5,7 @@
 //! `cargo insta review` finds it. `cargo grader review` shows every difference on a page, and
 //! `cargo grader bless` accepts them; neither command reads the `.snap.new` files.
 
-use crate::shared::{SPECS, record, spec};
+use crate::shared::{AfterTheGoldens, BEGIN, SPECS, record, spec};
 use base::Workspace;
 use grader::course::{Course, Task};
 use judge::pictures;
@@ -127,6 +127,9 @@ fn in_one_line(text: &str) -> String {
     format!("{short}{cut}")
 }
 
+/// How the file of a new answer ends.
+const PENDING: &str = ".snap.new";
+
 /// What differs, on one screen.
 fn summary(workspace: &Workspace, proposal: &Proposal) -> String {
     let Proposal { changes, refused } = proposal;
@@ -160,6 +163,14 @@ fn summary(workspace: &Workspace, proposal: &Proposal) -> String {
         text.push_str(&format!("\n  and {} more", lines.len() - LINES));
     }
     let keys = tasks.join(" ");
+    let mut pending = proposal.changes.iter().map(Change::pending);
+    if let Some(first) = pending.find(|path| path.to_string_lossy().ends_with(PENDING)) {
+        let first = first.strip_prefix(workspace.root()).unwrap_or(&first);
+        text.push_str(&format!(
+            "\nNew answers lie beside their goldens, such as {}\nLine by line:         cargo insta review",
+            first.display()
+        ));
+    }
     let next = match refused.is_empty() {
         true => format!("Accept them:          cargo grader bless {keys}"),
         false => "Mend what is wrong:   cargo grader bless accepts no golden before".into(),
@@ -198,9 +209,50 @@ fn a_summary_fits_a_screen() {
         "300 goldens differ from the reference's answers, in part1.task3, part1.task4; 300 cases wrong or missing",
         "and 588 more",
         "cargo grader review part1.task3 part1.task4\n",
+        "beside their goldens, such as golden/part1.task3/front_face.snap.new\n",
+        "cargo insta review\n",
     ] {
         assert!(text.contains(part), "no {part:?} in\n{text}");
     }
+}
+
+/// Tests that use the reference's answers fail with the goldens, and say where to begin.
+#[test]
+fn tests_beside_the_main_one_name_it() {
+    let files = [
+        include_str!("certainty.rs"),
+        include_str!("claims.rs"),
+        include_str!("goldens.rs"),
+        include_str!("main_answers.rs"),
+        include_str!("mistakes.rs"),
+        include_str!("moves.rs"),
+        include_str!("simple_questions.rs"),
+        include_str!("untrusted_records.rs"),
+    ];
+    let main = "the_goldens_are_what_the_reference_answers";
+    assert!(BEGIN.contains(main) && include_str!("goldens.rs").contains(main));
+    let tests = files
+        .iter()
+        .flat_map(|file| file.split("#[test]\n").skip(1));
+    let of_answers = tests.filter(|test| {
+        let body = test.split("\n}\n").next().unwrap_or(test);
+        let helpers = [
+            "reference(",
+            "record(",
+            "worker::run(",
+            "spoiled(",
+            "right_answers(",
+            "of_triangles(",
+        ];
+        helpers.iter().any(|helper| body.contains(helper)) && !body.contains(main)
+    });
+    let mut count = 0;
+    for test in of_answers {
+        count += 1;
+        let name = test.lines().next().unwrap_or_default();
+        assert!(test.contains("= AfterTheGoldens;"), "{name}");
+    }
+    assert!(count >= 10, "{count}");
 }
 
 /// `cargo insta review` reads the files that the grader writes. `.ci/nightly insta` runs it.
@@ -231,6 +283,7 @@ fn insta_reads_the_goldens() {
 
 #[test]
 fn every_box_that_is_counted_is_a_visit() {
+    let _begin = AfterTheGoldens;
     let case = spec("part2.task3", "mesh_in_cornell_box").case();
     let Work::SceneHits(SceneWork {
         scene, tree, rays, ..

@@ -1,13 +1,14 @@
 //! Every case has a main answer, without which the case gives no points. The reference's main
 //! answers are right.
 
-use crate::shared::{SPECS, record, reference};
+use crate::shared::{AfterTheGoldens, SPECS, record, reference};
 use judge::Tier;
 use std::collections::BTreeSet;
 use wire::Outcome;
 
 #[test]
 fn every_case_has_a_main_answer() {
+    let _begin = AfterTheGoldens;
     let mut judged = 0;
     for spec in SPECS.iter() {
         let record = record(spec);
@@ -35,6 +36,7 @@ fn every_case_has_a_main_answer() {
 /// Otherwise a `todo!()` in one function would give its share of the points to the others.
 #[test]
 fn a_function_that_is_not_written_keeps_its_share_of_a_case() {
+    let _begin = AfterTheGoldens;
     let mut written = 0;
     for spec in SPECS.iter() {
         let Some(answer) = reference(spec) else {

@@ -3,7 +3,7 @@
 //! changed answer, or say what it does not judge. `grader mutants TASK --against-bless` does the
 //! same with the code of every mutant.
 
-use crate::shared::{SPECS, reference, spec};
+use crate::shared::{AfterTheGoldens, SPECS, reference, spec};
 use judge::Tier;
 use judge::cases::Spec;
 use judge::findings::Aspect;
@@ -110,6 +110,7 @@ fn changes(a: &TriangleAnswer, b: &TriangleAnswer) -> bool {
 /// Prints a row for each mistake and case (`--nocapture` shows it).
 #[test]
 fn a_mistake_about_triangles_is_refused_or_not_judged() {
+    let _begin = AfterTheGoldens;
     let specs: Vec<(&Spec, Answer)> = SPECS
         .iter()
         .filter(|spec| spec.task == "part1.task3" && matches!(spec.work, Work::Triangles(_)))
@@ -151,6 +152,7 @@ fn a_mistake_about_triangles_is_refused_or_not_judged() {
 /// Before, cases that grade normals alone said nothing about misses.
 #[test]
 fn a_false_miss_fails_the_cases_about_normals() {
+    let _begin = AfterTheGoldens;
     for (task, name) in [
         ("part1.task3", "cancelling_normals"),
         ("part1.task3", "interpolated_normals"),
@@ -198,6 +200,7 @@ fn wrong_aspects(whole: &Whole) -> Vec<Aspect> {
 /// The cases of whole scenes grade neither points nor normals, weights or work.
 #[test]
 fn every_field_of_a_hit_in_a_scene_is_judged() {
+    let _begin = AfterTheGoldens;
     type Spoil = fn(&mut Hit);
     let fields: [(Spoil, Aspect); 6] = [
         (|hit| hit.n = hit.n.map(|x| -x), Aspect::Normal),
@@ -231,6 +234,7 @@ fn every_field_of_a_hit_in_a_scene_is_judged() {
 
 #[test]
 fn work_is_refused_confirmed_or_not_judged() {
+    let _begin = AfterTheGoldens;
     let times = |factor: u64| {
         spoiled("part2.task3", "mesh_in_cornell_box", |answer| {
             if let Answer::SceneHits(answer) = answer {
@@ -257,6 +261,7 @@ fn work_is_refused_confirmed_or_not_judged() {
 
 #[test]
 fn a_tree_that_is_right_but_loose_or_costly_is_not_judged() {
+    let _begin = AfterTheGoldens;
     let whole = spoiled("part2.task1", "long_boxes", |answer| {
         let Answer::Build(answer) = answer else {
             panic!("the case is about trees")
@@ -281,6 +286,7 @@ fn a_tree_that_is_right_but_loose_or_costly_is_not_judged() {
 
 #[test]
 fn the_parameters_of_a_sphere_are_judged() {
+    let _begin = AfterTheGoldens;
     let whole = spoiled("part1.task4", "head_on", |answer| {
         if let Answer::Spheres(answers) = answer {
             answers[0].hit.iter_mut().for_each(|hit| hit.uv = [0.5; 2]);
@@ -294,6 +300,7 @@ fn the_parameters_of_a_sphere_are_judged() {
 /// A statistical test of all calls refuses all of them: none of them is confirmed.
 #[test]
 fn a_wrong_distribution_confirms_no_call() {
+    let _begin = AfterTheGoldens;
     let whole = spoiled("part3.task1", "sampled_directions", |answer| {
         if let Answer::Lambert(answers) = answer {
             let samples = answers
@@ -320,6 +327,7 @@ fn a_wrong_distribution_confirms_no_call() {
 /// possible answer, and never a confirmed one.
 #[test]
 fn light_that_may_be_lost_by_chance_is_not_judged() {
+    let _begin = AfterTheGoldens;
     let lost = 18;
     let whole = spoiled("part3.task3", "many_lights", |answer| {
         let Answer::Direct(answers) = answer else {

@@ -1,7 +1,7 @@
 //! An instructor's run moves every question by an exact symmetry and makes its calls in another
 //! order. Moved back, the answers have the same bits.
 
-use crate::shared::{moved_back, reference};
+use crate::shared::{AfterTheGoldens, moved_back, reference};
 use base::Workspace;
 use grader::course::moved_points::MovedPoints;
 use grader::course::{Course, Task};
@@ -56,6 +56,7 @@ fn is_small(spec: &Spec) -> bool {
 
 #[test]
 fn moved_answers_are_the_same_bit_for_bit() {
+    let _begin = AfterTheGoldens;
     compare(1..3, is_small);
 }
 
@@ -145,6 +146,7 @@ fn points_of(bits: impl IntoIterator<Item = bool>, task: &Task, seed: u64) -> f6
 
 #[test]
 fn answers_in_the_order_of_the_calls_earn_less_than_a_constant() {
+    let _begin = AfterTheGoldens;
     let course = course();
     for key in ["part5.task1", "part5.task2"] {
         let task = course
@@ -170,6 +172,7 @@ fn answers_in_the_order_of_the_calls_earn_less_than_a_constant() {
 
 #[test]
 fn the_cases_that_no_seed_changes_are_listed() {
+    let _begin = AfterTheGoldens;
     let points = MovedPoints::of(&course()).to_string();
     let listed = workspace().root().join("golden/not_moved.txt");
     let before = std::fs::read_to_string(&listed).unwrap_or_default();

@@ -4,6 +4,24 @@ use judge::cases::{self, Spec};
 use std::sync::{LazyLock, OnceLock};
 use wire::{Answer, Outcome, Record};
 
+/// Where to begin if tests of the goldens fail: the one that shows what changed.
+pub(crate) const BEGIN: &str = "This test uses the reference's answers. If \
+    `the_goldens_are_what_the_reference_answers` fails, too, begin with what it lists:
+  cargo test -p golden the_goldens_are
+  cargo grader review     shows every difference, `cargo insta review` line by line
+  cargo grader bless TASK accepts what is meant";
+
+/// While it is there, a test that fails also says where to [`BEGIN`].
+pub(crate) struct AfterTheGoldens;
+
+impl Drop for AfterTheGoldens {
+    fn drop(&mut self) {
+        if std::thread::panicking() {
+            eprintln!("{BEGIN}");
+        }
+    }
+}
+
 /// All cases; each keeps the exact results that were computed for it.
 pub(crate) static SPECS: LazyLock<Vec<Spec>> = LazyLock::new(|| cases::all(0));
 

@@ -1,6 +1,7 @@
 //! The reference answers every simple question rightly, so no simple question marks right code
 //! down. `grader mutants` asks the correct variants the same questions.
 
+use crate::shared::AfterTheGoldens;
 use judge::cases::{self, Spec};
 use judge::{Tier, plural};
 use std::collections::BTreeMap;
@@ -33,6 +34,7 @@ fn kinds() -> Vec<(Spec, Vec<Spec>)> {
 
 #[test]
 fn the_reference_answers_every_simple_question_rightly() {
+    let _begin = AfterTheGoldens;
     let mut wrong = Vec::new();
     let mut asked = 0;
     for (spec, simple) in kinds() {
@@ -50,7 +52,7 @@ fn the_reference_answers_every_simple_question_rightly() {
             wrong.extend(failed.map(|finding| {
                 let first = finding.faults.first().map_or(0, |fault| fault.call);
                 let input = simple.input(first as usize);
-                let worst = finding.worst.map(|worst| worst.message);
+                let worst = finding.worst.map(|worst| worst.message.to_string());
                 format!(
                     "{} {} {:?}: {} of {} wrong; {input:?}: {worst:?}",
                     spec.task, spec.name, finding.aspect, finding.wrong, finding.judged

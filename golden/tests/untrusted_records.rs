@@ -1,7 +1,7 @@
 //! What the grader reads was written by a process in which the student's code ran: here records of
 //! every kind of work are damaged in every way. No damaged record may end the grader or score.
 
-use crate::shared::{SPECS, record};
+use crate::shared::{AfterTheGoldens, SPECS, record};
 use grader::workers::records;
 use grader::workers::runner::Ending;
 use judge::Tier;
@@ -273,6 +273,7 @@ fn scores_in_full(spec: &Spec, answer: &Answer) -> bool {
 
 #[test]
 fn an_answer_that_lacks_or_repeats_entries_never_scores_in_full() {
+    let _begin = AfterTheGoldens;
     let changes = [
         Change::DropLast,
         Change::DropFirst,
@@ -375,6 +376,7 @@ fn spoil_bytes(bytes: &mut Vec<u8>, random: &mut Random) {
 
 #[test]
 fn spoilt_records_end_nothing_and_do_not_score() {
+    let _begin = AfterTheGoldens;
     /// Spoilt files of each kind of work.
     const FILES: usize = 100;
     let mut random = Random(0x2545_F491_4F6C_DD1D);

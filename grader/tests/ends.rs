@@ -54,6 +54,16 @@ const ENDS: &[End] = &[
             std::hint::black_box(list[std::hint::black_box(3)]);
         },
     },
+    // The library's function panics in a file of its own.
+    End {
+        name: "step",
+        kind: CrashKind::Panic,
+        says: "assertion failed: step != 0 (call 2 of the case)",
+        code: || {
+            let step = std::hint::black_box(0);
+            std::hint::black_box([1, 2].iter().step_by(step).count());
+        },
+    },
     End {
         name: "sample_loop",
         kind: CrashKind::Endless,

@@ -1,5 +1,6 @@
 //! The drawings of calls, in characters and as SVG.
 
+use grader::report::claims;
 use grader::sketch::Sketch;
 use judge::Tier;
 use judge::expected::HitOrMiss;
@@ -90,6 +91,58 @@ fn normals_that_differ_are_two_arrows() {
     }
     let svg = sketch.svg();
     assert!(svg.contains("class=\"expected\"") && svg.contains(">your normal</text>"));
+}
+
+/// What the drawing says of a point is where the answer says that it is, not where its `t` is.
+#[test]
+fn a_wrong_point_is_marked_where_it_is() {
+    let ray = Ray::new(Vec3::new(1.0, 1.0, -1.0), Vec3::Z);
+    let right = Vec3::new(1.0, 1.0, 0.0);
+    let drawn = |yours: Vec3| {
+        let shown = ShownRay {
+            points: Some([right, yours]),
+            ..triangle(ray, Some(1.0), Some(1.0))
+        };
+        let call = ShownCall::Ray(shown);
+        assert_eq!(claims::false_of_drawing(&call), [""; 0]);
+        text(call)
+    };
+    assert!(drawn(right).contains("* expected and yours"));
+    // In the plane, and off it along the ray, where it is seen from the side.
+    for wrong in [Vec3::new(3.0, 1.0, 0.0), Vec3::new(1.0, 1.0, 1.5)] {
+        let drawn = drawn(wrong);
+        assert!(!drawn.contains('*'), "{drawn}");
+        let [o, x] = ['o', 'x'].map(|sign| place(&drawn, sign));
+        assert!(o.is_some() && x.is_some() && o != x, "{drawn}");
+    }
+}
+
+/// Two answers in one place have a sign of their own, an answer and the ray's origin have not, and
+/// only what is drawn is explained.
+#[test]
+fn an_answer_at_the_origin_is_no_second_answer() {
+    let ray = Ray::new(Vec3::new(1.0, 1.0, 0.0), Vec3::X);
+    let drawn = text(ShownCall::Ray(triangle(ray, Some(0.0), None)));
+    assert!(
+        !drawn.contains('*') && !drawn.contains("@ origin"),
+        "{drawn}"
+    );
+    assert!(
+        drawn.contains("o expected") && !drawn.contains("x yours"),
+        "{drawn}"
+    );
+    let near = Ray::new(Vec3::new(1.0, 1.0, -1.0), Vec3::Z);
+    let both = text(ShownCall::Ray(triangle(near, Some(1.0), Some(1.0))));
+    assert!(
+        both.contains("* expected and yours") && !both.contains("x yours"),
+        "{both}"
+    );
+    let bounded = Ray { min_t: 1.0, ..near };
+    let axis = text(ShownCall::Ray(triangle(bounded, Some(1.0), Some(2.0))));
+    assert!(
+        axis.contains("=  = range") || axis.contains(">  = range"),
+        "{axis}"
+    );
 }
 
 #[test]
@@ -276,6 +329,14 @@ fn no_word_of_a_drawing_covers_another_one_or_is_cut_off() {
                 continue;
             };
             drawings += 1;
+            assert_eq!(
+                claims::false_of_drawing(&call),
+                [""; 0],
+                "{} {}:\n{}",
+                spec.task,
+                spec.name,
+                sketch.text(80).join("\n")
+            );
             let svg = sketch.svg();
             let name = format!("{} {}: {svg}", spec.task, spec.name);
             let placed = placed_words(&svg);
@@ -297,4 +358,20 @@ fn no_word_of_a_drawing_covers_another_one_or_is_cut_off() {
         }
     }
     assert!(drawings > 300, "{drawings}");
+}
+
+/// README and the book show a report with this drawing.
+#[test]
+fn the_drawing_in_the_texts_is_drawn_like_that() {
+    let ray = Ray::new(Vec3::new(1.0, 5.0, -1.0), Vec3::Z);
+    let drawn = text(ShownCall::Ray(triangle(ray, None, Some(1.0))));
+    for (name, shown) in [
+        ("README.md", include_str!("../../README.md")),
+        (
+            "grading.md",
+            include_str!("../../stages/book/src/grading.md"),
+        ),
+    ] {
+        assert!(shown.contains(&drawn), "{name}:\n{drawn}");
+    }
 }

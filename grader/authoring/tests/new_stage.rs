@@ -90,9 +90,9 @@ impl Check for kind::Doubling {
         numbers.get(call).map(|x| format!("x = {x:?}"))
     }
 
-    fn circumstances(numbers: &Vec<f64>, call: usize) -> Vec<&'static str> {
-        let is_negative = numbers.get(call).is_some_and(|x| *x < 0.0);
-        is_negative.then_some("x is negative").into_iter().collect()
+    fn circumstances(numbers: &Vec<f64>, call: usize) -> Option<Vec<&'static str>> {
+        let is_negative = *numbers.get(call)? < 0.0;
+        Some(is_negative.then_some("x is negative").into_iter().collect())
     }
 
     fn exact(_: &Vec<f64>, _: bool, _: &[u32]) -> Option<Vec<Fields>> {

@@ -338,6 +338,10 @@ fn row(
         notes.push("no clone: graded as it was handed in, and nobody knows when".into());
     }
     notes.extend(report.notes());
+    if !unit.endless_extra.is_empty() {
+        let over = cases_over_a_limit(&unit.endless_extra);
+        notes.push(format!("only in extra credit, over a limit: {over}").into());
+    }
     let status = match &unit.outcome {
         Outcome::OverLimit(limit) => Status::OverLimit(limit.as_str().into()),
         Outcome::DoesNotCompile if report.refused_stages.is_empty() => Status::DoesNotCompile,

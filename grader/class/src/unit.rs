@@ -8,10 +8,11 @@ use crate::reading::Reader;
 use base::GraderError;
 use base::write_whole;
 use grader::grade::GradeRequest;
-use grader::report;
+use grader::report::{self, TaskReport};
 use grader::score::CaseResult;
 use grader::signature::Signature;
 use grader::workers::crash::CrashKind;
+use judge::Tier;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -38,8 +39,11 @@ pub struct Unit {
     pub earned: BTreeMap<String, BTreeMap<String, f64>>,
     /// The wrong answers of each task that has some, for comparison with other submissions.
     pub wrong_answers: BTreeMap<String, WrongAnswers>,
-    /// The cases of each task that did not end within their limits of time, memory and output.
+    /// The core cases of each task that did not end within their limits of time, memory and output.
     pub endless_cases: BTreeMap<String, Vec<String>>,
+    /// Those of extra credit.
+    #[serde(default)]
+    pub endless_extra: BTreeMap<String, Vec<String>>,
     /// The hashes of the source files of each stage that was handed in.
     pub sources: BTreeMap<String, String>,
     /// The pictures of tasks that lost core points: the names of their files in `OUT/pictures`.
@@ -144,21 +148,20 @@ pub fn grade(
         (!signature.is_empty()).then(|| (task.result.key.clone(), wrong))
     });
     let wrong_answers = wrong_answers.collect();
-    let endless_cases = graded.report.scores.tasks.iter().filter_map(|task| {
-        let is_endless = |case: &&CaseResult| {
-            case.crash
-                .is_some_and(|crash| crash.kind == CrashKind::Endless)
+    let endless = |tier: Tier| {
+        let of_task = |task: &TaskReport| {
+            let is_endless = |case: &&CaseResult| {
+                let kind = case.crash.map(|crash| crash.kind);
+                case.tier == tier && kind == Some(CrashKind::Endless)
+            };
+            let cases = task.result.cases.iter().filter(is_endless);
+            let cases: Vec<String> = cases.map(|case| case.name.clone()).collect();
+            (!cases.is_empty()).then(|| (task.result.key.clone(), cases))
         };
-        let cases: Vec<String> = task
-            .result
-            .cases
-            .iter()
-            .filter(is_endless)
-            .map(|case| case.name.clone())
-            .collect();
-        (!cases.is_empty()).then(|| (task.result.key.clone(), cases))
-    });
-    let endless_cases = endless_cases.collect();
+        let tasks = graded.report.scores.tasks.iter();
+        tasks.filter_map(of_task).collect()
+    };
+    let (endless_cases, endless_extra) = (endless(Tier::Core), endless(Tier::Robust));
     let mut pictures = BTreeMap::new();
     for (task, sheet) in &graded.report.pictures {
         // Equal pictures, of students who make the same mistake, are one file.
@@ -185,6 +188,7 @@ pub fn grade(
         earned,
         wrong_answers,
         endless_cases,
+        endless_extra,
         sources: read.sources,
         pictures,
         took: Took {

@@ -1,6 +1,7 @@
 //! Runs one case in isolation: panics and holes become outcomes.
 
 use crate::call_limit::CalledTooOften;
+use crate::caller;
 use kit::hole::Hole;
 use std::any::Any;
 use std::cell::RefCell;
@@ -166,6 +167,10 @@ pub(crate) fn watch_panics() {
             .location()
             .map(|l| format!("{}:{}", l.file(), l.line()))
             .unwrap_or_default();
+        let location = match caller::of_panic(&location) {
+            Some(line) => format!("{line} (in the standard library, which it calls)"),
+            None => location,
+        };
         PANIC_LOCATION.with_borrow_mut(|slot| *slot = location);
     }));
 }

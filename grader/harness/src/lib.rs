@@ -6,6 +6,7 @@
 //! and writes each record at once.
 
 mod call_limit;
+mod caller;
 mod channel;
 mod clock;
 mod control;

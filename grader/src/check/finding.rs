@@ -12,7 +12,7 @@ use crate::workers::crash::CrashKind;
 use base::GraderError;
 use judge::cases::checked;
 use judge::findings::Finding as Counted;
-use judge::plural;
+use judge::{Tier, plural};
 use serde::{Deserialize, Serialize};
 
 /// What is wrong in a function of a task. It is stored until a file that it depends on changes.
@@ -57,7 +57,10 @@ impl Finding {
     ) -> Result<Vec<Finding>, GraderError> {
         let report = &graded.report;
         let mut failed = order::failed_cases_that_count(&report.result);
-        failed.retain(|case| extra || case.tier == judge::Tier::Core);
+        // A loop ends the task, wherever it is met.
+        let counts =
+            |case: &CaseResult| case.tier == Tier::Core || ends_the_task(task, report, case);
+        failed.retain(|case| extra || counts(case));
         let blame = Blame::new(task, files, &report.result.cases);
         let functions = blame.functions(&failed);
         if functions.len() < 2 || failed.iter().any(|case| case.crash.is_some()) {
@@ -105,11 +108,8 @@ impl Finding {
         function: Option<&str>,
     ) -> Option<Finding> {
         let task = &report.result;
-        let does_not_end = |case: &&&CaseResult| {
-            let kind = case.crash.map(|crash| crash.kind);
-            kind == Some(CrashKind::Endless) && !is_whole(graded, report)
-        };
-        let endless = failed.iter().find(does_not_end).copied();
+        let mut of_all = failed.iter().copied();
+        let endless = of_all.find(|case| ends_the_task(graded, report, case));
         let is_endless = endless.is_some();
         let first = endless.or(failed.first().copied())?;
         let simplest = report.simplest.as_ref();
@@ -120,17 +120,19 @@ impl Finding {
         };
         let wrong = match (&crash, simplest) {
             (Some(how), _) if is_endless => {
-                format!("{}: a call does not end: it {how}", first.name)
+                let extra = match first.tier {
+                    Tier::Core => "",
+                    Tier::Robust => " (extra credit)",
+                };
+                format!("{}{extra}: a call does not end: it {how}", first.name)
             }
             (Some(how), _) => format!("{} {how}", first.name),
             (None, Some(call)) => counted(task, call).unwrap_or_else(|| worst(first)),
             (None, None) => worst(first),
         };
-        let result = simplest.map(message::found);
-        let names = result
-            .as_deref()
-            .or(first.worst().map(|(_, worst)| worst.message.as_str()));
-        let named = || function_of(names.unwrap_or_default(), &graded.holes);
+        let of_worst = || first.worst().map(|(_, worst)| &worst.message);
+        let names = simplest.map(|call| &call.result).or_else(of_worst);
+        let named = || function_of(&names?.result, &graded.holes);
         let mut finding = Finding {
             function: function.map(str::to_owned).or_else(named),
             only_with_others: task.fails_only_with_neighbours(),
@@ -207,6 +209,12 @@ impl Finding {
     }
 }
 
+/// Whether a call of the case does not end, so that the cases after it were not run.
+fn ends_the_task(task: &Task, report: &TaskReport, case: &CaseResult) -> bool {
+    let kind = case.crash.map(|crash| crash.kind);
+    kind == Some(CrashKind::Endless) && !is_whole(task, report)
+}
+
 /// The simplest call with the result and the expected one.
 fn shown(call: &SimplestCall) -> String {
     let (input, found) = (message::input(call), message::found(call));
@@ -237,8 +245,7 @@ fn worst(case: &CaseResult) -> String {
             let wrong = wrong_calls(case, found);
             match &found.worst {
                 Some(worst) => {
-                    let (result, _) = message::parts(&worst.message);
-                    format!("{wrong}: {}", message::with_telling_digits(result))
+                    format!("{wrong}: {}", message::with_telling_digits(&worst.message))
                 }
                 None => wrong,
             }

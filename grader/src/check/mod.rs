@@ -121,6 +121,8 @@ mod tests {
     use crate::grade::one_by_one::Graded;
     use crate::report::TaskReport;
     use crate::score::{CaseResult, Status, TaskResult};
+    use crate::workers::crash::{Crash, CrashKind};
+    use judge::Tier;
 
     const TEXT: &str = "//! Triangles.\n\npub fn test_triangle(t: f64) -> bool {\n    let near = t < min_t;\n    near\n}\n\npub fn record_triangle(t: f64) -> f64 {\n    kit::hole!(\"part1.task3\", t)\n}\n";
 
@@ -199,6 +201,32 @@ mod tests {
             line == 4 && notes.contains("decided by min_t alone"),
             "{line} {notes}"
         );
+    }
+
+    /// It ends the task, so that cases of core points are not run: it is told, and as what it is.
+    #[test]
+    fn a_loop_that_only_extra_credit_meets_is_told_as_that() {
+        let task = task();
+        let title = |tier: Tier| {
+            let case = CaseResult {
+                tier,
+                crash: Some(Crash {
+                    kind: CrashKind::Endless,
+                    call: Some(2),
+                }),
+                status: Status::Crashed("did not return".into()),
+                ..CaseResult::failed("far_away", Vec::new())
+            };
+            let mut result = TaskResult::new(&task, Vec::new());
+            result.cases = vec![case];
+            let graded = Graded::for_tests(TaskReport::from(result));
+            let found = Finding::all(&graded, &task, &files(), false).expect("it is graded");
+            found[0].title(HintLevel::Findings)
+        };
+        let core = "far_away: a call does not end: it did not return";
+        assert_eq!(title(Tier::Core), core);
+        let extra = "far_away (extra credit): a call does not end: it did not return";
+        assert_eq!(title(Tier::Robust), extra);
     }
 
     #[test]

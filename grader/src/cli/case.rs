@@ -88,7 +88,7 @@ pub(super) fn run(
             let (_, mut wrong) = judge::judge_each(alone, entry.tier, answer, &not_written);
             wrong
                 .iter_mut()
-                .for_each(|wrong| wrong.call = call.unwrap_or(0));
+                .for_each(|wrong| wrong.fault.call = call.unwrap_or(0));
             (Vec::new(), wrong)
         }
         _ => (Vec::new(), Vec::new()),
@@ -191,23 +191,23 @@ impl Case<'_> {
         let mut text = self.heading(page);
         let mut calls: BTreeMap<u32, &WrongAnswer> = BTreeMap::new();
         for wrong in self.wrong {
-            calls.entry(wrong.call).or_insert(wrong);
+            calls.entry(wrong.fault.call).or_insert(wrong);
         }
         let of = judge::plural(self.spec.calls(), "call", "calls");
         let _ = writeln!(text, "wrong: {} of {of}", calls.len());
         let groups = alike(calls.values().copied());
         for group in groups.iter().take(LISTED) {
             let first = group[0];
-            let (result, question) = message::parts(&first.message);
+            let question = &first.message.question;
             let start = format!("  {}: ", first.aspect.label());
             let room = page.width.saturating_sub(columns(&start));
-            let result = message::without_reason(result, room);
+            let result = message::to_fit(&first.message, room);
             for line in lines_to_fit(&format!("{start}{result}"), page.width) {
                 let _ = writeln!(text, "{line}");
             }
             let mut of_group = format!("    call {}", numbers(group));
-            if let Some(question) = question {
-                let _ = write!(of_group, "; of call {}: {question}", first.call);
+            if !question.is_empty() {
+                let _ = write!(of_group, "; of call {}: {question}", first.fault.call);
             }
             let _ = writeln!(text, "{}", numbers_to_fit(&of_group, page.width));
         }
@@ -271,15 +271,12 @@ impl Case<'_> {
         let wrong: Vec<&WrongAnswer> = self
             .wrong
             .iter()
-            .filter(|wrong| wrong.call == call)
+            .filter(|wrong| wrong.fault.call == call)
             .collect();
         for wrong in &wrong {
-            let message = format!(
-                "wrong {}: {}",
-                wrong.aspect.label(),
-                message::parts(&wrong.message).0
-            );
-            field("verdict", &message);
+            let label = wrong.aspect.label();
+            let result = message::to_fit(&wrong.message, usize::MAX);
+            field("verdict", &format!("wrong {label}: {result}"));
         }
         match wrong.is_empty() {
             true if alone_answer.is_ok() => field("verdict", &right(self.spec)),
@@ -300,7 +297,7 @@ impl Case<'_> {
 fn alike<'a>(wrong: impl Iterator<Item = &'a WrongAnswer>) -> Vec<Vec<&'a WrongAnswer>> {
     let mut groups: BTreeMap<String, Vec<&WrongAnswer>> = BTreeMap::new();
     for one in wrong {
-        let (result, _) = message::parts(&one.message);
+        let result = message::to_fit(&one.message, usize::MAX);
         let is_of_number = |c: char| c.is_ascii_digit() || ".-e".contains(c);
         let words = result
             .split_whitespace()
@@ -313,7 +310,7 @@ fn alike<'a>(wrong: impl Iterator<Item = &'a WrongAnswer>) -> Vec<Vec<&'a WrongA
         groups.entry(kind).or_default().push(one);
     }
     let mut groups: Vec<_> = groups.into_values().collect();
-    groups.sort_by_key(|group| (std::cmp::Reverse(group.len()), group[0].call));
+    groups.sort_by_key(|group| (std::cmp::Reverse(group.len()), group[0].fault.call));
     groups
 }
 
@@ -322,8 +319,8 @@ fn numbers(group: &[&WrongAnswer]) -> String {
     let mut runs: Vec<[u32; 2]> = Vec::new();
     for one in group {
         match runs.last_mut() {
-            Some([_, end]) if *end + 1 == one.call => *end = one.call,
-            _ => runs.push([one.call; 2]),
+            Some([_, end]) if *end + 1 == one.fault.call => *end = one.fault.call,
+            _ => runs.push([one.fault.call; 2]),
         }
     }
     let short = runs
@@ -357,7 +354,7 @@ fn row(spec: &Spec, answer: &Answer, call: u32) -> Option<Line> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use judge::findings::Aspect;
+    use judge::findings::{Aspect, Class, Fault, Message};
 
     #[test]
     fn what_is_expected_is_not_cut_off() {
@@ -374,11 +371,18 @@ mod tests {
 
     #[test]
     fn calls_that_are_wrong_in_the_same_way_are_listed_together() {
-        let message =
-            |t: f64| format!("test: your result: hit at t = {t}; expected: miss. Ray: o = {t}");
-        let wrong = |call: u32, message: String| WrongAnswer {
-            call,
+        let message = |t: f64| {
+            Message::new(format!("test: your result: hit at t = {t}; expected: miss"))
+                .asked(format!("Ray: o = {t}"))
+        };
+        let wrong = |call: u32, message: Message| WrongAnswer {
             aspect: Aspect::HitOrMiss,
+            fault: Fault {
+                call,
+                function: None,
+                counts_for: None,
+                class: Class::Wrong,
+            },
             message,
         };
         let mut all: Vec<WrongAnswer> = (3..90)

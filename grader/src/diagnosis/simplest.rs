@@ -11,10 +11,11 @@ use crate::workers::runner::{Ending, Patience};
 use crate::workers::stage_workers::StageWorkers;
 use base::GraderError;
 use judge::cases::Spec;
-use judge::findings::{Aspect, Class, Fault, Finding, WrongAnswer};
+use judge::findings::{Aspect, Class, Fault, Finding, Message, WrongAnswer};
 use judge::shown::ShownCall;
 use judge::{Tier, repro, variations};
 use serde::{Serialize, Serializer};
+use std::collections::BTreeSet;
 use wire::{Answer, Outcome, Work};
 
 /// The most failed cases for which a simple call is looked for; the first that has one is shown.
@@ -30,16 +31,17 @@ pub struct SimplestCall {
     /// What the function is called with.
     pub input: String,
     /// Its result and the expected one, or how it crashes.
-    pub result: String,
+    pub result: Message,
     /// The call as a Rust test, if it fits in a short one.
     #[serde(skip)]
     pub test: Option<String>,
     /// Why no simpler call is shown, if this one has extreme or long numbers.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub only: Option<String>,
-    /// Its circumstances, as far as mistakes often depend on them.
+    /// The circumstances of this call and of all other simple ones that are wrong, as far as they
+    /// are known.
     #[serde(skip)]
-    pub circumstances: Vec<&'static str>,
+    pub wrong_where: Vec<Vec<&'static str>>,
     /// The call with its results, to be drawn; in a report, its drawing.
     #[serde(
         rename = "drawing",
@@ -310,27 +312,41 @@ fn alike(case: &CaseResult, answered: &[Asked<'_>]) -> Option<SimplestCall> {
                 let Some(fault) = first_like(target, &asked.findings, likeness) else {
                     continue;
                 };
-                let message = asked.wrong.iter().find(|wrong| {
-                    let of_function = |name: &str| wrong.message.starts_with(name);
-                    wrong.call == fault.call
-                        && wrong.aspect == target.aspect
-                        && fault.function.is_none_or(of_function)
-                });
-                let of_call = || asked.wrong.iter().find(|wrong| wrong.call == fault.call);
-                let Some(message) = message.or_else(of_call) else {
+                let is_told =
+                    |wrong: &&WrongAnswer| wrong.aspect == target.aspect && wrong.fault == *fault;
+                let Some(told) = asked.wrong.iter().find(is_told) else {
                     continue;
                 };
                 let number = fault.call as usize;
                 return Some(SimplestCall {
                     aspect: Some(target.aspect),
-                    result: message.message.clone(),
-                    shown: asked.spec.shown(case.tier, number, Some(asked.answer)),
+                    result: told.message.clone(),
+                    shown: match asked.spec.shown(case.tier, number, Some(asked.answer)) {
+                        // Another function, whose answers are drawn, may have found a hit.
+                        Some(ShownCall::Ray(shown)) if fault.class == Class::FalseMiss => {
+                            Some(ShownCall::Ray(shown.without_yours()))
+                        }
+                        shown => shown,
+                    },
+                    wrong_where: wrong_where(answered),
                     ..call(case, asked.spec, fault.call)
                 });
             }
         }
     }
     None
+}
+
+/// The circumstances of all wrong calls, each combination once.
+fn wrong_where(answered: &[Asked<'_>]) -> Vec<Vec<&'static str>> {
+    let wrong = answered.iter().flat_map(|asked| {
+        let findings = asked.findings.iter();
+        let of_calls = findings.filter(|finding| !finding.aspect.is_of_all_calls());
+        let faults = of_calls.flat_map(|finding| &finding.faults);
+        faults.filter_map(|fault| asked.spec.circumstances(fault.call as usize))
+    });
+    let each: BTreeSet<Vec<&str>> = wrong.collect();
+    each.into_iter().collect()
 }
 
 /// The wrong answers to the simple questions of the cases `specs`, as sentences. Correct code has
@@ -364,7 +380,7 @@ fn wrong(spec: &Spec, ending: &Result<Ending, String>) -> Vec<String> {
     };
     let (_, wrong) = judge::judge_each(spec, Tier::Core, answer, &[]);
     let sentences = wrong.into_iter().map(|wrong| {
-        let input = spec.input(wrong.call as usize).unwrap_or_default();
+        let input = spec.input(wrong.fault.call as usize).unwrap_or_default();
         format!("{input}: {}: {}", wrong.aspect.label(), wrong.message)
     });
     sentences.collect()
@@ -406,7 +422,7 @@ fn crash(case: &CaseResult, spec: &Spec, ending: &Result<Ending, String>) -> Opt
     let number = Crash::of(ending)?.call?;
     Some(SimplestCall {
         aspect: None,
-        result: format!("your code {}", crash::describe(ending)?),
+        result: format!("your code {}", crash::describe(ending)?).into(),
         ..call(case, spec, number)
     })
 }
@@ -417,7 +433,7 @@ fn call(case: &CaseResult, spec: &Spec, call: u32) -> SimplestCall {
         case: case.name.clone(),
         aspect: None,
         input: spec.input(call as usize).unwrap_or_default(),
-        result: String::new(),
+        result: Message::default(),
         test: repro::of_work(
             &spec.work,
             case.tier,
@@ -426,7 +442,7 @@ fn call(case: &CaseResult, spec: &Spec, call: u32) -> SimplestCall {
             "simple_call",
         ),
         only: None,
-        circumstances: spec.circumstances(call as usize),
+        wrong_where: spec.circumstances(call as usize).into_iter().collect(),
         shown: None,
     }
 }

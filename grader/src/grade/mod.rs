@@ -290,21 +290,18 @@ fn explain(
         }
         diagnosis::leave_out_unwritten(&mut known, cases);
         let signature = fresh.removed_from(&Signature::of(cases));
-        let (diagnosis, mut regularities) = match result.fails_only_with_neighbours() {
-            true => (None, Vec::new()),
-            false => (
-                diagnosis::of_task(&known, &signature, cases),
-                regularity::of(&result.key, cases, specs),
-            ),
-        };
         let simplest = match &of_stage {
             Some(workers) => simplest::of_task(workers, &result, specs)?,
             None => None,
         };
-        // What all wrong answers of the cases share may be chance.
-        if let Some(call) = &simplest {
-            regularities.retain(|says| !regularity::is_refuted(says, &call.circumstances));
-        }
+        let wrong_where = simplest.as_ref().map_or(&[][..], |call| &call.wrong_where);
+        let (diagnosis, regularities) = match result.fails_only_with_neighbours() {
+            true => (None, Vec::new()),
+            false => (
+                diagnosis::of_task(&known, &signature, cases),
+                regularity::beside(&result.key, cases, specs, wrong_where),
+            ),
+        };
         let simplest_test = simplest.as_ref().and_then(|call| call.test.as_ref());
         let worst_as_test = match simplest_test {
             Some(test) => Some(repro::as_file(SIMPLEST, &result.key, test)),

@@ -2,19 +2,11 @@
 
 use super::wrap::{columns, shorten_numbers};
 use crate::diagnosis::simplest::SimplestCall;
+use judge::findings::Message;
 
 /// What is said where no case fails but those that also run other stages.
 pub(crate) const WITH_NEIGHBOURS: &str = "Only cases fail that trace whole scenes, with your code \
     of other tasks, too: if one of these tasks fails, mend it first";
-
-/// The result and the question: what stands before and after ". Ray: ". Not every message has a
-/// question.
-pub(crate) fn parts(message: &str) -> (&str, Option<&str>) {
-    match message.split_once(". Ray: ") {
-        Some((result, ray)) => (result, Some(ray)),
-        None => (message, None),
-    }
-}
 
 /// The input of the simplest call, with whole numbers as one writes them on paper.
 pub fn input(call: &SimplestCall) -> String {
@@ -40,58 +32,53 @@ pub(crate) fn on_paper(text: &str) -> String {
 /// What was found at the simplest call, without the question, in as few digits as show the
 /// difference.
 pub fn found(call: &SimplestCall) -> String {
-    on_paper(&with_telling_digits(without_question(&call.result)))
+    on_paper(&with_telling_digits(&call.result))
 }
 
-/// How the question begins that judges repeat after a result.
-const QUESTIONS: [&str; 13] = [
-    ". Ray: ",
-    ". Sensor point ",
-    ". Pixel ",
-    ". Box: (",
-    ". Point [",
-    ". lambert_",
-    ". play_roulette(",
-    ". Fresnel {",
-    ". Reflect {",
-    ". Refract {",
-    ". Mirror {",
-    ". Refraction {",
-    ". Glass {",
-];
-
-fn without_question(message: &str) -> &str {
-    let ends = QUESTIONS
-        .iter()
-        .filter_map(|question| message.find(question));
-    &message[..ends.min().unwrap_or(message.len())]
-}
-
-/// The result, without the reason at its end if it does not fit in `width` columns.
-pub(crate) fn without_reason(result: &str, width: usize) -> &str {
-    let reasons = [", because ", ", since "];
-    let cut = reasons.iter().find_map(|reason| result.split_once(reason));
-    match cut {
-        Some((short, _)) if columns(result) > width => short,
-        _ => result,
+/// The result with its reason, or without if the reason does not fit in `width` columns.
+pub(crate) fn to_fit(message: &Message, width: usize) -> String {
+    let whole = format!("{}{}", message.result, message.reason);
+    match columns(&whole) > width {
+        true => message.result.clone(),
+        false => whole,
     }
 }
 
-/// The result with as few digits as show that it differs from the expected one.
-pub fn with_telling_digits(result: &str) -> String {
-    let differs = |text: &str| match text.split_once("; expected: ") {
-        Some((yours, expected)) => {
-            let yours = yours
-                .rsplit_once("your result: ")
-                .map_or(yours, |(_, yours)| yours);
-            !expected.starts_with(yours)
-        }
-        None => true,
-    };
-    let digits = [3, 4, 6, 8, 10, 12, 14, 16];
-    let texts = digits.iter().map(|digits| shorten_numbers(result, *digits));
-    let telling = texts.into_iter().find(|text| differs(text));
-    telling.unwrap_or_else(|| result.to_owned())
+/// The result with its reason, without the question, in as few digits as show that the code's
+/// numbers differ from the expected ones.
+pub fn with_telling_digits(message: &Message) -> String {
+    let result = format!("{}{}", message.result, message.reason);
+    match telling_digits(message) {
+        Some(digits) => shorten_numbers(&result, digits),
+        None => result,
+    }
+}
+
+/// The fewest digits with which the numbers differ that are farthest apart; `None` if all are
+/// necessary.
+fn telling_digits(message: &Message) -> Option<usize> {
+    let mut digits = [3, 4, 6, 8, 10, 12, 14, 16].into_iter();
+    match message.farthest_apart() {
+        Some(numbers) => digits.find(|digits| {
+            let [yours, expected] = numbers.map(|x| printed(x, *digits));
+            yours != expected
+        }),
+        None => digits.next(),
+    }
+}
+
+/// The numbers that are farthest apart as they are printed, if a reader sees no difference.
+pub(crate) fn looks_equal(message: &Message) -> Option<String> {
+    let numbers = message.farthest_apart()?;
+    let digits = telling_digits(message).unwrap_or(usize::MAX);
+    let [yours, expected] = numbers.map(|x| printed(x, digits));
+    (yours == expected).then(|| format!("{yours} twice in \"{}\"", with_telling_digits(message)))
+}
+
+/// A number as it is printed with at most so many digits.
+fn printed(x: f64, digits: usize) -> f64 {
+    let text = shorten_numbers(&format!("{x:?}"), digits);
+    text.parse().unwrap_or(x)
 }
 
 #[cfg(test)]
@@ -101,26 +88,33 @@ mod tests {
     #[test]
     fn as_many_digits_are_shown_as_differ() {
         let of = |yours: f64| {
-            with_telling_digits(&format!(
-                "t: your result: t = {yours}; expected: t = 8.825531"
-            ))
+            let result = format!("t: your result: t = {yours}; expected: t = 8.825531");
+            with_telling_digits(&Message::new(result).compares([yours], [8.825531]))
         };
         assert_eq!(of(7.125531), "t: your result: t = 7.13; expected: t = 8.83");
         assert_eq!(
             of(8.825538),
             "t: your result: t = 8.82554; expected: t = 8.82553"
         );
-        assert_eq!(with_telling_digits("4.123456 boxes"), "4.12 boxes");
+        assert_eq!(of(f64::NAN), "t: your result: t = NaN; expected: t = 8.83");
+        assert_eq!(with_telling_digits(&"4.123456 boxes".into()), "4.12 boxes");
     }
 
+    /// Words before a number are not the same, and hide nothing.
     #[test]
-    fn a_result_is_shown_without_its_question() {
-        let result = "your result: d = (0, 1, -1) of length 1.4; expected: length 1";
-        let message = format!("{result}. Sensor point (0.5, 1), h_fov = 90");
-        assert_eq!(without_question(&message), result);
-        assert_eq!(without_question(result), result);
-        let stop = "your result: true; expected: false. 2 samples with the mean 1";
-        assert_eq!(without_question(stop), stop);
+    fn digits_are_chosen_from_the_numbers() {
+        let ends = "your result: the interval ends at t = 1.0001; expected: t = 1";
+        let message = Message::new(ends.into()).compares([1.0001], [1.0]);
+        assert_eq!(with_telling_digits(&message), ends);
+        // What is equal but for rounding does not add digits.
+        let vectors = "your result: (0.30000000000000004, 2.5, 0); expected: (0.3, 2.0, 0)";
+        let message =
+            Message::new(vectors.into()).compares([0.1 + 0.2, 2.5, -0.0], [0.3, 2.0, 0.0]);
+        let short = "your result: (0.3, 2.5, 0); expected: (0.3, 2.0, 0)";
+        assert_eq!(with_telling_digits(&message), short);
+        // A sign alone is a difference.
+        let sign = Message::new("f = -0.0001; expected: 0.0001".into()).compares([-1e-4], [1e-4]);
+        assert_eq!(telling_digits(&sign), Some(3));
     }
 
     #[test]
@@ -131,11 +125,14 @@ mod tests {
     }
 
     #[test]
-    fn a_message_is_a_result_with_a_reason_and_a_ray() {
-        let (result, ray) = parts("hit; expected: miss, because it is beside. Ray: o = 1");
-        assert_eq!(ray, Some("o = 1"));
-        assert_eq!(without_reason(result, 80), result);
-        assert_eq!(without_reason(result, 20), "hit; expected: miss");
-        assert_eq!(parts("t = 1"), ("t = 1", None));
+    fn a_reason_is_left_out_before_a_result_is_cut() {
+        let message = Message::new("hit; expected: miss".into())
+            .because(", because it is beside".into())
+            .asked("Ray: o = 1".into());
+        assert_eq!(
+            to_fit(&message, 80),
+            "hit; expected: miss, because it is beside"
+        );
+        assert_eq!(to_fit(&message, 20), "hit; expected: miss");
     }
 }

@@ -16,6 +16,7 @@ use crate::diagnosis::Diagnosis;
 use crate::diagnosis::simplest::SimplestCall;
 use crate::grade::speedup::Speedups;
 use crate::score::TaskResult;
+use crate::score::regularity::Regularity;
 use base::GraderError;
 use serde::Serialize;
 use std::path::PathBuf;
@@ -53,7 +54,7 @@ pub struct TaskReport {
     pub diagnosis: Option<Diagnosis>,
     /// What the wrong answers have in common.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub regularities: Vec<String>,
+    pub regularities: Vec<Regularity>,
     /// The simplest call that shows what is wrong, if there is one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub simplest: Option<SimplestCall>,

@@ -2,6 +2,7 @@
 //! first task that is not complete.
 
 mod detail;
+pub(super) use detail::WHOLE;
 #[cfg(test)]
 mod tests;
 
@@ -362,9 +363,11 @@ fn worst_of_extra(task: &TaskResult) -> Option<(&String, String, String)> {
     let mut extra = task.failed_cases().filter(|case| case.tier == Tier::Robust);
     extra.find_map(|case| {
         let (_, worst) = case.worst()?;
-        let (found, question) = message::parts(&worst.message);
-        let question = question.unwrap_or_else(|| checked(&case.about));
-        let found = message::with_telling_digits(found);
+        let question = match worst.message.question.as_str() {
+            "" => checked(&case.about),
+            question => question,
+        };
+        let found = message::with_telling_digits(&worst.message);
         Some((&case.name, shorten_numbers(question, DIGITS), found))
     })
 }

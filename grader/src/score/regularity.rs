@@ -5,7 +5,9 @@ use crate::score::CaseResult;
 use judge::Tier;
 use judge::cases::Spec;
 use judge::findings::{Aspect, Class, Fault, Finding};
+use serde::{Serialize, Serializer};
 use std::collections::{BTreeMap, BTreeSet};
+use std::fmt;
 
 /// This share of the wrong answers must be wrong in the same way to be said to be.
 const MOST: f64 = 0.95;
@@ -28,47 +30,138 @@ pub(crate) const FEW_DIGITS: &str =
 const CANCELLATION: &str =
     "digits lost by cancellation, as the textbook formula loses them, or by single precision";
 
-/// What sentences begin with that are about core cases, where robust ones are wrong in other ways,
-/// too.
-pub(crate) const IN_CORE: &str = "in the core cases, ";
+/// What the wrong answers of a task share. Printed, it is a sentence without a full stop.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Regularity {
+    /// Whether it is said of the core cases only: robust ones are wrong in other ways, too.
+    pub in_core: bool,
+    /// What they share.
+    pub shared: Shared,
+}
 
-/// How the sentence ends that lists the wrong fields.
-pub(crate) const OTHERS_RIGHT: &str = ", all other fields are right";
+/// What wrong answers share.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Shared {
+    /// These fields are wrong, and all others are right.
+    Fields(Vec<Aspect>),
+    /// The function whose answers alone are wrong, or the path through it (`ns_aa=1`).
+    Function(&'static str),
+    /// An aspect is wrong in the same way.
+    Manner {
+        /// The aspect.
+        aspect: Aspect,
+        /// How it is wrong.
+        class: Class,
+        /// Whether a few wrong answers are wrong in other ways.
+        has_exceptions: bool,
+        /// Whether only robust cases show it.
+        is_robust: bool,
+    },
+    /// The circumstances of all wrong calls.
+    Circumstances(Vec<&'static str>),
+}
 
-/// What a sentence begins with that a few wrong answers contradict.
-pub(crate) const FEW_EXCEPTIONS: &str = "with few exceptions, ";
+impl Regularity {
+    /// Whether errors have the size that single precision causes.
+    pub(crate) fn is_of_few_digits(&self) -> bool {
+        matches!(
+            self.shared,
+            Shared::Manner {
+                class: Class::Rounded,
+                is_robust: false,
+                ..
+            }
+        )
+    }
+}
 
-/// Sentences without a full stop, the most helpful first; none if nothing is regular. Each is true
-/// of all cases of the run, or says of which: `report::claims` tests it.
-pub fn of(task: &str, all: &[CaseResult], specs: &[Spec]) -> Vec<String> {
+impl fmt::Display for Regularity {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let scope = if self.in_core { IN_CORE } else { "" };
+        write!(f, "{scope}{}", self.shared)
+    }
+}
+
+impl Serialize for Regularity {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
+    }
+}
+
+impl fmt::Display for Shared {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Shared::Fields(wrong) => {
+                let verb = match wrong.as_slice() {
+                    [aspect] if !aspect.is_plural() => "is",
+                    _ => "are",
+                };
+                let each: Vec<&str> = wrong.iter().map(|aspect| aspect.label()).collect();
+                let labels = each.join(", ");
+                write!(f, "{labels} {verb} wrong, all other fields are right")
+            }
+            Shared::Function(name) => write!(f, "only the answers of {name} are wrong"),
+            Shared::Manner {
+                aspect,
+                class,
+                has_exceptions,
+                is_robust,
+            } => {
+                let scope = match has_exceptions {
+                    true => "with few exceptions, ",
+                    false => "",
+                };
+                let manner = in_words(*aspect, *class, *is_robust).unwrap_or_default();
+                write!(f, "{scope}{manner}")
+            }
+            Shared::Circumstances(places) => {
+                write!(f, "wrong only where {}", places.join(" and "))
+            }
+        }
+    }
+}
+
+/// What sentences begin with that are about core cases.
+const IN_CORE: &str = "in the core cases, ";
+
+/// What wrong answers share, the most helpful first; nothing if nothing is regular. Each is true of
+/// all cases of the run, or says of which: `report::claims` tests it.
+pub fn of(task: &str, all: &[CaseResult], specs: &[Spec]) -> Vec<Regularity> {
     let cases = that_count(all);
-    let mut sentences = Vec::new();
-    sentences.extend(fields(&cases, all));
+    let mut shared = Vec::new();
+    shared.extend(fields(&cases, all));
     if let Some(aspect) = main_aspect(&cases) {
         let only = only_function(&cases);
-        sentences.extend(only.map(|name| format!("only the answers of {name} are wrong")));
-        sentences.extend(manner(&cases, aspect));
-        sentences.extend(where_wrong(task, &cases, aspect, specs, only));
+        shared.extend(only.map(Shared::Function));
+        shared.extend(manner(&cases, aspect));
+        shared.extend(where_wrong(task, &cases, aspect, specs, only));
     }
     let counts = |case: &CaseResult| cases.iter().any(|other| other.name == case.name);
     let is_wrong = |case: &CaseResult| case.findings.iter().any(|finding| finding.wrong > 0);
-    if all.iter().any(|case| is_wrong(case) && !counts(case)) {
-        for sentence in &mut sentences {
-            sentence.insert_str(0, IN_CORE);
-        }
-    }
-    sentences
+    let in_core = all.iter().any(|case| is_wrong(case) && !counts(case));
+    let each = shared.into_iter();
+    each.map(|shared| Regularity { in_core, shared }).collect()
+}
+
+/// As [`of`], without what the circumstances of wrong simple calls refute.
+pub fn beside(
+    task: &str,
+    all: &[CaseResult],
+    specs: &[Spec],
+    wrong_where: &[Vec<&str>],
+) -> Vec<Regularity> {
+    let mut regularities = of(task, all, specs);
+    drop_refuted(&mut regularities, wrong_where);
+    regularities
 }
 
 /// The sentences as one, without a full stop. What they all begin with stands once.
-pub(crate) fn joined(sentences: &[String]) -> String {
-    let mut joined = sentences.first().cloned().unwrap_or_default();
-    for sentence in sentences.iter().skip(1) {
-        let rest = sentence.strip_prefix(IN_CORE).unwrap_or(sentence);
-        joined.push_str("; ");
-        joined.push_str(rest);
-    }
-    joined
+pub(crate) fn joined(regularities: &[Regularity]) -> String {
+    let Some((first, others)) = regularities.split_first() else {
+        return String::new();
+    };
+    let others = others.iter().map(|other| format!("; {}", other.shared));
+    first.to_string() + &others.collect::<String>()
 }
 
 /// The core cases, or the robust ones if all core cases are right, that have answers and do not use
@@ -131,29 +224,25 @@ fn main_aspect(cases: &[&CaseResult]) -> Option<Aspect> {
 
 /// Which fields are always right, where some are. Nobody knows what is right in answers that a
 /// crash took away from one of `all` cases.
-fn fields(cases: &[&CaseResult], all: &[CaseResult]) -> Option<String> {
+fn fields(cases: &[&CaseResult], all: &[CaseResult]) -> Option<Shared> {
     if all.iter().any(|case| case.crash.is_some()) {
         return None;
     }
     let wrong = wrong_by_aspect(cases.iter().copied());
     let (wrong, right): (Vec<_>, Vec<_>) = wrong.into_iter().partition(|(_, wrong)| *wrong > 0);
     let tells = !wrong.is_empty() && wrong.len() <= right.len();
-    let verb = match wrong.as_slice() {
-        [(aspect, _)] if !aspect.is_plural() => "is",
-        _ => "are",
-    };
-    let labels: Vec<&str> = wrong.iter().map(|(aspect, _)| aspect.label()).collect();
-    tells.then(|| format!("{} {verb} wrong{OTHERS_RIGHT}", labels.join(", ")))
+    let aspects = wrong.into_iter().map(|(aspect, _)| aspect).collect();
+    tells.then_some(Shared::Fields(aspects))
 }
 
 /// The function whose answers alone are wrong, in tasks of several, or the path through it
 /// (`ns_aa=1`).
-fn only_function<'a>(cases: &[&'a CaseResult]) -> Option<&'a str> {
+fn only_function(cases: &[&CaseResult]) -> Option<&'static str> {
     let faults = cases.iter().flat_map(|case| &case.findings);
-    let of_faults: BTreeSet<Option<&str>> = faults
+    let of_faults: BTreeSet<Option<&'static str>> = faults
         .flat_map(|finding| finding.faults.iter().map(|fault| fault.function))
         .collect();
-    let names: Option<Vec<&str>> = of_faults.into_iter().collect();
+    let names: Option<Vec<&'static str>> = of_faults.into_iter().collect();
     match names?.as_slice() {
         [name] => Some(name),
         _ => None,
@@ -161,25 +250,39 @@ fn only_function<'a>(cases: &[&'a CaseResult]) -> Option<&'a str> {
 }
 
 /// How the aspect is wrong, if it is nearly always wrong in the same way.
-fn manner(cases: &[&CaseResult], aspect: Aspect) -> Option<String> {
+fn manner(cases: &[&CaseResult], aspect: Aspect) -> Option<Shared> {
     let mut classes: BTreeMap<Class, usize> = BTreeMap::new();
     let faults = about(cases, aspect).flat_map(|(_, finding)| &finding.faults);
     for Fault { class, .. } in faults {
-        let class = match *class {
-            Class::Off(power) if power <= SINGLE_PRECISION && HAS_A_SIZE.contains(&aspect) => {
-                Class::Rounded
-            }
-            class => class,
-        };
-        *classes.entry(class).or_default() += 1;
+        *classes.entry(told_class(aspect, *class)).or_default() += 1;
     }
     let all: usize = classes.values().sum();
     let (class, same) = classes.into_iter().max_by_key(|(_, count)| *count)?;
-    let regular = all >= FEWEST && same as f64 >= MOST * all as f64;
-    let scope = if same < all { FEW_EXCEPTIONS } else { "" };
+    let is_regular = all >= FEWEST && same as f64 >= MOST * all as f64;
+    let is_robust = cases.iter().all(|case| case.tier == Tier::Robust);
+    in_words(aspect, class, is_robust)?;
+    is_regular.then_some(Shared::Manner {
+        aspect,
+        class,
+        has_exceptions: same < all,
+        is_robust,
+    })
+}
+
+/// The class that is told of an error: small ones are those of rounding.
+pub(crate) fn told_class(aspect: Aspect, class: Class) -> Class {
+    match class {
+        Class::Off(power) if power <= SINGLE_PRECISION && HAS_A_SIZE.contains(&aspect) => {
+            Class::Rounded
+        }
+        class => class,
+    }
+}
+
+/// The sentence about errors of a class; `None` if the class says nothing.
+fn in_words(aspect: Aspect, class: Class, is_robust: bool) -> Option<String> {
     let label = aspect.label();
-    let manner = match class {
-        _ if !regular => return None,
+    Some(match class {
         Class::FalseHit | Class::FalseMiss => instead(aspect, class),
         Class::NotANumber => format!("{label}: every wrong answer is NaN"),
         Class::Infinite => format!("{label}: every wrong answer is infinite"),
@@ -198,16 +301,14 @@ fn manner(cases: &[&CaseResult], aspect: Aspect) -> Option<String> {
             2.0_f64.powi(power.into())
         ),
         Class::Rounded => {
-            let is_robust = |case: &&CaseResult| case.tier == Tier::Robust;
-            let cause = match cases.iter().all(is_robust) {
+            let cause = match is_robust {
                 true => CANCELLATION,
                 false => FEW_DIGITS,
             };
             format!("{label}: off by less than 1 part in 100,000: {cause}")
         }
         _ => return None,
-    };
-    Some(format!("{scope}{manner}"))
+    })
 }
 
 /// The sentence about answers that have something where nothing is right ([`Class::FalseHit`]), or
@@ -273,12 +374,12 @@ fn where_wrong(
     aspect: Aspect,
     specs: &[Spec],
     only: Option<&str>,
-) -> Option<String> {
+) -> Option<Shared> {
     // What `only_function` says already.
     let said = only.map(|path| path.replace('=', " is ").replace('>', " is above "));
     let mut wrong = 0;
     let mut others = 0;
-    let mut counts: BTreeMap<&str, [usize; 2]> = BTreeMap::new();
+    let mut counts: BTreeMap<&'static str, [usize; 2]> = BTreeMap::new();
     for case in cases {
         let spec = specs.iter().find(|spec| spec.is(task, &case.name))?;
         let of_calls = case
@@ -297,7 +398,7 @@ fn where_wrong(
             let is_wrong = wrong_calls.contains(&call);
             wrong += usize::from(is_wrong);
             others += usize::from(!is_wrong);
-            for circumstance in spec.circumstances(call as usize) {
+            for circumstance in spec.circumstances(call as usize).unwrap_or_default() {
                 counts.entry(circumstance).or_default()[usize::from(!is_wrong)] += 1;
             }
         }
@@ -305,7 +406,7 @@ fn where_wrong(
     if wrong < FEWEST || others < FEWEST {
         return None;
     }
-    let mut telling: Vec<(usize, &str)> = counts
+    let mut telling: Vec<(usize, &'static str)> = counts
         .into_iter()
         .filter(|(_, [of_wrong, of_others])| {
             *of_wrong == wrong && *of_others as f64 <= TELLING * others as f64
@@ -315,27 +416,24 @@ fn where_wrong(
         .collect();
     telling.sort_unstable();
     let telling: Vec<&str> = telling
-        .iter()
+        .into_iter()
         .take(CIRCUMSTANCES)
-        .map(|(_, circumstance)| *circumstance)
+        .map(|(_, circumstance)| circumstance)
         .collect();
-    (!telling.is_empty()).then(|| format!("{ONLY_WHERE}{}", telling.join(" and ")))
+    (!telling.is_empty()).then_some(Shared::Circumstances(telling))
 }
 
-/// How the sentence begins that lists what wrong answers have in common.
-const ONLY_WHERE: &str = "wrong only where ";
-
-/// Whether a sentence says that answers are wrong only where something holds that does not hold in
-/// a wrong call with these `circumstances`; without any, nothing is known of the call.
-pub(crate) fn is_refuted(sentence: &str, circumstances: &[&str]) -> bool {
-    let sentence = sentence.strip_prefix(IN_CORE).unwrap_or(sentence);
-    let Some(places) = sentence.strip_prefix(ONLY_WHERE) else {
-        return false;
-    };
-    let others = circumstances
-        .iter()
-        .fold(places.to_owned(), |rest, holds| rest.replace(holds, ""));
-    !circumstances.is_empty() && !matches!(others.as_str(), "" | " and ")
+/// Drops the circumstances that a wrong call does not have, each given by its own, and what is left
+/// without any: what all wrong answers of the cases share may be chance, or follow from the
+/// scenes.
+pub(crate) fn drop_refuted(regularities: &mut Vec<Regularity>, wrong_where: &[Vec<&str>]) {
+    regularities.retain_mut(|regularity| match &mut regularity.shared {
+        Shared::Circumstances(places) => {
+            places.retain(|place| wrong_where.iter().all(|here| here.contains(place)));
+            !places.is_empty()
+        }
+        _ => true,
+    });
 }
 
 #[cfg(test)]
@@ -351,13 +449,17 @@ mod tests {
         let mut specs = judge::cases::of(TASK, 0);
         specs.retain(|spec| matches!(spec.work, wire::Work::Spheres(_)));
         let cases: Vec<CaseResult> = specs.iter().map(|spec| case(spec, &wrong)).collect();
-        of(TASK, &cases, &specs)
+        in_words(of(TASK, &cases, &specs))
+    }
+
+    fn in_words(regularities: Vec<Regularity>) -> Vec<String> {
+        regularities.iter().map(Regularity::to_string).collect()
     }
 
     fn case(spec: &Spec, wrong: impl Fn(&[&str]) -> Vec<(Aspect, Class)>) -> CaseResult {
         let mut findings = Findings::default();
         let calls = (0..).map(|call| spec.circumstances(call));
-        for (call, here) in calls.take_while(|here| !here.is_empty()).enumerate() {
+        for (call, here) in calls.map_while(|here| here).enumerate() {
             let wrong = wrong(&here);
             for aspect in [Aspect::HitOrMiss, Aspect::T, Aspect::Normal] {
                 let class = wrong.iter().find(|(other, _)| *other == aspect);
@@ -375,12 +477,24 @@ mod tests {
 
     #[test]
     fn a_wrong_call_refutes_where_answers_are_wrong() {
-        let [positive, negative] = ["min_t is above 0", "min_t is below 0"];
-        let says = format!("{IN_CORE}{ONLY_WHERE}{positive} and max_t is finite");
-        assert!(is_refuted(&says, &[negative, "max_t is finite"]));
-        assert!(!is_refuted(&says, &["max_t is finite", positive]));
-        assert!(!is_refuted(&says, &[]));
-        assert!(!is_refuted("where t is wrong, it is 0", &[negative]));
+        let (low, high) = ("min_t is above 0", "max_t is finite");
+        let left = |wrong_where: &[Vec<&str>]| {
+            let mut all = vec![Regularity {
+                in_core: true,
+                shared: Shared::Circumstances(vec![low, high]),
+            }];
+            drop_refuted(&mut all, wrong_where);
+            in_words(all)
+        };
+        let both = "in the core cases, wrong only where min_t is above 0 and max_t is finite";
+        assert_eq!(left(&[]), [both]);
+        assert_eq!(left(&[vec![high, low], vec![low, high]]), [both]);
+        // Each circumstance is refuted by itself, by any of the wrong calls.
+        let one = "in the core cases, wrong only where max_t is finite";
+        assert_eq!(left(&[vec![low, high], vec![high]]), [one]);
+        // A call in which nothing of what is known holds, such as that of a camera that is not
+        // turned.
+        assert_eq!(left(&[vec![]]), [""; 0]);
     }
 
     #[test]
@@ -410,7 +524,7 @@ mod tests {
             findings.judge_class(aspect, 0, class, 1.0, String::new);
         }
         let case = CaseResult::failed("boxes", findings.into_vec());
-        let says = fields(&[&case], std::slice::from_ref(&case));
+        let says = fields(&[&case], std::slice::from_ref(&case)).map(|says| says.to_string());
         let expected = "bounding boxes are wrong, all other fields are right";
         assert_eq!(says.as_deref(), Some(expected));
     }
@@ -454,12 +568,12 @@ mod tests {
             ..CaseResult::failed("head_on", Vec::new())
         };
         let core = [wrong("abreast", Tier::Core)];
-        assert!(of(TASK, &core, &[])[0].contains("all other fields are right"));
+        assert!(in_words(of(TASK, &core, &[]))[0].contains("all other fields are right"));
         let both = [wrong("abreast", Tier::Core), crashed.clone()];
-        assert!(!of(TASK, &both, &[])[0].contains("all other fields are right"));
+        assert!(!in_words(of(TASK, &both, &[]))[0].contains("all other fields are right"));
         // What only robust cases show says nothing of f32, and nothing at all if core ones died.
         let robust = [wrong("far_away", Tier::Robust)];
-        let says = of(TASK, &robust, &[]).join("; ");
+        let says = joined(&of(TASK, &robust, &[]));
         assert!(
             says.contains("cancellation") && !says.contains("f32"),
             "{says}"
@@ -485,7 +599,7 @@ mod tests {
             CaseResult::failed(spec.name, findings.into_vec())
         });
         let cases: Vec<CaseResult> = cases.collect();
-        let sentences = of(TASK, &cases, &specs);
+        let sentences = in_words(of(TASK, &cases, &specs));
         assert_eq!(sentences, ["only the answers of ns_aa=1 are wrong"]);
     }
 

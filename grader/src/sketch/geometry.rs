@@ -57,10 +57,30 @@ fn differing_normals(shown: &ShownRay) -> Option<[Vec3; 2]> {
     (expected.distance(yours) > VISIBLE_ANGLE && yours.is_finite()).then_some([expected, yours])
 }
 
+/// Where the code's answer says that the hit is, if that is not where the ray is at its `t`.
+fn stray_point(shown: &ShownRay) -> Option<Vec3> {
+    let [expected, yours] = shown.points?;
+    let along = shown.yours.first().map(|t| shown.ray.at(*t));
+    let far = |p: Vec3| yours.distance(p) > VISIBLE_DISTANCE * expected.length().max(1.0);
+    (yours.is_finite() && along.is_none_or(far)).then_some(yours)
+}
+
+/// Points that differ by less, relative to their distance from the origin, are those of the ray.
+const VISIBLE_DISTANCE: f64 = 1e-9;
+
+/// Where the code says that the ray meets the shapes.
+fn your_points(shown: &ShownRay) -> Vec<Vec3> {
+    match stray_point(shown) {
+        Some(p) => vec![p],
+        None => shown.yours.iter().map(|t| shown.ray.at(*t)).collect(),
+    }
+}
+
 /// Marks the hits, or where the ray passes if there are none.
 fn marks(strokes: &mut Vec<Stroke>, shown: &ShownRay, view: &View, frame: &Frame) {
-    for (ink, hits) in [(Ink::Expected, &shown.expected), (Ink::Yours, &shown.yours)] {
-        let places = hits.iter().map(|t| view.place(shown.ray.at(*t)));
+    let expected = shown.expected.iter().map(|t| shown.ray.at(*t)).collect();
+    for (ink, points) in [(Ink::Expected, expected), (Ink::Yours, your_points(shown))] {
+        let places = points.into_iter().map(|p| view.place(p));
         strokes.extend(
             places
                 .filter(|at| frame.contains(*at))
@@ -93,7 +113,12 @@ fn of_triangle(shown: &ShownRay, triangle: &Triangle) -> Option<(Vec<Stroke>, St
     let right = (p1 - p0).try_normalize()?;
     let n = (p1 - p0).cross(p2 - p0).try_normalize()?;
     let d = shown.ray.d.try_normalize()?;
-    if differing_normals(shown).is_some() || n.dot(d).abs() < 1e-9 {
+    // A point beside the plane is seen from the side alone.
+    let is_beside = stray_point(shown).is_some_and(|p| {
+        let off = p - p0;
+        off.dot(n).abs() > 0.1 * off.length()
+    });
+    if differing_normals(shown).is_some() || is_beside || n.dot(d).abs() < 1e-9 {
         return triangle_from_its_side(shown, triangle, n);
     }
     let view = View {
@@ -105,7 +130,7 @@ fn of_triangle(shown: &ShownRay, triangle: &Triangle) -> Option<(Vec<Stroke>, St
     let crossing = view.place(shown.ray.at(t));
     let corners = [p0, p1, p2].map(|p| view.place(p));
     let mut others = vec![crossing];
-    others.extend(shown.yours.iter().map(|t| view.place(shown.ray.at(*t))));
+    others.extend(your_points(shown).into_iter().map(|p| view.place(p)));
     let frame = Frame::around(&corners, &others)?;
     let mut strokes = edges_of(corners);
     for (i, corner) in corners.into_iter().enumerate() {
@@ -146,7 +171,9 @@ fn triangle_from_its_side(
         - corners.iter().map(|p| p[0]).fold(0.0, f64::min);
     let tall = corners.map(|[x, _]| [x, 0.3 * size]);
     let low = corners.map(|[x, _]| [x, -0.3 * size]);
-    let frame = Frame::around(&[corners, tall, low].concat(), &[view.place(shown.ray.o)])?;
+    let mut others = vec![view.place(shown.ray.o)];
+    others.extend(stray_point(shown).map(|p| view.place(p)));
+    let frame = Frame::around(&[corners, tall, low].concat(), &others)?;
     let mut strokes = edges_of(corners);
     marks(&mut strokes, shown, &view, &frame);
     normals(&mut strokes, shown, &view, 0.3 * size);
@@ -241,9 +268,9 @@ fn of_scene(shown: &ShownRay, view: &View) -> Option<Vec<Stroke>> {
         let [[x0, y0], [x1, y1]] = [b.min, b.max].map(|p| view.place(p));
         shapes.extend(sides([[x0, y0], [x1, y0], [x1, y1], [x0, y1]]));
     }
-    let hits = shown.expected.iter().chain(&shown.yours);
-    let others: Vec<[f64; 2]> = hits
-        .map(|t| shown.ray.at(*t))
+    let expected = shown.expected.iter().map(|t| shown.ray.at(*t));
+    let others: Vec<[f64; 2]> = expected
+        .chain(your_points(shown))
         .chain([shown.ray.o])
         .map(|p| view.place(p))
         .collect();

@@ -13,6 +13,8 @@ pub(crate) struct Plot {
     min: [f64; 2],
     max: [f64; 2],
     cells: Vec<Vec<char>>,
+    /// Which cells have a letter of a word.
+    lettered: Vec<Vec<bool>>,
 }
 
 impl Plot {
@@ -27,6 +29,7 @@ impl Plot {
             min,
             max,
             cells: vec![vec![' '; columns]; lines],
+            lettered: vec![vec![false; columns]; lines],
         }
     }
 
@@ -60,6 +63,22 @@ impl Plot {
         true
     }
 
+    /// Marks the place of an answer, in place of what is there. With the mark of another answer it
+    /// becomes [`BOTH`].
+    pub(super) fn mark_answer(&mut self, point: [f64; 2], mark: char) {
+        if let Some((column, row)) = self.cell(point) {
+            let cell = &mut self.cells[row][column];
+            *cell = both(*cell, mark);
+        }
+    }
+
+    /// Whether a sign is drawn, other than as a letter of a word.
+    pub(super) fn has(&self, sign: char) -> bool {
+        let rows = self.cells.iter().zip(&self.lettered);
+        let mut cells = rows.flat_map(|(cells, lettered)| cells.iter().zip(lettered));
+        cells.any(|(cell, lettered)| *cell == sign && !lettered)
+    }
+
     /// Marks a point in place of what is there.
     pub(crate) fn set(&mut self, point: [f64; 2], mark: char) {
         if let Some((column, row)) = self.cell(point) {
@@ -91,24 +110,62 @@ impl Plot {
         }
     }
 
-    /// Writes a word at a point, in place of lines but not of marks; what does not fit is left out.
-    pub(super) fn word(&mut self, at: [f64; 2], word: &str, side: Side) {
+    /// Writes a word beside a point, in place of lines but not of marks and of other words: on the
+    /// wanted side if there is room, else on another one or in a row nearby. Returns whether there
+    /// was room.
+    pub(super) fn word(&mut self, at: [f64; 2], word: &str, side: Side) -> bool {
         let Some((column, row)) = self.cell(at) else {
-            return;
+            return false;
         };
-        let length = word.chars().count();
-        let most = self.size()[0].saturating_sub(length);
-        let start = match side {
+        let letters: Vec<char> = word.chars().collect();
+        let start = |side: Side| match side {
             Side::Behind => column + 2,
-            Side::Before => column.saturating_sub(length + 1),
-            Side::Around => column.saturating_sub(length / 2),
+            Side::Before => column.saturating_sub(letters.len() + 1),
+            Side::Around | Side::Within => column.saturating_sub(letters.len() / 2),
         };
-        let start = start.min(most);
-        for (cell, letter) in self.cells[row][start..].iter_mut().zip(word.chars()) {
-            if !MARKS.contains(cell) {
-                *cell = letter;
-            }
+        let sides = match side {
+            Side::Behind => [Side::Behind, Side::Before, Side::Around],
+            Side::Before => [Side::Before, Side::Behind, Side::Around],
+            side => [side; 3],
+        };
+        let rows: &[isize] = match side {
+            Side::Within => &[0],
+            _ => &[0, 1, -1, 2, -2],
+        };
+        let shifts = [0, 1, -1, 2, -2, 3, -3, 4, -4, 5, -5, 6, -6];
+        let places = rows.iter().flat_map(|down| {
+            let starts = sides.map(start).into_iter();
+            starts.flat_map(move |start| {
+                shifts.map(|by| (row.checked_add_signed(*down), start.checked_add_signed(by)))
+            })
+        });
+        let most = self.size()[0].saturating_sub(letters.len());
+        let mut free = places.filter_map(|(row, start)| {
+            let (row, start) = (row?, start?.min(most));
+            self.is_free(row, start, letters.len())
+                .then_some((row, start))
+        });
+        let Some((row, start)) = free.next() else {
+            return false;
+        };
+        drop(free);
+        for (place, letter) in (start..).zip(letters) {
+            self.cells[row][place] = letter;
+            self.lettered[row][place] = true;
         }
+        true
+    }
+
+    /// Whether a word of this length covers no mark there, and touches no word.
+    fn is_free(&self, row: usize, start: usize, length: usize) -> bool {
+        let (Some(cells), Some(lettered)) = (self.cells.get(row), self.lettered.get(row)) else {
+            return false;
+        };
+        let around = start.saturating_sub(1)..(start + length + 1).min(cells.len());
+        !lettered[around].contains(&true)
+            && cells
+                .get(start..start + length)
+                .is_some_and(|cells| !cells.iter().any(|cell| MARKS.contains(cell)))
     }
 
     /// The lines of the plot, with a margin, without empty ones at the top and the bottom.
@@ -136,13 +193,26 @@ pub(super) enum Side {
     Before,
     Around,
     Behind,
+    /// Around its point, and in no other row.
+    Within,
 }
 
 /// The mark of a line.
 const LINE: char = '.';
 
 /// Marks that no word covers.
-const MARKS: [char; 5] = ['o', 'x', '*', '@', '+'];
+const MARKS: [char; 5] = ['o', 'x', BOTH, '@', '+'];
+
+/// The mark of two answers in one cell.
+pub(super) const BOTH: char = '*';
+
+/// The mark of a cell that has one, after it gets the mark of an answer, too.
+pub(super) fn both(before: char, mark: char) -> char {
+    match (before, mark) {
+        ('o', 'x') | ('x', 'o') | (BOTH, _) => BOTH,
+        _ => mark,
+    }
+}
 
 /// A line below a plot.
 pub(crate) fn legend(text: &str) -> String {
@@ -166,5 +236,34 @@ mod tests {
         assert!(lines[HEIGHT - 1].trim().starts_with("o.."), "{lines:?}");
         plot.mark([1.0, 1.0], 'o');
         assert!(plot.lines()[0].ends_with('*'));
+    }
+
+    #[test]
+    fn only_two_answers_in_a_cell_are_both() {
+        let mut plot = Plot::new([0.0, 0.0], [1.0, 1.0]);
+        plot.set([0.0, 1.0], '@');
+        plot.mark_answer([0.0, 1.0], 'o');
+        assert!(plot.has('o') && !plot.has('@') && !plot.has(BOTH));
+        plot.mark_answer([0.0, 1.0], 'x');
+        assert!(plot.has(BOTH) && !plot.has('o'));
+    }
+
+    #[test]
+    fn words_stand_beside_marks_and_other_words() {
+        let mut plot = Plot::new([0.0, 0.0], [1.0, 1.0]);
+        let at = [0.5, 0.5];
+        plot.mark_answer(at, 'o');
+        let words = ["expected normal", "your normal", "x o", "wi"];
+        for word in words {
+            assert!(plot.word(at, word, Side::Behind), "{word}");
+        }
+        let text = plot.lines().join("\n");
+        assert!(words.iter().all(|word| text.contains(word)), "{text}");
+        // Letters are no marks.
+        assert!(plot.has('o') && !plot.has('x'));
+        // In a full row there is no room.
+        let full = "y".repeat(WIDTH);
+        assert!(plot.word([0.5, 0.0], &full, Side::Within));
+        assert!(!plot.word([0.5, 0.0], "z", Side::Within));
     }
 }

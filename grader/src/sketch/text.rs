@@ -1,7 +1,7 @@
 //! A drawing in characters.
 
 use super::model::{Ink, Layout, Sketch, Stroke, TAxis};
-use super::plot::{Plot, Side};
+use super::plot::{BOTH, Plot, Side, both};
 use crate::report::wrap::{columns, wrap};
 
 /// Columns and lines of the shapes.
@@ -20,14 +20,15 @@ const AXIS: usize = 48;
 impl Sketch {
     /// The drawing in lines of at most `width` columns, with the meanings of its signs below.
     pub fn text(&self, width: usize) -> Vec<String> {
-        let mut lines = self.shapes();
-        let axis = self.axis.as_ref().map(TAxis::lines);
-        let signs = lines.iter().chain(axis.iter().flatten());
-        let both = signs.into_iter().any(|line| line.contains('*'));
-        let signs = self.meanings(both);
+        let Drawn {
+            shapes: mut lines,
+            axis,
+            signs,
+        } = self.drawn();
+        let meanings: Vec<String> = signs.iter().map(|(_, meaning)| meaning.clone()).collect();
         let meanings = match signs.is_empty() {
             true => self.caption.clone(),
-            false => format!("{}; {signs}", self.caption),
+            false => format!("{}; {}", self.caption, meanings.join(", ")),
         };
         // Beside the shapes if there is room, so that the drawing stays low.
         let widest = lines.iter().map(|line| columns(line)).max().unwrap_or(0);
@@ -36,17 +37,44 @@ impl Sketch {
             Some(last) => {
                 last.push_str(&" ".repeat(widest + GAP - columns(last)));
                 last.push_str(&meanings);
-                lines.extend(axis.into_iter().flatten());
+                lines.extend(axis);
             }
             None => {
-                lines.extend(axis.into_iter().flatten());
+                lines.extend(axis);
                 lines.extend(wrap(&format!("    {meanings}"), 4, width));
             }
         }
         lines
     }
 
-    fn shapes(&self) -> Vec<String> {
+    /// What is false of the drawing: [`false_signs`].
+    pub(crate) fn false_signs(&self) -> Vec<String> {
+        let words = self.strokes.iter().filter_map(|stroke| match stroke {
+            Stroke::Word(_, word) | Stroke::WordBefore(_, word) | Stroke::Name(_, word) => {
+                Some(word.trim()).filter(|word| !word.is_empty())
+            }
+            _ => None,
+        });
+        let of = |ink: Ink| self.shows(ink);
+        let is_twice = of(Ink::Expected) && of(Ink::Yours);
+        false_signs(&words.collect::<Vec<_>>(), &self.drawn(), is_twice)
+    }
+
+    fn drawn(&self) -> Drawn {
+        let plot = self.plot();
+        let (axis, on_axis) = match &self.axis {
+            Some(axis) => axis.lines(),
+            None => (Vec::new(), Vec::new()),
+        };
+        Drawn {
+            shapes: plot.lines(),
+            axis,
+            signs: self.signs_of_text(|sign| plot.has(sign) || on_axis.contains(&sign)),
+        }
+    }
+
+    /// The shapes, without the axis.
+    fn plot(&self) -> Plot {
         let [min, max] = self.bounds();
         let size = [max[0] - min[0], max[1] - min[1]];
         let mut plot = match self.layout {
@@ -70,8 +98,9 @@ impl Sketch {
                     true => WORDS,
                     false => 0,
                 };
-                let size = [before + columns + WORDS, lines.max(2)];
-                let min = [min[0] - before as f64 * unit / ASPECT, min[1]];
+                // And above and below for words that have no room there; empty lines are left out.
+                let size = [before + columns + WORDS, lines.max(2) + 2];
+                let min = [min[0] - before as f64 * unit / ASPECT, min[1] - unit];
                 let max = [
                     min[0] + (size[0] - 1) as f64 * unit / ASPECT,
                     min[1] + (size[1] - 1) as f64 * unit,
@@ -79,15 +108,18 @@ impl Sketch {
                 Plot::sized(min, max, size)
             }
         };
-        // A cell has one sign: marks first, then the ray, then shapes.
-        for stroke in &self.strokes {
-            if let Stroke::Mark(ink, at) = stroke {
-                let is_answer = matches!(ink, Ink::Expected | Ink::Yours);
-                match is_answer || self.layout == Layout::Shape {
-                    true => {
-                        plot.mark(*at, mark(*ink));
-                    }
-                    false => plot.set(*at, '|'),
+        // A cell has one sign: answers first, then other marks, then the ray, then shapes.
+        let is_answer = |ink: &Ink| matches!(ink, Ink::Expected | Ink::Yours);
+        for of_answers in [false, true] {
+            for stroke in &self.strokes {
+                let Stroke::Mark(ink, at) = stroke else {
+                    continue;
+                };
+                match (is_answer(ink), self.layout) {
+                    (is, _) if is != of_answers => {}
+                    (true, _) => plot.mark_answer(*at, mark(*ink)),
+                    (false, Layout::Shape) => plot.set(*at, mark(*ink)),
+                    (false, Layout::Rows) => plot.set(*at, '|'),
                 }
             }
         }
@@ -114,34 +146,100 @@ impl Sketch {
             match stroke {
                 Stroke::WordBefore(at, word) => plot.word(*at, word, Side::Before),
                 Stroke::Word(at, word) => plot.word(*at, word, Side::Behind),
-                Stroke::Name(at, word) if !word.trim().is_empty() => {
-                    plot.word(*at, word, Side::Around)
-                }
-                _ => {}
-            }
+                Stroke::Name(at, word) if !word.trim().is_empty() => match self.layout {
+                    Layout::Rows => plot.word(*at, word.trim(), Side::Within),
+                    Layout::Shape => plot.word(*at, word, Side::Around),
+                },
+                _ => true,
+            };
         }
-        plot.lines()
+        plot
     }
 
-    /// What the signs of the drawing mean; empty if it has none of these.
-    fn meanings(&self, both: bool) -> String {
+    /// The signs that are drawn, with their meanings.
+    fn signs_of_text(&self, is_drawn: impl Fn(char) -> bool) -> Vec<(char, String)> {
         let is_shape = self.layout == Layout::Shape;
         let meanings = [
-            (self.shows(Ink::Expected), "o expected"),
-            (self.shows(Ink::Yours), "x yours"),
-            (both, "* both"),
-            (is_shape && self.shows(Ink::Ray), "@ origin"),
-            (is_shape && self.has(Ink::Shape, true), "+ the ray passes"),
-            (self.shows(Ink::Light), "L light"),
-            (self.shows(Ink::Outside), ": out of range or not traced"),
+            ('o', self.shows(Ink::Expected), "o expected"),
+            ('x', self.shows(Ink::Yours), "x yours"),
+            (BOTH, true, self.both()),
+            ('@', is_shape && self.shows(Ink::Ray), "@ origin"),
+            (
+                '+',
+                is_shape && self.has(Ink::Shape, true),
+                "+ the ray passes",
+            ),
+            ('L', true, "L light"),
+            (
+                ':',
+                self.shows(Ink::Outside),
+                ": out of range or not traced",
+            ),
         ];
-        let all: Vec<&str> = meanings
+        let there = meanings
             .into_iter()
-            .filter(|(is_there, _)| *is_there)
-            .map(|(_, meaning)| meaning)
-            .collect();
-        all.join(", ")
+            .filter(|(sign, has, _)| *has && is_drawn(*sign));
+        there
+            .map(|(sign, _, meaning)| (sign, meaning.to_owned()))
+            .collect()
     }
+
+    /// The meaning of the sign of both answers: they may be apart by less than a character.
+    fn both(&self) -> &'static str {
+        let of = |ink: Ink| {
+            self.strokes.iter().filter_map(move |stroke| match stroke {
+                Stroke::Mark(of, at) if *of == ink => Some(*at),
+                _ => None,
+            })
+        };
+        let is_same = |a: f64, b: f64| (a - b).abs() <= SAME * a.abs().max(b.abs()).max(1.0);
+        let marks = of(Ink::Yours).all(|at| {
+            let mut expected = of(Ink::Expected);
+            expected.any(|other| (0..2).all(|i| is_same(at[i], other[i])))
+        });
+        let on_axis = self.axis.iter().all(|axis| {
+            let mut yours = axis.yours.iter();
+            yours.all(|t| axis.expected.iter().any(|other| is_same(*t, *other)))
+        });
+        match marks && on_axis {
+            true => "* expected and yours",
+            false => "* expected and yours, too near to be drawn apart",
+        }
+    }
+}
+
+/// Answers that differ by less are drawn as one.
+const SAME: f64 = 1e-9;
+
+/// A drawing before its meanings are put beside or below it.
+struct Drawn {
+    shapes: Vec<String>,
+    axis: Vec<String>,
+    /// The signs that are explained, with their meanings.
+    signs: Vec<(char, String)>,
+}
+
+/// What is false of a drawing with these words: a word that another one or a mark covers, a meaning
+/// without its sign, the sign of both answers where not both are drawn.
+fn false_signs(words: &[&str], drawn: &Drawn, is_twice: bool) -> Vec<String> {
+    let mut shapes = drawn.shapes.join("\n");
+    let mut found = Vec::new();
+    let mut longest_first = words.to_vec();
+    longest_first.sort_by_key(|word| std::cmp::Reverse(word.len()));
+    for word in longest_first {
+        match shapes.contains(word) {
+            true => shapes = shapes.replacen(word, &" ".repeat(word.len()), 1),
+            false => found.push(format!("the word \"{word}\" is covered")),
+        }
+    }
+    let axis = drawn.axis.first().map_or("", String::as_str);
+    let is_drawn = |sign: char| shapes.contains(sign) || axis.contains(sign);
+    let without = drawn.signs.iter().filter(|(sign, _)| !is_drawn(*sign));
+    found.extend(without.map(|(_, meaning)| format!("\"{meaning}\" is not drawn")));
+    if is_drawn(BOTH) && !is_twice {
+        found.push("both are said to be where one is".into());
+    }
+    found
 }
 
 /// Columns for words beside the first or the last point.
@@ -216,8 +314,8 @@ impl TAxis {
         [low - margin, high + margin]
     }
 
-    /// The axis with its marks, and the values below.
-    fn lines(&self) -> [String; 2] {
+    /// The axis with its marks and the values below, and the signs on it.
+    fn lines(&self) -> (Vec<String>, Vec<char>) {
         let [low, high] = self.extent();
         let column = |t: f64| {
             let share = ((t - low) / (high - low)).clamp(0.0, 1.0);
@@ -236,13 +334,20 @@ impl TAxis {
             }
         }
         line[AXIS - 1] = '>';
-        for t in &self.expected {
-            line[column(*t)] = 'o';
+        for (ts, mark) in [(&self.expected, 'o'), (&self.yours, 'x')] {
+            for t in ts {
+                let cell = &mut line[column(*t)];
+                *cell = both(*cell, mark);
+            }
         }
-        for t in &self.yours {
-            let cell = &mut line[column(*t)];
-            *cell = if *cell == 'o' { '*' } else { 'x' };
-        }
+        let range_signs: String = ['[', '=', ']']
+            .into_iter()
+            .filter(|c| line.contains(c))
+            .collect();
+        let range = match range_signs.as_str() {
+            "" => String::new(),
+            range => format!("  {range} range"),
+        };
         let mut below = String::new();
         for value in self.values() {
             let text = crate::report::wrap::shorten_numbers(&format!("{value}"), 4);
@@ -252,9 +357,40 @@ impl TAxis {
                 below.push_str(&text);
             }
         }
-        [
-            format!("  t {}  [=] range", line.into_iter().collect::<String>()),
-            format!("    {below}"),
-        ]
+        let axis = format!("  t {}{range}", line.iter().collect::<String>());
+        (vec![axis, format!("    {below}")], line)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What is found in a drawing of one line with a meaning each for `signs`.
+    fn found(line: &str, words: &[&str], signs: &str, is_twice: bool) -> Vec<String> {
+        let drawn = Drawn {
+            shapes: vec![line.into()],
+            axis: Vec::new(),
+            signs: signs.chars().map(|sign| (sign, sign.into())).collect(),
+        };
+        false_signs(words, &drawn, is_twice)
+    }
+
+    #[test]
+    fn false_signs_are_found() {
+        let normals = ["your normal", "expected normal"];
+        let both = "o your normal x expected normal";
+        assert_eq!(found(both, &normals, "ox", true), [""; 0]);
+        let covered = found("o yoxr normalormal", &normals, "o", true);
+        assert_eq!(covered.len(), 2, "{covered:?}");
+        // Letters of words are no marks.
+        assert_eq!(found(both, &normals, "@", true), ["\"@\" is not drawn"]);
+        assert_eq!(
+            found("o normal", &["normal"], "x", true),
+            ["\"x\" is not drawn"]
+        );
+        let one = ["both are said to be where one is"];
+        assert_eq!(found("*", &[], "*", false), one);
+        assert_eq!(found("*", &[], "*", true), [""; 0]);
     }
 }

@@ -134,7 +134,8 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
         if matches.get_flag("simplest") {
             let found = simplest::of_task(&workspace, &course, task)?;
             show_simplest(&task.key, &found);
-            if !found.accused.is_empty() {
+            let is_false = |shown: &simplest::Shown| !shown.false_claims.is_empty();
+            if !found.accused.is_empty() || found.shown.iter().any(is_false) {
                 exit = Exit::Failed;
             }
             continue;
@@ -469,6 +470,9 @@ fn show_simplest(task: &str, found: &Simplest) {
             None => "no simple call".into(),
         };
         outln!("  {}: {call}", shown.mutant);
+        for claim in &shown.false_claims {
+            outln!("  FALSE: {}: {claim}", shown.mutant);
+        }
         let drawn = shown.call.as_ref().and_then(|call| call.shown.as_ref());
         let sketch = drawn.and_then(Sketch::of);
         for line in sketch.iter().flat_map(|sketch| sketch.text(80)) {
@@ -513,7 +517,7 @@ fn show_marked_down(name: &str, graded: &run::Graded) {
     for case in cases.filter(|case| case.score < case.max_score) {
         let why = case
             .worst()
-            .map(|(_, worst)| worst.message.as_str())
+            .map(|(_, worst)| worst.message.to_string())
             .unwrap_or_default();
         outln!("    {}: {why}", case.name);
     }

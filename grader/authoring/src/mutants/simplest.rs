@@ -4,7 +4,8 @@ use super::run::{Graded, Kind, VersionsWorker};
 use base::{GraderError, Workspace};
 use grader::course::{Course, Task};
 use grader::diagnosis::simplest::{self, SimplestCall};
-use grader::report::message;
+use grader::report::{claims, message};
+use grader::score::regularity;
 use grader::workers::stage_workers::StageWorkers;
 use judge::cases::{self, Spec};
 use rayon::prelude::*;
@@ -30,6 +31,8 @@ pub struct Shown {
     pub call: Option<SimplestCall>,
     /// The digits of the worst answer, which was shown before there were simple calls.
     pub digits_of_worst: usize,
+    /// What is false of the call, and of what the wrong answers have in common above it.
+    pub false_claims: Vec<String>,
     /// How long the search took.
     pub took: Duration,
 }
@@ -44,9 +47,16 @@ impl Shown {
         let Graded { name, result, .. } = graded;
         let worst = result.failed_cases().find_map(|case| case.worst());
         let started = Instant::now();
+        let call = simplest::of_task(workers, &result, specs)?;
+        let wrong_where = call.as_ref().map_or(&[][..], |call| &call.wrong_where);
+        let common = regularity::beside(&result.key, &result.cases, specs, wrong_where);
+        let of_call = call
+            .iter()
+            .flat_map(|call| claims::false_of_call(call, &common));
         Ok(Shown {
             mutant: name,
-            call: simplest::of_task(workers, &result, specs)?,
+            false_claims: of_call.collect(),
+            call,
             digits_of_worst: worst.map_or(0, |(_, worst)| {
                 digits(&message::with_telling_digits(&worst.message))
             }),
@@ -128,6 +138,7 @@ fn numbers(text: &str) -> impl Iterator<Item = f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use judge::findings::Message;
 
     fn shown(input: &str) -> Shown {
         Shown {
@@ -136,13 +147,14 @@ mod tests {
                 case: String::new(),
                 aspect: None,
                 input: input.into(),
-                result: String::new(),
+                result: Message::default(),
                 test: None,
                 only: None,
-                circumstances: Vec::new(),
+                wrong_where: Vec::new(),
                 shown: None,
             }),
             digits_of_worst: 0,
+            false_claims: Vec::new(),
             took: Duration::ZERO,
         }
     }

@@ -7,6 +7,7 @@ use formats::{Graded, Outcome, Settings};
 use grader::course::Course;
 use grader::course::sources::SourceFile;
 use grader::report::{HintLevel, Report, Reveal, TaskReport, json};
+use grader::score::regularity::{Regularity, Shared};
 use grader::score::{CaseResult, Status, TaskResult};
 use judge::findings::{Aspect, Finding, Findings};
 use std::collections::BTreeMap;
@@ -77,7 +78,10 @@ fn graded(statuses: [Status; 4], wrong: [u32; 4], said: &str) -> Outcome {
             CaseResult::new(entry, "Rays at it. Pitfall: signs.", status, findings, &[])
         });
     let report = TaskReport {
-        regularities: vec!["wrong where t is large".into()],
+        regularities: vec![Regularity {
+            in_core: false,
+            shared: Shared::Circumstances(vec!["t is large"]),
+        }],
         worst_as_test: (wrong[0] + wrong[1] > 0).then(|| "#[test]\nfn worst() {}\n".to_owned()),
         ..TaskReport::from(TaskResult::new(task, cases.collect()))
     };

@@ -63,7 +63,7 @@ pub fn judge_each(
     let empty = Findings::without(not_written).with_messages();
     let (findings, mut wrong) = judge_in(empty, spec, tier, answer);
     wrong.retain(|wrong| is_about(spec, wrong.aspect));
-    wrong.sort_by_key(|wrong| wrong.call);
+    wrong.sort_by_key(|wrong| wrong.fault.call);
     (findings, wrong)
 }
 

@@ -40,10 +40,6 @@ impl Check for kind::Timing {
         None
     }
 
-    fn circumstances(_: &TimingWork, _: usize) -> Vec<&'static str> {
-        Vec::new()
-    }
-
     fn exact(_: &TimingWork, _: bool, _: &[u32]) -> Option<Vec<Fields>> {
         None
     }
@@ -80,10 +76,6 @@ impl Check for kind::TimeTest {
 
     fn input(_: &TestTiming, _: usize) -> Option<String> {
         None
-    }
-
-    fn circumstances(_: &TestTiming, _: usize) -> Vec<&'static str> {
-        Vec::new()
     }
 
     fn exact(_: &TestTiming, _: bool, _: &[u32]) -> Option<Vec<Fields>> {
@@ -130,10 +122,6 @@ impl Check for kind::Visits {
 
     fn input(_: &VisitsWork, _: usize) -> Option<String> {
         None
-    }
-
-    fn circumstances(_: &VisitsWork, _: usize) -> Vec<&'static str> {
-        Vec::new()
     }
 
     fn exact(_: &VisitsWork, _: bool, _: &[u32]) -> Option<Vec<Fields>> {

@@ -42,10 +42,6 @@ impl Check for kind::Picture {
         None
     }
 
-    fn circumstances(_: &PictureWork, _: usize) -> Vec<&'static str> {
-        Vec::new()
-    }
-
     fn exact(_: &PictureWork, _: bool, _: &[u32]) -> Option<Vec<Fields>> {
         None
     }

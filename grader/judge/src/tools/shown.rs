@@ -49,6 +49,8 @@ pub struct ShownRay {
     pub expected: Vec<f64>,
     /// The same, as the code returned it.
     pub yours: Vec<f64>,
+    /// The hit points, expected and yours, if both are known.
+    pub points: Option<[Vec3; 2]>,
     /// Whether a hit, a miss or either is right.
     pub decision: HitOrMiss,
     /// The normals at the hit, expected and yours, if both are known.
@@ -207,6 +209,7 @@ impl ShownRay {
             ray,
             expected: Vec::new(),
             yours: Vec::new(),
+            points: None,
             decision: HitOrMiss::Miss,
             normals: None,
             rows: Vec::new(),
@@ -230,10 +233,23 @@ impl ShownRay {
             scene,
             expected: right.map(|hit| hit.t).into_iter().collect(),
             yours: yours.and_then(|yours| yours.t).into_iter().collect(),
+            points: right
+                .zip(record)
+                .map(|(right, hit)| [right.p, hit.p.into()]),
             decision: expected.decision(),
             normals,
             rows: rows(expected, yours),
             ..ShownRay::new(ray)
+        }
+    }
+
+    /// The same without what the code returned, as of an answer that is a miss.
+    pub fn without_yours(self) -> ShownRay {
+        ShownRay {
+            yours: Vec::new(),
+            points: None,
+            normals: None,
+            ..self
         }
     }
 

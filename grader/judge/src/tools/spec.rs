@@ -275,8 +275,8 @@ impl Spec {
     }
 
     /// The circumstances of a call, of which mistakes often depend: each ends the sentence "wrong
-    /// only where ...".
-    pub fn circumstances(&self, call: usize) -> Vec<&'static str> {
+    /// only where ...". `None` if nothing is known of them.
+    pub fn circumstances(&self, call: usize) -> Option<Vec<&'static str>> {
         self.check.circumstances(&self.work, call)
     }
 

@@ -288,7 +288,7 @@ mod tests {
             let badness = f64::from(call as u32);
             let right = call < 5;
             findings.judge(Aspect::T, call, right, badness, || "1.5 ".repeat(100));
-            findings.judge(Aspect::Work, call, right, badness, || "900 tests".into());
+            findings.judge(Aspect::Work, call, right, badness, || "900 tests");
         }
         let lines: Vec<String> = findings.into_vec().iter().map(refutation).collect();
         assert_eq!(

@@ -285,7 +285,11 @@ fn describe(case: &CaseResult) -> String {
             finding.judged.max(finding.expected)
         );
         if let Some(worst) = &finding.worst {
-            let _ = writeln!(text, "<p class=\"worst\">{}</p>", escape(&worst.message));
+            let _ = writeln!(
+                text,
+                "<p class=\"worst\">{}</p>",
+                escape(&worst.message.to_string())
+            );
         }
     }
     if let Some((_, pitfall)) = case.about.split_once(PITFALL) {

@@ -11,7 +11,7 @@ use crate::report::worst_test;
 use crate::report::wrap::{columns, numbers_to_fit, one_line, wrap_to};
 use crate::report::{HintLevel, Reveal, TaskReport};
 use crate::report::{functions, message};
-use crate::score::regularity::{self, FEW_DIGITS};
+use crate::score::regularity::{self, Regularity};
 use crate::score::{CaseResult, Status, TaskResult, order};
 use crate::sketch::Sketch;
 use crate::workers::printed;
@@ -26,6 +26,8 @@ const SENTENCES: usize = 3;
 const MISTAKE: usize = 5;
 const MESSAGE: usize = 9;
 const RESULT: usize = 4;
+/// The simplest call and what was found there are not cut: other blocks are left out before.
+pub(in crate::report) const WHOLE: usize = 12;
 
 /// How many failed cases are described at the level that shows nothing else.
 const DESCRIBED: usize = 4;
@@ -202,8 +204,8 @@ fn simplest(out: &mut Lines, task: &TaskResult, call: &SimplestCall) {
         wrong_calls(out, &call.case, finding);
     }
     let input = message::input(call);
-    out.add(0, RESULT, &format!("  Simplest such call: {input}"));
-    out.add(0, RESULT, &format!("    {}", message::found(call)));
+    out.add(0, WHOLE, &format!("  Simplest such call: {input}"));
+    out.add(0, WHOLE, &format!("    {}", message::found(call)));
     if let Some(only) = &call.only {
         out.add(1, NAMES, &format!("    ({only})"));
     }
@@ -232,15 +234,19 @@ fn worst_answer(out: &mut Lines, cases: &[&CaseResult]) {
         return;
     };
     wrong_calls(out, &case.name, finding);
-    // The message ends with the question; both have a line of their own.
-    let (found, question) = message::parts(&worst.message);
-    let found = message::with_telling_digits(found);
-    out.add(0, RESULT, &format!("    {found}"));
-    if let Some(question) = question {
-        let line = format!("    Ray: {question}");
-        let lines = vec![numbers_to_fit(&line, out.page.width)];
-        out.blocks.push(Block { rank: 0, lines });
+    let found = format!("    {}", message::with_telling_digits(&worst.message));
+    let mut lines = wrap_to(&found, 4, out.page.width, RESULT);
+    if !worst.message.question.is_empty() {
+        let question = format!("    {}", worst.message.question);
+        let short = numbers_to_fit(&question, out.page.width);
+        // The question is cut only where it would push the rest off the page.
+        let room = (RESULT + 1).saturating_sub(lines.len());
+        match short.ends_with('…') && room > 1 {
+            true => lines.extend(wrap_to(&question, 4, out.page.width, room)),
+            false => lines.push(short),
+        }
     }
+    out.blocks.push(Block { rank: 0, lines });
 }
 
 /// Why the core cases that are right give few points, if the idea of the task is missing.
@@ -284,7 +290,7 @@ fn explanation(out: &mut Lines, report: &TaskReport, reveal: Reveal) {
         }
         None if reveal.hint >= HintLevel::Mistake && lost_core && !has_crashed => {
             let common = &report.regularities;
-            if !common.iter().any(|says| says.contains(FEW_DIGITS)) {
+            if !common.iter().any(Regularity::is_of_few_digits) {
                 out.add(2, 1, "  No single known mistake explains the answers.");
             }
             if reveal.hint >= HintLevel::Remedy {

@@ -4,8 +4,9 @@ use crate::report::HintLevel;
 use crate::report::wrap::columns;
 use crate::score::CaseResult;
 use crate::score::functions::FunctionShare;
+use crate::score::regularity::{Regularity, Shared};
 use crate::workers::printed::Printed;
-use judge::findings::{Aspect, Class, Findings};
+use judge::findings::{Aspect, Class, Findings, Message};
 use std::path::PathBuf;
 
 /// Text of words of every length, such as nobody would write.
@@ -21,11 +22,19 @@ fn nasty(length: usize) -> String {
     text.join(" ")
 }
 
+/// What wrong answers have in common.
+fn common(place: &str) -> Regularity {
+    Regularity {
+        in_core: false,
+        shared: Shared::Circumstances(vec![String::leak(place.to_owned())]),
+    }
+}
+
 /// A failed case with a wrong answer whose message is `message`.
-fn case(name: &str, tier: Tier, message: &str) -> CaseResult {
+fn case(name: &str, tier: Tier, message: impl Into<Message>) -> CaseResult {
     let mut findings = Findings::default();
     let class = Some(Class::FalseMiss);
-    findings.judge_class(Aspect::HitOrMiss, 3, class, 1.0, || message.to_owned());
+    findings.judge_class(Aspect::HitOrMiss, 3, class, 1.0, || message);
     CaseResult {
         tier,
         max_score: 2.0,
@@ -55,8 +64,9 @@ fn task(key: &str, title: &str, score: f64, cases: Vec<CaseResult>) -> TaskRepor
 /// A task that says all that a task can say, at great length.
 fn talkative(key: &str) -> TaskReport {
     let names = (0..40).map(|i| format!("a_case_with_a_rather_long_name_{i}"));
-    let message = format!("test_triangle: your result: {0}. Ray: o = {0}", nasty(40));
-    let cases = names.map(|name| case(&name, Tier::Core, &message));
+    let message = Message::new(format!("test_triangle: your result: {}", nasty(40)))
+        .asked(format!("Ray: o = {}", nasty(40)));
+    let cases = names.map(|name| case(&name, Tier::Core, message.clone()));
     TaskReport {
         diagnosis: Some(Diagnosis {
             mistakes: vec!["culled".into()],
@@ -67,7 +77,7 @@ fn talkative(key: &str) -> TaskReport {
             of: 2,
             certainty: Certainty::Perhaps,
         }),
-        regularities: vec![nasty(30), nasty(30), nasty(30)],
+        regularities: vec![common(&nasty(30)), common(&nasty(30)), common(&nasty(30))],
         test_file: Some(PathBuf::from("target/first-light/part1_task3.rs")),
         picture: Some(PathBuf::from("target/first-light/part1_task3.png")),
         ..task(key, &nasty(20), 1.0, cases.collect())
@@ -143,16 +153,16 @@ fn any_report_is_one_screen() {
 #[test]
 fn the_screen_has_what_helps_most() {
     let ray = "o = (1.25, 0.123456789012345678, 2.0), d = (0.333333333333333333, 0.6666666666666666, 0.6666666666666666), t in [0.0, inf]";
-    let message =
-        format!("test_triangle: your result: miss; expected: hit at t = 11.6. Ray: {ray}");
+    let result = "test_triangle: your result: miss; expected: hit at t = 11.6";
+    let message = Message::new(result.into()).asked(format!("Ray: {ray}"));
     let wrong = TaskReport {
-        regularities: vec!["never a false hit".into()],
+        regularities: vec![common("nothing is hit")],
         test_file: Some(PathBuf::from("target/first-light/part1_task3.rs")),
         ..task(
             "part1.task3",
             "Intersecting triangles",
             28.0,
-            vec![case("back_face", Tier::Core, &message)],
+            vec![case("back_face", Tier::Core, message)],
         )
     };
     let whole = task(
@@ -171,7 +181,7 @@ fn the_screen_has_what_helps_most() {
         "complete\n",
         "1 case fails\n",
         "part1.task3: 1 case fails: back_face\n",
-        "  In common: never a false hit.\n",
+        "  In common: wrong only where nothing is hit.\n",
         "  back_face: hit or miss wrong on 1 of 1 calls\n",
         "    test_triangle: your result: miss; expected: hit at t = 11.6\n",
         "    Ray: o = (1.25, 0.1235, 2.0), d = (0.3333, 0.6667, 0.6667), t in [0.0, inf]\n",
@@ -237,7 +247,7 @@ fn each_level_reveals_more() {
     };
     let wrong = TaskReport {
         diagnosis: Some(found),
-        regularities: vec!["never a false hit".into()],
+        regularities: vec![common("nothing is hit")],
         ..task(
             "part1.task3",
             "",
@@ -331,7 +341,7 @@ fn full_marks_are_a_success() {
         result: "your result: miss; expected: hit at t = 1.0".into(),
         test: None,
         only: None,
-        circumstances: Vec::new(),
+        wrong_where: Vec::new(),
         shown: None,
     });
     let invited = screen(vec![inviting], &context, reveal(HintLevel::Remedy));
@@ -539,9 +549,17 @@ fn a_right_case_with_an_unwritten_function_does_not_lack_the_idea() {
 
 #[test]
 fn a_cause_that_is_told_is_not_called_unknown() {
-    let says = |common: &str| {
+    let says = |class: Class| {
         let wrong = TaskReport {
-            regularities: vec![common.into()],
+            regularities: vec![Regularity {
+                in_core: false,
+                shared: Shared::Manner {
+                    aspect: Aspect::T,
+                    class,
+                    has_exceptions: false,
+                    is_robust: false,
+                },
+            }],
             ..task(
                 "part1.task3",
                 "",
@@ -553,11 +571,8 @@ fn a_cause_that_is_told_is_not_called_unknown() {
         let text = screen(vec![wrong], &context, reveal(HintLevel::Mistake));
         text.contains("single known mistake explains")
     };
-    assert!(says("wrong: t"));
-    assert!(!says(&format!(
-        "t: off by little: {}",
-        crate::score::regularity::FEW_DIGITS
-    )));
+    assert!(says(Class::Zero));
+    assert!(!says(Class::Rounded));
 }
 
 #[test]

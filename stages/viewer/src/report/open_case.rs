@@ -99,7 +99,7 @@ impl CaseContent {
 /// What is wrong in an aspect.
 fn sentence(finding: &Finding) -> String {
     match &finding.worst {
-        Some(worst) => worst.message.clone(),
+        Some(worst) => worst.message.to_string(),
         None => format!("{} is missing", finding.aspect.label()),
     }
 }

@@ -22,9 +22,9 @@ pub(super) fn input(work: &PixelWork, call: usize) -> Option<String> {
     ))
 }
 
-pub(super) fn circumstances(work: &PixelWork, call: usize) -> Vec<&'static str> {
+pub(super) fn circumstances(work: &PixelWork, call: usize) -> Option<Vec<&'static str>> {
     let at = work.pixels.get(call);
-    at.map(|at| of_pixel(work, *at)).unwrap_or_default()
+    at.map(|at| of_pixel(work, *at))
 }
 
 fn of_pixel(work: &PixelWork, [x, y]: [u32; 2]) -> Vec<&'static str> {

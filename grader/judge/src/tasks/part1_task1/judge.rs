@@ -4,7 +4,7 @@
 //! correct sampler passes: independent, jittered or low-discrepancy samples, in any order.
 
 use crate::tools::aspects::independence::{self, PixelSamples};
-use crate::tools::findings::{Aspect, Class, Findings};
+use crate::tools::findings::{Aspect, Class, Findings, Message, told_apart};
 use std::collections::{HashMap, HashSet};
 use wire::answer::PixelAnswer;
 use wire::work::{PixelWork, PixelWorld};
@@ -78,21 +78,26 @@ fn calls(findings: &mut Findings, call: usize, [x, y]: [u32; 2], ns_aa: u32, ans
         _ => Class::Named("count"),
     });
     findings.judge_class(Aspect::Calls, call, class, off as f64, || {
-        format!(
-            "your result: {points} calls of camera_ray, {traced} of trace_ray, and {} samples in the estimate; expected: {ns_aa} each. {input}",
+        Message::new(format!(
+            "your result: {points} calls of camera_ray, {traced} of trace_ray, and {} samples in the estimate; expected: {ns_aa} each",
             answer.samples
-        )
+        ))
+        .asked(input.clone())
     });
     let foreign = answer.traced.iter().filter(|from| from.is_none()).count();
     findings.judge(Aspect::Calls, call, foreign == 0, foreign as f64, || {
-        format!(
-            "trace_ray got {foreign} rays that camera_ray did not return: pass each ray on unchanged. {input}"
-        )
+        Message::new(format!(
+            "trace_ray got {foreign} rays that camera_ray did not return: pass each ray on unchanged"
+        ))
+        .asked(input.clone())
     });
     let distinct: HashSet<u32> = answer.traced.iter().flatten().copied().collect();
     let repeated = traced - foreign - distinct.len();
     findings.judge(Aspect::Calls, call, repeated == 0, repeated as f64, || {
-        format!("{repeated} of {traced} traced rays went through a point that was traced before. {input}")
+        Message::new(format!(
+            "{repeated} of {traced} traced rays went through a point that was traced before"
+        ))
+        .asked(input.clone())
     });
 }
 
@@ -121,25 +126,27 @@ fn placement(
             let [x, y] = pixel;
             let [w, h] = work.film;
             let (left, bottom) = (f64::from(x), f64::from(y));
-            let expected = if work.ns_aa == 1 {
-                format!(
-                    "the centre of the pixel, ({}, {})",
-                    (left + 0.5) / f64::from(w),
-                    (bottom + 0.5) / f64::from(h)
-                )
+            let [low, middle, high] = [0.0, 0.5, 1.0]
+                .map(|at| [(left + at) / f64::from(w), (bottom + at) / f64::from(h)]);
+            let (expected, nearest) = if work.ns_aa == 1 {
+                let [x, y] = middle;
+                (format!("the centre of the pixel, ({x}, {y})"), middle)
             } else {
-                format!(
-                    "a point of the pixel, from ({}, {}) to ({}, {})",
-                    left / f64::from(w),
-                    bottom / f64::from(h),
-                    (left + 1.0) / f64::from(w),
-                    (bottom + 1.0) / f64::from(h)
+                let [[x0, y0], [x1, y1]] = [low, high];
+                let nearest = [u.max(x0).min(x1), v.max(y0).min(y1)];
+                (
+                    format!("a point of the pixel, from ({x0}, {y0}) to ({x1}, {y1})"),
+                    nearest,
                 )
             };
-            format!(
-                "your result: a sample at ({u}, {v}); expected: {expected}. Pixel ({x}, {y}) of a film of {w} x {h}, ns_aa = {}",
+            Message::new(format!(
+                "your result: a sample at ({u}, {v}); expected: {expected}"
+            ))
+            .compares([u, v], nearest)
+            .asked(format!(
+                "Pixel ({x}, {y}) of a film of {w} x {h}, ns_aa = {}",
                 work.ns_aa
-            )
+            ))
         });
     }
 }
@@ -190,10 +197,12 @@ fn radiance(findings: &mut Findings, call: usize, [x, y]: [u32; 2], answer: &Pix
         }
     });
     findings.judge_class(Aspect::Radiance, call, class, worst, || {
-        format!(
-            "your result: radiance {:?}; expected: {mean:?}, the mean of the {samples} radiances that trace_ray returned. Pixel ({x}, {y})",
+        Message::new(format!(
+            "your result: radiance {:?}; expected: {mean:?}, the mean of the {samples} radiances that trace_ray returned",
             answer.radiance
-        )
+        ))
+        .compares(answer.radiance, mean)
+        .asked(format!("Pixel ({x}, {y})"))
     });
 }
 
@@ -259,8 +268,9 @@ fn spread(
         let is_right = off <= allowed;
         let class = (!is_right).then_some(Class::Named(fault));
         findings.judge_class(Aspect::Spread, 0, class, off / allowed, || {
+            let [mean, right] = told_apart(mean, right, 4);
             format!(
-                "your result: {name} is {mean:.4} over {} samples; expected: {right:.4} (allowed error {allowed:.4})",
+                "your result: {name} is {mean} over {} samples; expected: {right} (allowed error {allowed:.4})",
                 offsets.len()
             )
         });

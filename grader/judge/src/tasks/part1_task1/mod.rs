@@ -112,7 +112,7 @@ impl Check for kind::Pixels {
         call::input(work, call)
     }
 
-    fn circumstances(work: &PixelWork, call: usize) -> Vec<&'static str> {
+    fn circumstances(work: &PixelWork, call: usize) -> Option<Vec<&'static str>> {
         call::circumstances(work, call)
     }
 

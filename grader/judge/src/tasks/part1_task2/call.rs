@@ -38,11 +38,7 @@ pub(super) fn input(work: &CameraWork, call: usize) -> Option<String> {
 }
 
 /// The circumstances of a call.
-pub(super) fn circumstances(work: &CameraWork, call: usize) -> Vec<&'static str> {
-    of_camera_ray(work, call).unwrap_or_default()
-}
-
-fn of_camera_ray(work: &CameraWork, call: usize) -> Option<Vec<&'static str>> {
+pub(super) fn circumstances(work: &CameraWork, call: usize) -> Option<Vec<&'static str>> {
     let (camera, [u, v]) = inputs(work, call)?;
     let Camera {
         c2w,

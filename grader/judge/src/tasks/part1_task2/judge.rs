@@ -3,7 +3,7 @@
 use super::truth::direction;
 use crate::tools::Tier;
 use crate::tools::aspects::hits::{TOO_WIDE, WIDE, show};
-use crate::tools::findings::{Aspect, Class, Findings};
+use crate::tools::findings::{Aspect, Class, Findings, Message, told_apart};
 use kit::Vec3;
 use kit::camera::half_tan;
 use wire::work::{Camera, Ray, Xyz};
@@ -69,11 +69,13 @@ fn one(
     let off = (o - pos).length();
     let bound = ORIGIN_BOUND * pos.length();
     findings.judge(Aspect::Origin, call, off <= bound, off, || {
-        format!(
-            "your result: o = {}; expected: the camera's pos. {}",
+        Message::new(format!(
+            "your result: o = {}; expected: the camera's pos, {}",
             show(o),
-            input()
-        )
+            show(pos)
+        ))
+        .compares(o.to_array(), pos.to_array())
+        .asked(input())
     });
 
     let (d, right) = (Vec3::from(ray.d), direction(camera, point));
@@ -91,21 +93,23 @@ fn one(
     let class = (!is_right).then(|| Class::of_certain_direction(d, right));
     findings.judge_class(Aspect::Direction, call, class, off, || {
         let columns = columns(&camera.c2w);
-        format!(
-            "your result: d = {}; expected: {} (angle between them {:.3} degrees). {}, {columns}",
+        Message::new(format!(
+            "your result: d = {}; expected: {} (angle between them {} degrees)",
             show(d),
             show(right),
-            d.angle_between(right).to_degrees(),
-            input()
-        )
+            told_apart(d.angle_between(right).to_degrees(), 0.0, 3)[0]
+        ))
+        .compares(d.to_array(), right.to_array())
+        .asked(format!("{}, {columns}", input()))
     });
     let off = (length - 1.0).abs();
     findings.judge(Aspect::UnitLength, call, off <= UNIT_BOUND, off, || {
-        format!(
-            "your result: d = {} of length {length}; expected: length 1. {}",
-            show(d),
-            input()
-        )
+        Message::new(format!(
+            "your result: d = {} of length {length}; expected: length 1",
+            show(d)
+        ))
+        .compares([length], [1.0])
+        .asked(input())
     });
     for (name, given, right) in [
         ("min_t", ray.min_t, camera.n_clip),
@@ -114,14 +118,12 @@ fn one(
         let is_right = given.to_bits() == right.to_bits();
         let class = (!is_right).then_some(Class::Named(name));
         findings.judge_class(Aspect::Range, call, class, 1.0, || {
-            format!(
-                "your result: t in [{}, {}]; expected: n_clip to f_clip, [{}, {}]. {}",
-                ray.min_t,
-                ray.max_t,
-                camera.n_clip,
-                camera.f_clip,
-                input()
-            )
+            Message::new(format!(
+                "your result: t in [{}, {}]; expected: n_clip to f_clip, [{}, {}]",
+                ray.min_t, ray.max_t, camera.n_clip, camera.f_clip
+            ))
+            .compares([given], [right])
+            .asked(input())
         });
     }
 }

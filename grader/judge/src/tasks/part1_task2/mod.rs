@@ -110,7 +110,7 @@ impl Check for kind::CameraRays {
         call::input(work, call)
     }
 
-    fn circumstances(work: &CameraWork, call: usize) -> Vec<&'static str> {
+    fn circumstances(work: &CameraWork, call: usize) -> Option<Vec<&'static str>> {
         call::circumstances(work, call)
     }
 

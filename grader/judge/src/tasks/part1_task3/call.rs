@@ -22,16 +22,11 @@ pub(super) fn input(work: &TriangleWork, call: usize) -> Option<String> {
     Some(ray_and(&probe.ray, &triangle))
 }
 
-pub(super) fn circumstances(work: &TriangleWork, call: usize) -> Vec<&'static str> {
-    let Some(probe) = work.probes.get(call) else {
-        return Vec::new();
-    };
+pub(super) fn circumstances(work: &TriangleWork, call: usize) -> Option<Vec<&'static str>> {
+    let probe = work.probes.get(call)?;
     let triangle = convert::triangle(&work.triangles[probe.shape as usize]);
-    [
-        ray_circumstances(&probe.ray),
-        of_triangle(&triangle, &probe.ray),
-    ]
-    .concat()
+    let of_triangle = of_triangle(&triangle, &probe.ray);
+    Some([ray_circumstances(&probe.ray), of_triangle].concat())
 }
 
 fn of_triangle(triangle: &Triangle, ray: &Ray) -> Vec<&'static str> {

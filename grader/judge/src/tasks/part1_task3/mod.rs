@@ -96,7 +96,7 @@ impl Check for kind::Triangles {
         call::input(work, call)
     }
 
-    fn circumstances(work: &TriangleWork, call: usize) -> Vec<&'static str> {
+    fn circumstances(work: &TriangleWork, call: usize) -> Option<Vec<&'static str>> {
         call::circumstances(work, call)
     }
 

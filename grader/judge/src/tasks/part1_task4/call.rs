@@ -16,13 +16,11 @@ pub(super) fn input(work: &SphereWork, call: usize) -> Option<String> {
     Some(ray_and(&probe.ray, &sphere))
 }
 
-pub(super) fn circumstances(work: &SphereWork, call: usize) -> Vec<&'static str> {
-    let Some(probe) = work.probes.get(call) else {
-        return Vec::new();
-    };
+pub(super) fn circumstances(work: &SphereWork, call: usize) -> Option<Vec<&'static str>> {
+    let probe = work.probes.get(call)?;
     let (center, radius) = work.spheres[probe.shape as usize];
     let sphere = of_sphere(center.into(), radius, &probe.ray);
-    [ray_circumstances(&probe.ray), sphere].concat()
+    Some([ray_circumstances(&probe.ray), sphere].concat())
 }
 
 fn of_sphere(center: Vec3, radius: f64, ray: &Ray) -> Vec<&'static str> {

@@ -93,7 +93,7 @@ impl Check for kind::Spheres {
         call::input(work, call)
     }
 
-    fn circumstances(work: &SphereWork, call: usize) -> Vec<&'static str> {
+    fn circumstances(work: &SphereWork, call: usize) -> Option<Vec<&'static str>> {
         call::circumstances(work, call)
     }
 

@@ -91,10 +91,6 @@ impl Check for kind::BuildGrowth {
         None
     }
 
-    fn circumstances(_: &BuildGrowthWork, _: usize) -> Vec<&'static str> {
-        Vec::new()
-    }
-
     fn exact(_: &BuildGrowthWork, _: bool, _: &[u32]) -> Option<Vec<Fields>> {
         None
     }

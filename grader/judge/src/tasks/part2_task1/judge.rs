@@ -5,7 +5,7 @@
 
 use super::leaves;
 use super::structure::{Walk, walk};
-use crate::tools::findings::{Aspect, Class, Findings};
+use crate::tools::findings::{Aspect, Class, Findings, Message};
 use crate::tools::plural;
 use crate::tools::recorded::TreeWork;
 use kit::{Aabb, Vec3};
@@ -47,7 +47,7 @@ pub(crate) fn build(
     }
     let repeatable = answer.repeatable;
     findings.judge(Aspect::Repeatable, 0, repeatable, 1.0, || {
-        "your results: two different trees from the same boxes; expected: the same tree. Does it depend on the order of a hash map or on a random number?".into()
+        "your results: two different trees from the same boxes; expected: the same tree. Does it depend on the order of a hash map or on a random number?"
     });
     let tree = &answer.tree;
     let walk = match walk(tree, bounds.len()) {
@@ -107,17 +107,48 @@ fn judge_bounds(findings: &mut Findings, tree: &Tree, tight: &[Aabb], bounds: &[
             }
         });
         findings.judge_class(Aspect::Bounds, 0, class, missing, || {
-            format!(
-                "node {at}: your result: the box {}; expected: a box that contains the primitives below it, {}",
+            let ends = |b: &Aabb| [b.min.to_array(), b.max.to_array()].concat();
+            Message::new(format!(
+                "node {at}{}: your result: the box {}; expected: a box that contains the primitives below it, {}",
+                over(tree, at),
                 show(&given),
                 show(tight)
-            )
+            ))
+            .compares(ends(&given), ends(&given.union(*tight)))
         });
     }
     if tree.nodes.is_empty() {
         findings.judge(Aspect::Bounds, 0, true, 0.0, String::new);
     }
 }
+
+/// The primitives below a node, by which it is found in a drawing of the tree: ", over primitives
+/// 0 and 2". Empty for a node with many.
+fn over(tree: &Tree, at: usize) -> String {
+    let mut below = Vec::new();
+    let mut next = vec![at];
+    while let Some(at) = next.pop() {
+        match tree.nodes[at].kind {
+            NodeKind::Interior { left, right } => next.extend([right as usize, left as usize]),
+            NodeKind::Leaf { first, count } => {
+                let held = tree.order.iter().skip(first as usize);
+                below.extend(held.take(count as usize).copied());
+            }
+        }
+        if below.len() > FEW_PRIMITIVES {
+            return String::new();
+        }
+    }
+    let listed: Vec<String> = below.iter().map(u32::to_string).collect();
+    match listed.len() {
+        0 => String::new(),
+        1 => format!(", over primitive {}", listed[0]),
+        _ => format!(", over primitives {}", listed.join(" ")),
+    }
+}
+
+/// The most primitives below a node that are listed.
+const FEW_PRIMITIVES: usize = 5;
 
 /// The class of the box `given` of a leaf that holds `held`, places of `order`, if it is too small:
 /// of which primitives it is the box, so that the class does not depend on how the tree was split.
@@ -400,7 +431,7 @@ mod tests {
         assert!(failed.next().is_none());
         let (aspect, worst) = worst?;
         assert_eq!(aspect, Aspect::Work);
-        worst.map(|worst| worst.message)
+        worst.map(|worst| worst.message.to_string())
     }
 
     #[test]

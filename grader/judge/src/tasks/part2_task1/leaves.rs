@@ -82,7 +82,8 @@ mod tests {
         let mut findings = Findings::default();
         judge(&mut findings, &tree, &bounds, max_leaf_size);
         let list = findings.into_vec();
-        list[0].worst.as_ref().map(|worst| worst.message.clone())
+        let worst = list[0].worst.as_ref();
+        worst.map(|worst| worst.message.to_string())
     }
 
     #[test]

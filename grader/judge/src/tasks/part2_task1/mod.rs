@@ -126,10 +126,6 @@ impl Check for kind::Build {
         ))
     }
 
-    fn circumstances(_: &BuildWork, _: usize) -> Vec<&'static str> {
-        Vec::new()
-    }
-
     fn exact(_: &BuildWork, _: bool, _: &[u32]) -> Option<Vec<Fields>> {
         None
     }

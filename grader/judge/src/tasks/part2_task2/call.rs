@@ -18,12 +18,11 @@ pub(super) fn input(work: &BoxWork, call: usize) -> Option<String> {
     ))
 }
 
-pub(super) fn circumstances(work: &BoxWork, call: usize) -> Vec<&'static str> {
-    let Some(probe) = work.probes.get(call) else {
-        return Vec::new();
-    };
+pub(super) fn circumstances(work: &BoxWork, call: usize) -> Option<Vec<&'static str>> {
+    let probe = work.probes.get(call)?;
     let corners = work.boxes[probe.shape as usize].map(Vec3::from);
-    [ray_circumstances(&probe.ray), of_box(corners, &probe.ray)].concat()
+    let of_box = of_box(corners, &probe.ray);
+    Some([ray_circumstances(&probe.ray), of_box].concat())
 }
 
 fn of_box([min, max]: [Vec3; 2], ray: &Ray) -> Vec<&'static str> {

@@ -3,7 +3,7 @@
 use crate::tools::Tier;
 use crate::tools::aspects::hits;
 use crate::tools::convert;
-use crate::tools::findings::{Aspect, Class, Findings};
+use crate::tools::findings::{Aspect, Class, Findings, Message};
 use kit::{Aabb, Interval, Vec3};
 use oracle::{self, BoxJudgement, KernelClass};
 use wire::work::{Probe, Xyz};
@@ -57,10 +57,10 @@ pub(crate) fn boxes(
                 let [from, to] = verdict
                     .ends
                     .map_or([f64::NAN; 2], |(near, far)| [near.to_f64(), far.to_f64()]);
-                format!(
-                    "your result: miss; expected: inside from t = {from} to t = {to}. {}",
-                    about()
-                )
+                Message::new(format!(
+                    "your result: miss; expected: inside from t = {from} to t = {to}"
+                ))
+                .asked(about())
             }
             Some([from, to]) => {
                 let backwards = if ends_before_it_starts {
@@ -68,10 +68,10 @@ pub(crate) fn boxes(
                 } else {
                     ""
                 };
-                format!(
-                    "your result: inside from t = {from} to t = {to}{backwards}; expected: miss. {}",
-                    about()
-                )
+                Message::new(format!(
+                    "your result: inside from t = {from} to t = {to}{backwards}; expected: miss"
+                ))
+                .asked(about())
             }
         });
         let (true, Some([from, to])) = (decided, *answer) else {
@@ -85,10 +85,11 @@ pub(crate) fn boxes(
         let off = end.map_or(0.0, |(_, given, right)| (given - right).abs());
         findings.judge(Aspect::Interval, call, end.is_none(), off, || {
             let (which, given, right) = end.unwrap_or(("", from, from));
-            format!(
-                "your result: the interval {which}s at t = {given}; expected: t = {right}. {}",
-                about()
-            )
+            Message::new(format!(
+                "your result: the interval {which}s at t = {given}; expected: t = {right}"
+            ))
+            .compares([given], [right])
+            .asked(about())
         });
     }
 }

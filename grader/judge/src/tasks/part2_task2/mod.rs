@@ -105,7 +105,7 @@ impl Check for kind::Boxes {
         call::input(work, call)
     }
 
-    fn circumstances(work: &BoxWork, call: usize) -> Vec<&'static str> {
+    fn circumstances(work: &BoxWork, call: usize) -> Option<Vec<&'static str>> {
         call::circumstances(work, call)
     }
 

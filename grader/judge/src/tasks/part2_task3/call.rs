@@ -21,17 +21,19 @@ pub(super) fn input(world: &ScriptedWorld, call: usize) -> Option<String> {
                 self::node(world, node, *span, &scripted.prims)
             )
         });
-    let listed = few(each, "; ").filter(|listed| !listed.is_empty());
-    let listed = match listed {
-        Some(listed) => format!(": {listed}"),
-        None if world.tree.nodes.is_empty() => String::new(),
-        None => format!(" on {}", plural(levels(&world.tree), "level", "levels")),
+    let listed = match world.tree.nodes.len() {
+        0 => String::new(),
+        1..=LISTED_NODES => format!(": {}", each.collect::<Vec<_>>().join("; ")),
+        _ => overview(&world.tree),
     };
     Some(ray_and(
         &scripted.ray,
         &format!("a tree of {nodes}{listed}"),
     ))
 }
+
+/// The most nodes of a tree that are listed: those of every simple question but the deepest.
+const LISTED_NODES: usize = 9;
 
 /// The levels of a tree, in which children come after their parents.
 fn levels(tree: &Tree) -> usize {
@@ -47,6 +49,24 @@ fn levels(tree: &Tree) -> usize {
         }
     }
     level.into_iter().max().unwrap_or(0)
+}
+
+/// What is known of a tree that is too large to list: its levels, and whether it is a chain.
+fn overview(tree: &Tree) -> String {
+    let levels = plural(levels(tree), "level", "levels");
+    let is_single_leaf = |at: u32| {
+        let node = tree.nodes.get(at as usize);
+        node.is_some_and(|node| matches!(node.kind, NodeKind::Leaf { count: 1, .. }))
+    };
+    let is_chain = tree.nodes.iter().all(|node| match node.kind {
+        NodeKind::Interior { right, .. } => is_single_leaf(right),
+        NodeKind::Leaf { count, .. } => count == 1,
+    });
+    let chain = match is_chain {
+        true => ", each right child a leaf of one primitive",
+        false => "",
+    };
+    format!(" on {levels}{chain}")
 }
 
 /// A node: where the ray is in its box, and its children or where the ray hits its primitives.
@@ -77,15 +97,13 @@ fn node(
     }
 }
 
-pub(super) fn circumstances(world: &ScriptedWorld, call: usize) -> Vec<&'static str> {
-    let Some(scripted) = world.rays.get(call) else {
-        return Vec::new();
-    };
+pub(super) fn circumstances(world: &ScriptedWorld, call: usize) -> Option<Vec<&'static str>> {
+    let scripted = world.rays.get(call)?;
     let function = [
         (world.any_hit, "any hit is looked for"),
         (!world.any_hit, "the closest hit is looked for"),
     ];
-    [holding(&function), range_circumstances(&scripted.ray)].concat()
+    Some([holding(&function), range_circumstances(&scripted.ray)].concat())
 }
 
 /// Where the ray is in the boxes of the tree and where it hits primitives, and the closest hit.

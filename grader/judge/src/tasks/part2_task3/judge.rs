@@ -1,7 +1,7 @@
 //! Judges a traversal of a tree in a scripted world, whose test results are given.
 
 use crate::tools::aspects::hits;
-use crate::tools::findings::{Aspect, Class, Findings};
+use crate::tools::findings::{Aspect, Class, Findings, Message};
 use crate::tools::truth::tree_tests::{ANY_HIT_WORK_FACTOR, Tests, TracedRay, WORK_FACTOR};
 use std::collections::BTreeMap;
 use wire::answer::TraverseAnswer;
@@ -125,14 +125,16 @@ fn repeated(findings: &mut Findings, world: &ScriptedWorld, answers: &[TraverseA
         findings.judge_class(Aspect::Work, call, class, f64::from(repeated), || {
             let ray = hits::show_ray(&scripted.ray);
             if is_whole_list {
-                return format!(
-                    "your result: {function} tests all {all} primitives {} times; expected: in each leaf only its own, order[first .. first + count]. {ray}",
+                return Message::new(format!(
+                    "your result: {function} tests all {all} primitives {} times; expected: in each leaf only its own, order[first .. first + count]",
                     tests / all
-                );
+                ))
+                .asked(ray);
             }
-            format!(
-                "your result: {repeated} of {tests} primitive tests of {function} repeat one with the same ray; expected: none, since the tree holds each primitive once. Does each leaf test order[first .. first + count] only, and is each node visited once? {ray}"
-            )
+            Message::new(format!(
+                "your result: {repeated} of {tests} primitive tests of {function} repeat one with the same ray; expected: none, since the tree holds each primitive once. Does each leaf test order[first .. first + count] only, and is each node visited once?"
+            ))
+            .asked(ray)
         });
     }
 }
@@ -169,11 +171,7 @@ fn closest(findings: &mut Findings, call: usize, scripted: &ScriptedRay, answer:
             Some((id, t)) => format!("your result: miss; expected: primitive {id} at t = {t}"),
             None => "your result: hit; expected: miss".into(),
         };
-        format!(
-            "{results}.{} {}",
-            odd_tests(answer),
-            hits::show_ray(&scripted.ray)
-        )
+        Message::new(format!("{results}{}", odd_tests(answer))).asked(hits::show_ray(&scripted.ray))
     });
     if let (Some((id, t)), Some((given_t, given))) = (right, answer.hit) {
         let off = (given_t - t).abs();
@@ -184,22 +182,23 @@ fn closest(findings: &mut Findings, call: usize, scripted: &ScriptedRay, answer:
         });
         findings.judge_class(Aspect::T, call, class, off, || {
             let hint = if max_t_is_right {
-                " ray.max_t is right: is the hit returned that shortened the ray last?"
+                ". ray.max_t is right: is the hit returned that shortened the ray last?"
             } else {
                 ""
             };
-            format!(
-                "your result: primitive {given} at t = {given_t}; expected: primitive {id} at t = {t}.{hint}{} {}",
-                odd_tests(answer),
-                hits::show_ray(&scripted.ray)
-            )
+            Message::new(format!(
+                "your result: primitive {given} at t = {given_t}; expected: primitive {id} at t = {t}{}{hint}",
+                odd_tests(answer)
+            ))
+            .compares([given_t], [t])
+            .asked(hits::show_ray(&scripted.ray))
         });
         let is_there = in_range(scripted).any(|(id, at)| id == given && at == t);
         findings.judge(Aspect::Primitive, call, is_there, 1.0, || {
-            format!(
-                "your result: primitive {given}; expected: primitive {id} at t = {t}. {}",
-                hits::show_ray(&scripted.ray)
-            )
+            Message::new(format!(
+                "your result: primitive {given}; expected: primitive {id} at t = {t}"
+            ))
+            .asked(hits::show_ray(&scripted.ray))
         });
     }
     let hit_t = answer.hit.map(|(t, _)| t);
@@ -229,11 +228,7 @@ fn any(findings: &mut Findings, call: usize, scripted: &ScriptedRay, answer: &Tr
             }
             None => "your result: occluded; expected: not occluded".into(),
         };
-        format!(
-            "{results}.{} {}",
-            odd_tests(answer),
-            hits::show_ray(&scripted.ray)
-        )
+        Message::new(format!("{results}{}", odd_tests(answer))).asked(hits::show_ray(&scripted.ray))
     });
 }
 
@@ -241,7 +236,7 @@ fn any(findings: &mut Findings, call: usize, scripted: &ScriptedRay, answer: &Tr
 fn odd_tests(answer: &TraverseAnswer) -> String {
     if answer.unknown_boxes > 0 {
         return format!(
-            " It tested {} boxes that are no node's bounds: pass the bounds of the node to hit_box.",
+            ". It tested {} boxes that are no node's bounds: pass the bounds of the node to hit_box",
             answer.unknown_boxes
         );
     }
@@ -286,11 +281,11 @@ fn work(findings: &mut Findings, world: &ScriptedWorld, answers: &[TraverseAnswe
                 class => class,
             });
             findings.judge_class(Aspect::Work, call, class, times, || {
-                format!(
-                    "your result: {function} makes {tests} {what} tests{of_rays}; always the left child first makes {left}, always the right one {right}; expected: at most {most} times their mean, {}. {}",
-                    most * plain,
-                    hits::show_ray(&world.rays[call].ray)
-                )
+                Message::new(format!(
+                    "your result: {function} makes {tests} {what} tests{of_rays}; always the left child first makes {left}, always the right one {right}; expected: at most {most} times their mean, {}",
+                    most * plain
+                ))
+                .asked(hits::show_ray(&world.rays[call].ray))
             });
         };
         let most_boxes = match total.rays {

@@ -125,7 +125,7 @@ impl Check for kind::Traverse {
         call::input(work, call)
     }
 
-    fn circumstances(work: &ScriptedWorld, call: usize) -> Vec<&'static str> {
+    fn circumstances(work: &ScriptedWorld, call: usize) -> Option<Vec<&'static str>> {
         call::circumstances(work, call)
     }
 

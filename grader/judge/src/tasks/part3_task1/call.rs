@@ -13,8 +13,8 @@ pub(super) fn input(probes: &[LambertProbe], call: usize) -> Option<String> {
     ))
 }
 
-pub(super) fn circumstances(probes: &[LambertProbe], call: usize) -> Vec<&'static str> {
-    probes.get(call).map(of_lambert).unwrap_or_default()
+pub(super) fn circumstances(probes: &[LambertProbe], call: usize) -> Option<Vec<&'static str>> {
+    probes.get(call).map(of_lambert)
 }
 
 fn of_lambert(probe: &LambertProbe) -> Vec<&'static str> {

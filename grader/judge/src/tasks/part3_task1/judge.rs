@@ -6,7 +6,7 @@ use super::turns;
 use crate::tools::aspects::chance::{self, MIN_ESTIMATES};
 use crate::tools::aspects::hits::show;
 use crate::tools::aspects::numbers::{self, same_colour};
-use crate::tools::findings::{Aspect, Class, Findings};
+use crate::tools::findings::{Aspect, Class, Findings, Message};
 use kit::Vec3;
 use wire::direct::{LambertAnswer, LambertProbe};
 use wire::work::Xyz;
@@ -147,16 +147,15 @@ fn one(findings: &mut Findings, call: usize, probe: &LambertProbe, answer: &Lamb
     let Some(sample) = answer.sample else {
         let class = (wo.z != 0.0).then_some(Class::FalseMiss);
         findings.judge_class(Aspect::SampleOrNone, call, class, 1.0, || {
-            format!("your result: None; expected: a sample. {}", sample_input())
+            Message::new("your result: None; expected: a sample".into()).asked(sample_input())
         });
         return;
     };
     let class = (wo.z == 0.0).then_some(Class::FalseHit);
     findings.judge_class(Aspect::SampleOrNone, call, class, 1.0, || {
-        format!(
-            "your result: a sample; expected: None, since wo lies in the plane of the surface. {}",
-            sample_input()
-        )
+        Message::new("your result: a sample; expected: None".into())
+            .because(", since wo lies in the plane of the surface".into())
+            .asked(sample_input())
     });
     if wo.z == 0.0 {
         return;
@@ -171,12 +170,13 @@ fn one(findings: &mut Findings, call: usize, probe: &LambertProbe, answer: &Lamb
         (cosine_of(drawn_wi) == 0.0).then_some(Class::OtherSide)
     };
     findings.judge_class(Aspect::SampledDirection, call, class, off, || {
-        format!(
-            "your result: wi = {} of length {}; expected: a unit vector on the side of wo. {}",
+        Message::new(format!(
+            "your result: wi = {} of length {}; expected: a unit vector on the side of wo",
             show(drawn_wi),
-            drawn_wi.length(),
-            sample_input()
-        )
+            drawn_wi.length()
+        ))
+        .compares([drawn_wi.length()], [1.0])
+        .asked(sample_input())
     });
     // The same mistake gives other numbers for other sampled directions, so known mistakes have a
     // name.
@@ -196,10 +196,9 @@ fn one(findings: &mut Findings, call: usize, probe: &LambertProbe, answer: &Lamb
         .map(|(name, _)| Class::Named(name));
     if named.is_some() {
         findings.judge_class(Aspect::SampleRecord, call, named, 1.0, || {
-            format!(
-                "your result: f = {f:?}; expected: {share:?}. {}",
-                sample_input()
-            )
+            Message::new(format!("your result: f = {f:?}; expected: {share:?}"))
+                .compares(f, share)
+                .asked(sample_input())
         });
     } else {
         numbers::colour(
@@ -233,11 +232,12 @@ fn one(findings: &mut Findings, call: usize, probe: &LambertProbe, answer: &Lamb
         .map(|(name, _)| Class::Named(name));
     if named.is_some() {
         findings.judge_class(Aspect::SampleRecord, call, named, 1.0, || {
-            format!(
-                "your result: pdf = {pdf:?} for wi = {}; expected: {right:?}. {}",
-                show(drawn_wi),
-                sample_input()
-            )
+            Message::new(format!(
+                "your result: pdf = {pdf:?} for wi = {}; expected: {right:?}",
+                show(drawn_wi)
+            ))
+            .compares([pdf], [right])
+            .asked(sample_input())
         });
     } else {
         numbers::number(
@@ -252,11 +252,10 @@ fn one(findings: &mut Findings, call: usize, probe: &LambertProbe, answer: &Lamb
     }
     let usable = sample.pdf > 0.0 && !sample.delta;
     findings.judge(Aspect::SampleRecord, call, usable, 1.0, || {
-        format!(
-            "your result: pdf = {}, delta = {}; expected: a pdf above 0, and delta = false for a diffuse surface. {}",
-            sample.pdf,
-            sample.delta,
-            sample_input()
-        )
+        Message::new(format!(
+            "your result: pdf = {}, delta = {}; expected: a pdf above 0, and delta = false for a diffuse surface",
+            sample.pdf, sample.delta
+        ))
+        .asked(sample_input())
     });
 }

@@ -115,7 +115,7 @@ impl Check for kind::Lambert {
         call::input(work, call)
     }
 
-    fn circumstances(work: &Vec<LambertProbe>, call: usize) -> Vec<&'static str> {
+    fn circumstances(work: &Vec<LambertProbe>, call: usize) -> Option<Vec<&'static str>> {
         call::circumstances(work, call)
     }
 

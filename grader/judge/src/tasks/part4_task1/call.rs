@@ -23,8 +23,8 @@ pub(super) fn input(calls: &[SpecularCall], call: usize) -> Option<String> {
     Some(format!("{}: {}", function(call), arguments.join(", ")))
 }
 
-pub(super) fn circumstances(calls: &[SpecularCall], call: usize) -> Vec<&'static str> {
-    calls.get(call).map(of_specular).unwrap_or_default()
+pub(super) fn circumstances(calls: &[SpecularCall], call: usize) -> Option<Vec<&'static str>> {
+    calls.get(call).map(of_specular)
 }
 
 fn of_specular(call: &SpecularCall) -> Vec<&'static str> {

@@ -5,7 +5,7 @@ use crate::tools::Tier;
 use crate::tools::aspects::chance::{self, MIN_ESTIMATES};
 use crate::tools::aspects::hits::{TOO_WIDE, WIDE, show};
 use crate::tools::aspects::numbers;
-use crate::tools::findings::{Aspect, Class, Findings};
+use crate::tools::findings::{Aspect, Class, Findings, Message};
 use kit::{Tally, Vec3};
 use wire::global::{SpecularAnswer, SpecularCall};
 use wire::light::BsdfSample;
@@ -94,7 +94,9 @@ fn one(
             let class =
                 (off.is_nan() || off > bound).then(|| Class::of_signed_number(*share, right));
             findings.judge_class(Aspect::Fresnel, call, class, off, || {
-                format!("your result: {share:?}; expected: {right:?}. {input:?}")
+                Message::new(format!("your result: {share:?}; expected: {right:?}"))
+                    .compares([*share], [right])
+                    .asked(format!("{input:?}"))
             });
         }
         ((Right::Direction(right), bound), SpecularAnswer::Direction(wi)) => {
@@ -124,7 +126,8 @@ fn optional_direction(
     };
     findings.judge_class(Aspect::SampleOrNone, call, class, 1.0, || {
         let right = right.map_or("no direction".into(), show);
-        format!("your result: {answered:?}; expected: {right}. {input:?}")
+        Message::new(format!("your result: {answered:?}; expected: {right}"))
+            .asked(format!("{input:?}"))
     });
     if let Some(right) = right {
         findings.expect(Aspect::SampledDirection);
@@ -165,10 +168,12 @@ fn record(
         (off.is_nan() || off > bound).then(|| Class::of_signed_number(answered.pdf, right.pdf));
     let class = class.or((!answered.delta).then_some(Class::Wrong));
     findings.judge_class(Aspect::Pdf, call, class, off, || {
-        format!(
-            "your result: pdf = {:?}, delta = {}; expected: pdf = {:?}, delta = true. {input:?}",
+        Message::new(format!(
+            "your result: pdf = {:?}, delta = {}; expected: pdf = {:?}, delta = true",
             answered.pdf, answered.delta, right.pdf
-        )
+        ))
+        .compares([answered.pdf], [right.pdf])
+        .asked(format!("{input:?}"))
     });
     // The weight f · |cos θ| / pdf, by which a path multiplies its throughput.
     let arrives = |sample: &BsdfSample| sample.f.map(|f| f * sample.wi[2].abs() / sample.pdf);

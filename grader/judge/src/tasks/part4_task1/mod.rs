@@ -99,7 +99,7 @@ impl Check for kind::Specular {
         call::input(work, call)
     }
 
-    fn circumstances(work: &Vec<SpecularCall>, call: usize) -> Vec<&'static str> {
+    fn circumstances(work: &Vec<SpecularCall>, call: usize) -> Option<Vec<&'static str>> {
         call::circumstances(work, call)
     }
 

@@ -42,10 +42,13 @@ fn surface(step: &Step) -> String {
     )
 }
 
-pub(super) fn circumstances(paths: &[ScriptedPath], call: usize) -> Vec<&'static str> {
+pub(super) fn circumstances(paths: &[ScriptedPath], call: usize) -> Option<Vec<&'static str>> {
     let path = paths.get(call);
     path.map(|path| of_path(&path.steps, path.max_depth))
-        .unwrap_or_default()
+}
+
+fn is_lamp(step: &Step) -> bool {
+    matches!(step.material, Material::Emission(_))
 }
 
 fn of_path(steps: &[Step], max_depth: u32) -> Vec<&'static str> {
@@ -63,9 +66,11 @@ fn of_path(steps: &[Step], max_depth: u32) -> Vec<&'static str> {
             meets(|step| step.roulette.is_none()),
             "roulette ends the path",
         ),
+        (meets(is_lamp), "the path meets a lamp"),
         (
-            meets(|step| step.sample.is_none()),
-            "a surface gives no sample",
+            // A lamp scatters nothing: that it gives no sample says nothing of the code.
+            meets(|step| step.sample.is_none() && !is_lamp(step)),
+            "a surface that is no lamp gives no sample",
         ),
     ])
 }

@@ -5,10 +5,10 @@ use super::throughput;
 use super::truth::Right;
 use crate::tools::aspects::hits::show;
 use crate::tools::aspects::numbers;
-use crate::tools::findings::{Aspect, Class, Findings};
+use crate::tools::findings::{Aspect, Class, Findings, Message};
 use kit::Vec3;
 use wire::global::{PathAnswer, ScriptedPath, Step};
-use wire::work::Ray;
+use wire::work::{Ray, Xyz};
 
 /// Relative error allowed in a sum: a few roundings per bounce.
 pub(crate) const SUM_BOUND: f64 = 1e-11;
@@ -63,10 +63,7 @@ fn rays(
     let class = (traced != wanted).then(|| Class::of_size(traced as f64 - wanted as f64));
     let off = traced.abs_diff(wanted) as f64;
     findings.judge_class(Aspect::Rays, call, class, off, || {
-        format!(
-            "your result: {traced} rays; expected: {wanted}. {}",
-            about()
-        )
+        Message::new(format!("your result: {traced} rays; expected: {wanted}")).asked(about())
     });
     for (i, ray) in answer.rays.iter().enumerate().take(wanted) {
         findings.expect(Aspect::Direction);
@@ -92,13 +89,17 @@ fn rays(
                     let p = show(path.steps[i].p.into());
                     format!("an origin that Surface::leave returns at {p}, and the whole range")
                 });
-            format!(
-                "your result: ray {i} starts at {} with t in [{:?}, {:?}]; expected: {from}. {}",
+            let from_o = i
+                .checked_sub(1)
+                .map_or(path.ray.o, |before| path.steps[before].p);
+            Message::new(format!(
+                "your result: ray {i} starts at {} with t in [{:?}, {:?}]; expected: {from}",
                 show(ray.o.into()),
                 ray.min_t,
-                ray.max_t,
-                about()
-            )
+                ray.max_t
+            ))
+            .compares(ray.o, from_o)
+            .asked(about())
         });
     }
 }
@@ -130,10 +131,16 @@ fn direct(
         });
     findings.judge(Aspect::Questions, call, same, 1.0, || {
         let wanted: Vec<(u32, Vec3)> = wanted.iter().map(|(i, wo)| (*i, Vec3::from(*wo))).collect();
-        format!(
-            "your calls of direct: (surface, wo) {:?}; expected: {wanted:?}. {}",
-            answer.direct,
-            about()
+        let numbers = |(i, wo): &(u32, Xyz)| [f64::from(*i), wo[0], wo[1], wo[2]];
+        let of_wanted = wanted.iter().map(|(i, wo)| (*i, wo.to_array()));
+        Message::new(format!(
+            "your calls of direct: (surface, wo) {:?}; expected: {wanted:?}",
+            answer.direct
+        ))
+        .compares(
+            answer.direct.iter().flat_map(numbers),
+            of_wanted.flat_map(|call| numbers(&call)),
         )
+        .asked(about())
     });
 }

@@ -101,7 +101,7 @@ impl Check for kind::Paths {
         call::input(work, call)
     }
 
-    fn circumstances(work: &Vec<ScriptedPath>, call: usize) -> Vec<&'static str> {
+    fn circumstances(work: &Vec<ScriptedPath>, call: usize) -> Option<Vec<&'static str>> {
         call::circumstances(work, call)
     }
 

@@ -3,7 +3,7 @@
 use super::judge::SUM_BOUND;
 use super::truth::Right;
 use crate::tools::aspects::numbers::same_colour;
-use crate::tools::findings::{Aspect, Class, Findings};
+use crate::tools::findings::{Aspect, Class, Findings, Message};
 use kit::{Frame, Vec3};
 use wire::global::{PathAnswer, ScriptedPath, Step};
 use wire::light::BsdfSample;
@@ -85,11 +85,13 @@ pub(crate) fn judge(
         false => Some(Class::of_size(1.0 + off)),
     };
     findings.judge_class(Aspect::Throughput, call, class, 1.0 + off, || {
-        format!(
-            "your calls of roulette: (throughput, bounces, u) {:?}; expected: the throughputs {wanted:?} after 1, 2, ... bounces. {}",
-            answer.roulette_calls,
-            about()
-        )
+        let throughputs = answer.roulette_calls.iter().flat_map(|call| call.0);
+        Message::new(format!(
+            "your calls of roulette: (throughput, bounces, u) {:?}; expected: the throughputs {wanted:?} after 1, 2, ... bounces",
+            answer.roulette_calls
+        ))
+        .compares(throughputs, wanted.iter().flat_map(Vec3::to_array))
+        .asked(about())
     });
 }
 

@@ -110,10 +110,6 @@ impl Check for kind::Roulette {
         ))
     }
 
-    fn circumstances(_: &RouletteWork, _: usize) -> Vec<&'static str> {
-        Vec::new()
-    }
-
     fn exact(_: &RouletteWork, _: bool, _: &[u32]) -> Option<Vec<Fields>> {
         None
     }

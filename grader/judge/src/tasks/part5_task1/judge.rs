@@ -4,7 +4,7 @@ use super::placement;
 use super::truth::{converged, right_samples};
 use crate::tools::aspects::independence::{self, PixelSamples};
 use crate::tools::aspects::numbers;
-use crate::tools::findings::{Aspect, Class, Findings};
+use crate::tools::findings::{Aspect, Class, Findings, Message};
 use crate::tools::kinds::stopping::verdict;
 use kit::Tally;
 use wire::adaptive::{AdaptiveAnswer, AdaptivePixel, StopAnswer, StopCall};
@@ -102,10 +102,11 @@ fn pixel(findings: &mut Findings, call: usize, work: &AdaptivePixel, answer: &Ad
     let class = (!right).then(|| Class::of_number(f64::from(answer.samples), f64::from(samples)));
     let off = f64::from(answer.samples) - f64::from(samples);
     findings.judge_class(Aspect::Calls, call, class, off.abs(), || {
-        format!(
-            "your result: {} samples in the estimate, {} calls of trace_ray ({} of them with rays that camera_ray did not return), {} of camera_ray; expected: {samples} each. {}",
-            answer.samples, answer.traced, answer.foreign, counts[2], about()
-        )
+        Message::new(format!(
+            "your result: {} samples in the estimate, {} calls of trace_ray ({} of them with rays that camera_ray did not return), {} of camera_ray; expected: {samples} each",
+            answer.samples, answer.traced, answer.foreign, counts[2]
+        ))
+        .asked(about())
     });
     let (aspect, mean) = (Aspect::Radiance, mean(work, samples));
     numbers::colour(findings, aspect, call, answer.radiance, mean, BOUND, about);
@@ -175,12 +176,17 @@ fn questions(
     findings.judge_class(Aspect::Questions, call, class, 1.0 + off as f64, || {
         let show = |n: &Tally| (n.count(), n.mean(), n.variance(), work.tolerance);
         let wanted: Vec<_> = rule_calls.iter().take(4).map(show).collect();
-        let called: Vec<_> = answer.rule_calls.iter().take(4).collect();
-        format!(
-            "your result: {} calls of the rule, first with (count, mean, variance, tolerance) {called:?}; expected: {} calls, first {wanted:?}. {}",
+        let called: Vec<_> = answer.rule_calls.iter().take(4).copied().collect();
+        let numbers = |call: &(u64, f64, f64, f64)| [call.0 as f64, call.1, call.2, call.3];
+        Message::new(format!(
+            "your result: {} calls of the rule, first with (count, mean, variance, tolerance) {called:?}; expected: {} calls, first {wanted:?}",
             answer.rule_calls.len(),
-            rule_calls.len(),
-            about()
+            rule_calls.len()
+        ))
+        .compares(
+            called.iter().flat_map(numbers),
+            wanted.iter().flat_map(numbers),
         )
+        .asked(about())
     });
 }

@@ -74,10 +74,6 @@ impl Check for kind::Stop {
         work.get(call).map(stopping::input)
     }
 
-    fn circumstances(_: &Vec<StopCall>, _: usize) -> Vec<&'static str> {
-        Vec::new()
-    }
-
     fn exact(_: &Vec<StopCall>, _: bool, _: &[u32]) -> Option<Vec<Fields>> {
         None
     }
@@ -201,10 +197,6 @@ impl Check for kind::AdaptivePixels {
                     ", samples in turn {colours}"
                 ))
         ))
-    }
-
-    fn circumstances(_: &Vec<AdaptivePixel>, _: usize) -> Vec<&'static str> {
-        Vec::new()
     }
 
     fn exact(_: &Vec<AdaptivePixel>, _: bool, _: &[u32]) -> Option<Vec<Fields>> {

@@ -1,7 +1,7 @@
 //! Judges the stopping rule that waits until the plain rule is reliable.
 
 use super::truth::plain_decides;
-use crate::tools::findings::{Aspect, Class, Findings};
+use crate::tools::findings::{Aspect, Class, Findings, Message};
 use crate::tools::kinds::stopping::{samples, verdict};
 use wire::adaptive::{StopAnswer, StopCall};
 
@@ -29,9 +29,15 @@ pub(crate) fn sure_stop(findings: &mut Findings, calls: &[StopCall], answers: &[
             (plain_decides && answer.rule_calls.is_empty()).then_some(Class::Named("not asked"))
         };
         findings.judge_class(Aspect::Questions, i, class, 1.0, || {
-            format!(
+            let numbers = |call: &(u64, f64, f64)| [call.0 as f64, call.1, call.2];
+            let wanted = answer.rule_calls.iter().map(|_| right);
+            Message::new(format!(
                 "your calls of the plain rule: (count, mean, tolerance) {:?}; expected: only {right:?}",
                 answer.rule_calls
+            ))
+            .compares(
+                answer.rule_calls.iter().flat_map(numbers),
+                wanted.flat_map(|call| numbers(&call)),
             )
         });
     }

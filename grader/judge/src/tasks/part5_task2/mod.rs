@@ -82,10 +82,6 @@ impl Check for kind::SureStop {
         work.get(call).map(call::input)
     }
 
-    fn circumstances(_: &Vec<StopCall>, _: usize) -> Vec<&'static str> {
-        Vec::new()
-    }
-
     fn exact(_: &Vec<StopCall>, _: bool, _: &[u32]) -> Option<Vec<Fields>> {
         None
     }

@@ -2,7 +2,7 @@
 
 use crate::tools::Tier;
 use crate::tools::aspects::hits;
-use crate::tools::findings::{Aspect, Findings};
+use crate::tools::findings::{Aspect, Findings, Message};
 use kit::PrimId;
 use oracle::closest::{Closest, ClosestJudgement};
 use oracle::verdict::{Judgement, KernelClass};
@@ -116,23 +116,20 @@ fn one(
             Some((id, t)) => format!("primitive {} at t = {t}", id.0),
             None => "miss".into(),
         };
-        format!(
-            "your result: {result}; expected: {}. {}",
-            right(),
-            hits::show_ray(ray)
-        )
+        Message::new(format!("your result: {result}; expected: {}", right()))
+            .asked(hits::show_ray(ray))
     });
     let (true, Some((id, t))) = (decided, given) else {
         return;
     };
     let is_first = judgement != ClosestJudgement::WrongPrimitive;
     findings.judge(Aspect::Primitive, call, is_first, 1.0, || {
-        format!(
-            "your result: primitive {} at t = {t}; expected: {}. {}",
+        Message::new(format!(
+            "your result: primitive {} at t = {t}; expected: {}",
             id.0,
-            right(),
-            hits::show_ray(ray)
-        )
+            right()
+        ))
+        .asked(hits::show_ray(ray))
     });
     if let ClosestJudgement::Primitive(judgement) = judgement {
         let off = match judgement {
@@ -140,11 +137,9 @@ fn one(
             _ => 0.0,
         };
         findings.judge(Aspect::T, call, judgement.scores(), off, || {
-            format!(
-                "your result: t = {t}; expected: {}. {}",
-                right(),
-                hits::show_ray(ray)
-            )
+            Message::new(format!("your result: t = {t}; expected: {}", right()))
+                .compares([t], truth.nearest.as_ref().map(|(_, t)| t.to_f64()))
+                .asked(hits::show_ray(ray))
         });
     }
 }
@@ -168,10 +163,7 @@ fn blocked(
             ),
             None => ("occluded", "not occluded".to_string()),
         };
-        format!(
-            "your result: {result}; expected: {right}. {}",
-            hits::show_ray(ray)
-        )
+        Message::new(format!("your result: {result}; expected: {right}")).asked(hits::show_ray(ray))
     });
 }
 

@@ -104,11 +104,8 @@ impl Check for kind::SceneHits {
         call::input(work, call)
     }
 
-    fn circumstances(work: &SceneWork, call: usize) -> Vec<&'static str> {
-        work.rays
-            .get(call)
-            .map(ray_circumstances)
-            .unwrap_or_default()
+    fn circumstances(work: &SceneWork, call: usize) -> Option<Vec<&'static str>> {
+        work.rays.get(call).map(ray_circumstances)
     }
 
     fn exact(work: &SceneWork, enclosed: bool, calls: &[u32]) -> Option<Vec<Fields>> {

@@ -5,7 +5,7 @@
 //! that they always detect: each finding has it, each case states it for students ("A bias of 6 %
 //! is always detected"), and a test of the goldens checks that the two agree.
 
-use crate::tools::findings::{Aspect, Class, DirectionCounts, Findings};
+use crate::tools::findings::{Aspect, Class, DirectionCounts, Findings, told_apart};
 use kit::{Tally, Vec3};
 use statistics::chi_square;
 use statistics::{detectable_bias, sidak, two_sided};
@@ -44,21 +44,20 @@ pub(crate) fn mean(findings: &mut Findings, what: &str, numbers: &Tally, truth: 
     findings.expect(Aspect::Mean);
     findings.set_detectable(Aspect::Mean, sure);
     findings.judge_class(Aspect::Mean, 0, class, z.abs(), || {
+        let [mean, truth] = told_apart(numbers.mean(), truth, 5);
         if all_equal {
             let random = match numbers.mean() {
-                0.0 => format!("the mean {truth:.5}"),
-                _ => format!("random ones with the mean {truth:.5}. {FROM_THE_SAMPLER}"),
+                0.0 => format!("the mean {truth}"),
+                _ => format!("random ones with the mean {truth}. {FROM_THE_SAMPLER}"),
             };
             return format!(
-                "your result: {} {what} that are all {:.5}; expected: {random}",
-                numbers.count(),
-                numbers.mean()
+                "your result: {} {what} that are all {mean}; expected: {random}",
+                numbers.count()
             );
         }
         format!(
-            "your result: the mean of {} {what} is {:.5} ± {:.5}; expected: {truth:.5} (off by {:.1} standard errors, allowed {:.1}; a bias of {:.1} % is always detected)",
+            "your result: the mean of {} {what} is {mean} ± {:.5}; expected: {truth} (off by {:.1} standard errors, allowed {:.1}; a bias of {:.1} % is always detected)",
             numbers.count(),
-            numbers.mean(),
             numbers.standard_error(),
             z.abs(),
             statistics::critical_z(test_false_alarm()),

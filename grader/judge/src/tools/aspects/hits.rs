@@ -1,7 +1,7 @@
 //! Judges hit records against the exact hit.
 
 use crate::tools::errors::NumberError;
-use crate::tools::findings::{Aspect, Class, Findings, SAME};
+use crate::tools::findings::{Aspect, Class, Findings, Message, SAME};
 use crate::tools::truth::expected::{Expected, ExpectedHit, HitOrMiss};
 use kit::Vec3;
 use wire::answer::Hit;
@@ -78,12 +78,12 @@ pub(crate) fn expect(findings: &mut Findings, expected: &Expected, with_uv: bool
 
 impl Call<'_> {
     /// Judges one aspect. `message` describes the error; the ray is appended to it.
-    fn judge(
+    fn judge<M: Into<Message>>(
         &mut self,
         aspect: Aspect,
         right: bool,
         badness: f64,
-        message: impl FnOnce(&str) -> String,
+        message: impl FnOnce(&str) -> M,
     ) {
         self.judge_class(
             aspect,
@@ -94,17 +94,17 @@ impl Call<'_> {
     }
 
     /// Judges one aspect, with the class of a wrong answer; `None` if it is right.
-    fn judge_class(
+    fn judge_class<M: Into<Message>>(
         &mut self,
         aspect: Aspect,
         class: Option<Class>,
         badness: f64,
-        message: impl FnOnce(&str) -> String,
+        message: impl FnOnce(&str) -> M,
     ) {
         let (function, ray) = (self.function, self.ray);
         self.findings
             .judge_class(aspect, self.number, class, badness, || {
-                format!("{}. {}", message(function), show_ray(ray))
+                message(function).into().asked(show_ray(ray))
             });
     }
 
@@ -139,12 +139,14 @@ impl Call<'_> {
         self.judge_class(Aspect::HitOrMiss, class, 1.0, |function| match answered {
             None => {
                 let t = expected.hits.first().map_or(f64::NAN, |hit| hit.t);
-                format!("{function}: your result: miss; expected: hit at t = {t:?}")
+                Message::new(format!(
+                    "{function}: your result: miss; expected: hit at t = {t:?}"
+                ))
             }
-            Some(t) => format!(
-                "{function}: your result: hit at t = {t:?}; expected: miss, because {}",
-                expected.why_miss
-            ),
+            Some(t) => Message::new(format!(
+                "{function}: your result: hit at t = {t:?}; expected: miss"
+            ))
+            .because(format!(", because {}", expected.why_miss)),
         });
     }
 
@@ -159,9 +161,10 @@ impl Call<'_> {
         let is_in_range = min_t - rounding <= t && t <= max_t + rounding;
         let class = wrong_unless(is_in_range, || Class::FalseHit);
         self.judge_class(Aspect::HitOrMiss, class, 1.0, |function| {
-            format!(
+            Message::new(format!(
                 "{function}: your result: hit at t = {t:?}; expected: a hit with t from min_t = {min_t:?} to max_t = {max_t:?}"
-            )
+            ))
+            .compares([t], [t.max(min_t).min(max_t)])
         });
     }
 
@@ -177,10 +180,11 @@ impl Call<'_> {
         self.check_width(Aspect::T, bound, right.abs());
         let class = wrong_unless(off <= bound, || Class::of_number(answered, right));
         self.judge_class(Aspect::T, class, off / bound, |function| {
-            format!(
+            Message::new(format!(
                 "{function}: your result: t = {answered:?}; expected: {right:?} (error {off:.1e}, allowed {})",
                 allowed(bound)
-            )
+            ))
+            .compares([answered], [right])
         });
     }
 
@@ -199,10 +203,11 @@ impl Call<'_> {
         });
         self.judge_class(Aspect::Barycentrics, class, off / bound, |function| {
             let hint = if swapped { " (b1 and b2 are swapped)" } else { "" };
-            format!(
+            Message::new(format!(
                 "{function}: your result: b1 = {b1:?}, b2 = {b2:?}; expected: b1 = {:?}, b2 = {:?}{hint}",
                 right.x, right.y
-            )
+            ))
+            .compares([b1, b2], right.to_array())
         });
     }
 
@@ -251,12 +256,13 @@ impl Call<'_> {
         let off = worst((p - right).to_array());
         let class = wrong_unless(off <= bound, || self.position_class(expected, p));
         self.judge_class(Aspect::Position, class, off / bound, |function| {
-            format!(
+            Message::new(format!(
                 "{function}: your result: p = {}; expected: {} (error {off:.1e}, allowed {})",
                 show(p),
                 show(right),
                 allowed(bound)
-            )
+            ))
+            .compares(p.to_array(), right.to_array())
         });
         if let Some((surface, bound)) = expected.surface {
             let off = surface.distance(p);
@@ -303,13 +309,18 @@ impl Call<'_> {
             // A component of -0 is 0.
             let show = |n: Vec3| show(n + Vec3::ZERO);
             let result = format!("{function}: your result: {name} = {}", show(given));
+            let compared = |words: &str, n: Vec3| {
+                Message::new(format!("{result}; expected: {words}{}", show(n)))
+                    .compares(given.to_array(), n.to_array())
+            };
             match right {
-                _ if !is_unit => format!("{result} of length {length}; expected: length 1"),
-                Some(n) if worst((given + n).to_array()) <= bound => {
-                    format!("{result}; expected: the opposite, {}", show(n))
+                _ if !is_unit => {
+                    Message::new(format!("{result} of length {length}; expected: length 1"))
+                        .compares([length], [1.0])
                 }
-                Some(n) => format!("{result}; expected: {}", show(n)),
-                None => result,
+                Some(n) if worst((given + n).to_array()) <= bound => compared("the opposite, ", n),
+                Some(n) => compared("", n),
+                None => Message::new(result),
             }
         });
     }
@@ -365,9 +376,11 @@ impl Call<'_> {
             } else {
                 "a miss does not change max_t"
             };
-            format!(
-                "{function}: your result: ray.max_t = {after:?}; expected: {returned:?}, since {why}"
-            )
+            Message::new(format!(
+                "{function}: your result: ray.max_t = {after:?}; expected: {returned:?}"
+            ))
+            .because(format!(", since {why}"))
+            .compares([after], [returned])
         });
     }
 

@@ -1,7 +1,7 @@
 //! Judges colours, numbers and directions.
 
 use super::hits::{TOO_WIDE, WIDE, show};
-use crate::tools::findings::{Aspect, Class, Findings};
+use crate::tools::findings::{Aspect, Class, Findings, Message};
 use kit::Vec3;
 use wire::work::Xyz;
 
@@ -49,10 +49,9 @@ pub(crate) fn colour(
     let class = (!same_colour(answered, right, bound)).then(|| class_of(answered, right));
     check_width(findings, aspect, call, bound);
     findings.judge_class(aspect, call, class, off, || {
-        format!(
-            "your result: {answered:?}; expected: {right:?}. {}",
-            about()
-        )
+        Message::new(format!("your result: {answered:?}; expected: {right:?}"))
+            .compares(answered, right)
+            .asked(about())
     });
 }
 
@@ -71,7 +70,9 @@ pub(crate) fn number(
     let class = (!is_right).then(|| Class::of_signed_number(answered, right));
     check_width(findings, aspect, call, bound);
     findings.judge_class(aspect, call, class, off, || {
-        format!("your result: {answered}; expected: {right}. {}", about())
+        Message::new(format!("your result: {answered}; expected: {right}"))
+            .compares([answered], [right])
+            .asked(about())
     });
 }
 
@@ -90,11 +91,12 @@ pub(crate) fn direction(
     let class = (off.is_nan() || off > bound).then(|| Class::of_direction(answered, right));
     check_width(findings, aspect, call, bound);
     findings.judge_class(aspect, call, class, off, || {
-        format!(
-            "your result: {}; expected: {}. {}",
+        Message::new(format!(
+            "your result: {}; expected: {}",
             show(answered),
-            show(right),
-            about()
-        )
+            show(right)
+        ))
+        .compares(answered.to_array(), right.to_array())
+        .asked(about())
     });
 }

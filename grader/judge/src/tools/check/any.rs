@@ -94,7 +94,7 @@ pub(crate) trait AnyCheck: Debug + Sync {
     fn input(&self, work: &Work, call: usize) -> Option<String>;
 
     /// As [`Check::circumstances`].
-    fn circumstances(&self, work: &Work, call: usize) -> Vec<&'static str>;
+    fn circumstances(&self, work: &Work, call: usize) -> Option<Vec<&'static str>>;
 
     /// As [`Check::exact`].
     fn exact(&self, work: &Work, enclosed: bool, calls: &[u32]) -> Option<Vec<Fields>>;
@@ -249,7 +249,7 @@ impl<K: Check> AnyCheck for ErasedCheck<K> {
         K::input(Self::question(work), call)
     }
 
-    fn circumstances(&self, work: &Work, call: usize) -> Vec<&'static str> {
+    fn circumstances(&self, work: &Work, call: usize) -> Option<Vec<&'static str>> {
         K::circumstances(Self::question(work), call)
     }
 

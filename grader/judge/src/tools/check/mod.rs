@@ -143,8 +143,10 @@ pub(crate) trait Check: Kind {
     fn input(question: &Self::Question, call: usize) -> Option<String>;
 
     /// The circumstances of a call, of which mistakes often depend: each ends the sentence "wrong
-    /// only where ...".
-    fn circumstances(question: &Self::Question, call: usize) -> Vec<&'static str>;
+    /// only where ...". `None` if nothing is known of them.
+    fn circumstances(_: &Self::Question, _: usize) -> Option<Vec<&'static str>> {
+        None
+    }
 
     /// The right hit or interval of each of `calls`, as the fields of a record, without fields for
     /// a miss. `None` for work that computes neither. `enclosed` is [`CaseContext::enclosed`].

@@ -1,6 +1,6 @@
 //! The result of judging one aspect in one case.
 
-use super::{Aspect, Class};
+use super::{Aspect, Class, Message};
 use crate::tools::errors::{ErrorSpread, NumberError};
 use serde::Serialize;
 use std::fmt;
@@ -72,7 +72,7 @@ pub struct Worst {
     /// Rank among wrong answers; larger is worse.
     pub badness: f64,
     /// The student's result, the expected one and the input.
-    pub message: String,
+    pub message: Message,
 }
 
 impl Finding {
@@ -161,12 +161,12 @@ pub struct Fault {
     pub class: Class,
 }
 /// A wrong aspect of the answer to one call.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct WrongAnswer {
-    /// Which call of the case, counted from 0.
-    pub call: u32,
     /// Which aspect.
     pub aspect: Aspect,
+    /// The call, the function and the class.
+    pub fault: Fault,
     /// The student's result, the expected one and the input.
-    pub message: String,
+    pub message: Message,
 }

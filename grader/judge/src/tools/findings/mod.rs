@@ -4,6 +4,7 @@ mod aspect;
 mod class;
 mod distribution;
 mod finding;
+mod message;
 mod not_judged;
 
 pub use aspect::Aspect;
@@ -11,14 +12,17 @@ pub(crate) use class::SAME;
 pub use class::{BLACK_CHANNEL, Class};
 pub use distribution::{COUNTS, DirectionCounts};
 pub use finding::{Fault, Finding, FunctionCount, Worst, WrongAnswer};
+pub use message::Message;
+pub(crate) use message::told_apart;
 pub use not_judged::NotJudged;
 
 use crate::tools::errors::{ErrorSpread, NumberError};
 use std::cmp::Ordering;
 
 /// The number of digits that a reader of the message has to compare.
-fn digits(message: &str) -> usize {
-    message.bytes().filter(u8::is_ascii_digit).count()
+fn digits(message: &Message) -> usize {
+    let text = message.to_string();
+    text.bytes().filter(u8::is_ascii_digit).count()
 }
 
 /// The findings about a case, one for each aspect.
@@ -92,13 +96,13 @@ impl Findings {
     }
 
     /// Judges `aspect` of the answer to call number `call`; `badness` ranks the wrong answers.
-    pub fn judge(
+    pub fn judge<M: Into<Message>>(
         &mut self,
         aspect: Aspect,
         call: usize,
         right: bool,
         badness: f64,
-        message: impl FnOnce() -> String,
+        message: impl FnOnce() -> M,
     ) {
         let class = (!right).then(|| Class::of_size(badness));
         self.judge_class(aspect, call, class, badness, message);
@@ -106,13 +110,13 @@ impl Findings {
 
     /// Judges `aspect` of the answer to call number `call`, with the class of a wrong answer;
     /// `None` if it is right.
-    pub fn judge_class(
+    pub fn judge_class<M: Into<Message>>(
         &mut self,
         aspect: Aspect,
         call: usize,
         class: Option<Class>,
         badness: f64,
-        message: impl FnOnce() -> String,
+        message: impl FnOnce() -> M,
     ) {
         let call = u32::try_from(call).unwrap_or(u32::MAX);
         let (function, counted_for) = (self.function, self.counted_for);
@@ -129,12 +133,13 @@ impl Findings {
         let Some(class) = class else { return };
         let again = finding.faults.last().is_some_and(|last| last.call == call);
         finding.wrong += u32::from(!again);
-        finding.faults.push(Fault {
+        let fault = Fault {
             call,
             function,
             counts_for: counted_for,
             class,
-        });
+        };
+        finding.faults.push(fault);
         // NaN ranks as the worst.
         let badness = if badness.is_nan() {
             f64::INFINITY
@@ -147,7 +152,7 @@ impl Findings {
         if compared == Some(Ordering::Less) && !keeps_messages {
             return;
         }
-        let message = message();
+        let message: Message = message().into();
         // Of errors of about the same size, the one with the fewest digits to read.
         let is_worst = match (compared, worst) {
             (Some(Ordering::Equal), Some(worst)) => digits(&message) < digits(&worst.message),
@@ -162,8 +167,8 @@ impl Findings {
         }
         if let Some(all) = &mut self.wrong_answers {
             all.push(WrongAnswer {
-                call,
                 aspect,
+                fault,
                 message,
             });
         }
@@ -287,7 +292,7 @@ mod tests {
                 findings.judge(Aspect::T, call, false, *badness, || message.to_string());
             }
             let finding = findings.into_vec().remove(0);
-            finding.worst.map(|worst| worst.message)
+            finding.worst.map(|worst| worst.message.to_string())
         };
         let all = [
             (1.0, "1.741 against 1.74"),

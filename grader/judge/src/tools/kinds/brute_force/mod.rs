@@ -113,11 +113,8 @@ impl Check for kind::BruteForce {
         call::input(work, call)
     }
 
-    fn circumstances(work: &BruteForceWork, call: usize) -> Vec<&'static str> {
-        work.rays
-            .get(call)
-            .map(ray_circumstances)
-            .unwrap_or_default()
+    fn circumstances(work: &BruteForceWork, call: usize) -> Option<Vec<&'static str>> {
+        work.rays.get(call).map(ray_circumstances)
     }
 
     fn exact(work: &BruteForceWork, enclosed: bool, calls: &[u32]) -> Option<Vec<Fields>> {

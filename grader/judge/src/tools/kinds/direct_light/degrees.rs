@@ -34,7 +34,6 @@ pub(super) fn judge(findings: &mut Findings, work: &DirectWork, directions: &[Op
     findings.judge_class(Aspect::Spread, 0, class, 1.0, || {
         "your directions go round the normal 57.3 times while the random number goes from 0 to 1; \
          expected: once, from 0 to 2π. Sine and cosine take radians."
-            .into()
     });
 }
 

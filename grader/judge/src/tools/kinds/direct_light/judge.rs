@@ -10,7 +10,7 @@ use super::terms::{self, Term};
 use crate::tools::aspects::chance::{self, MIN_ESTIMATES};
 use crate::tools::aspects::hits::show;
 use crate::tools::aspects::numbers;
-use crate::tools::findings::{Aspect, Class, Findings};
+use crate::tools::findings::{Aspect, Class, Findings, Message};
 use kit::{Tally, Vec3};
 use std::collections::HashSet;
 use std::f64::consts::TAU;
@@ -171,11 +171,9 @@ impl Estimate<'_> {
             let off = (Vec3::from(answered) - right).length();
             findings.judge_class(aspect, call, class, off, || {
                 let right = right.to_array();
-                format!(
-                    "your result: {answered:?}; expected: {right:?}. {}{}",
-                    terms::text(terms),
-                    self.about()
-                )
+                Message::new(format!("your result: {answered:?}; expected: {right:?}"))
+                    .compares(answered, right)
+                    .asked(format!("{}{}", terms::text(terms), self.about()))
             });
             return;
         }
@@ -216,12 +214,12 @@ impl Estimate<'_> {
             findings.expect(Aspect::Range);
             let whole = recorded.ray.min_t == 0.0 && recorded.ray.max_t == f64::INFINITY;
             findings.judge(Aspect::Range, self.call, whole, 1.0, || {
-                format!(
-                    "your result: a ray with the range [{:?}, {:?}]; expected: [0, inf]. {}",
-                    recorded.ray.min_t,
-                    recorded.ray.max_t,
-                    self.about()
-                )
+                let [from, to] = [recorded.ray.min_t, recorded.ray.max_t];
+                Message::new(format!(
+                    "your result: a ray with the range [{from:?}, {to:?}]; expected: [0, inf]"
+                ))
+                .compares([from, to], [0.0, f64::INFINITY])
+                .asked(self.about())
             });
             findings.expect(Aspect::Direction);
             let side = self.place.frame.to_local(d).z * self.place.wo.z;
@@ -232,11 +230,16 @@ impl Estimate<'_> {
                 (side < 0.0).then_some(wrong_side)
             };
             findings.judge_class(Aspect::Direction, self.call, class, 1.0, || {
-                format!(
-                    "your result: a ray along d = {}; expected: a unit vector on the side of wo. {}",
-                    show(d),
-                    self.about()
-                )
+                let length = match class {
+                    Some(Class::WrongLength) => format!(" of length {length}"),
+                    _ => String::new(),
+                };
+                Message::new(format!(
+                    "your result: a ray along d = {}{length}; expected: a unit vector on the side of wo",
+                    show(d)
+                ))
+                .compares([d.length()], [1.0])
+                .asked(self.about())
             });
             let seen = Vec3::from(recorded.seen);
             sum += self.place.scattered(d) * seen;
@@ -259,11 +262,11 @@ impl Estimate<'_> {
             findings.expect(Aspect::Radiance);
             let class = Some(Class::Named("without rays"));
             findings.judge_class(Aspect::Radiance, self.call, class, 1.0, || {
-                format!(
-                    "your result: {:?} without tracing a ray; expected: the sum over at least {wanted}. {}",
-                    self.answer.radiance,
-                    self.about()
-                )
+                Message::new(format!(
+                    "your result: {:?} without tracing a ray; expected: the sum over at least {wanted}",
+                    self.answer.radiance
+                ))
+                .asked(self.about())
             });
         }
         lacks
@@ -344,12 +347,12 @@ impl Estimate<'_> {
         findings.expect(Aspect::Radiance);
         let class = Some(Class::Named("wrong ends"));
         findings.judge_class(Aspect::Radiance, self.call, class, 1.0, || {
-            format!(
-                "your result: a shadow ray with max_t = {:?}; expected: it ends just before its light, at t = {far:?}. The sum {:?} is right for these rays. {}",
-                recorded.ray.max_t,
-                self.answer.radiance,
-                self.about()
-            )
+            Message::new(format!(
+                "your result: a shadow ray with max_t = {:?}; expected: it ends just before its light, at t = {far:?}. The sum {:?} is right for these rays",
+                recorded.ray.max_t, self.answer.radiance
+            ))
+            .compares([recorded.ray.max_t], [far])
+            .asked(self.about())
         });
     }
 
@@ -442,19 +445,20 @@ impl Estimate<'_> {
         findings.expect(Aspect::Range);
         let goes_to_light = !matches!(target, Target::None);
         findings.judge(Aspect::Direction, self.call, goes_to_light, 1.0, || {
-            format!(
-                "your result: a shadow ray with d = {:?}; expected: it goes to a light that contributes here. {}",
-                recorded.ray.d,
-                self.about()
-            )
+            Message::new(format!(
+                "your result: a shadow ray with d = {:?}; expected: it goes to a light that contributes here",
+                recorded.ray.d
+            ))
+            .asked(self.about())
         });
         let is_useless = self.place.scattered(recorded.ray.d.into()) == Vec3::ZERO;
         findings.judge(Aspect::Rays, self.call, !is_useless, 1.0, || {
-            format!(
-                "your result: a shadow ray along d = {:?}; expected: none, since no light from there is scattered to wo. {}",
-                recorded.ray.d,
-                self.about()
-            )
+            Message::new(format!(
+                "your result: a shadow ray along d = {:?}; expected: none",
+                recorded.ray.d
+            ))
+            .because(", since no light from there is scattered to wo".into())
+            .asked(self.about())
         });
         let (Target::Light { far, .. } | Target::WrongEnd { far, .. }) = *target else {
             return;
@@ -464,12 +468,12 @@ impl Estimate<'_> {
             far == f64::INFINITY && recorded.ray.max_t == far || gap > 0.0 && gap <= LONGEST_GAP;
         let right = recorded.ray.min_t == 0.0 && ends_right;
         findings.judge(Aspect::Range, self.call, right, 1.0, || {
-            format!(
-                "your result: a shadow ray with the range [{:?}, {:?}]; expected: from 0 to just before the light at t = {far:?}. {}",
-                recorded.ray.min_t,
-                recorded.ray.max_t,
-                self.about()
-            )
+            let [from, to] = [recorded.ray.min_t, recorded.ray.max_t];
+            Message::new(format!(
+                "your result: a shadow ray with the range [{from:?}, {to:?}]; expected: from 0 to just before the light at t = {far:?}"
+            ))
+            .compares([from, to], [0.0, far])
+            .asked(self.about())
         });
     }
 
@@ -489,10 +493,8 @@ impl Estimate<'_> {
             } else {
                 format!("{least} to {most}")
             };
-            format!(
-                "your result: {traced} rays; expected: {right}. {}",
-                self.about()
-            )
+            Message::new(format!("your result: {traced} rays; expected: {right}"))
+                .asked(self.about())
         });
     }
 
@@ -503,12 +505,13 @@ impl Estimate<'_> {
         let off = (Vec3::from(recorded.ray.o) - right).length();
         let class = (off.is_nan() || off > ORIGIN_BOUND).then(|| Class::of_offset(off));
         findings.judge_class(Aspect::Origin, self.call, class, off, || {
-            format!(
-                "your result: a ray with the origin {}; expected: {}, from Surface::leave. {}",
+            Message::new(format!(
+                "your result: a ray with the origin {}; expected: {}, from Surface::leave",
                 show(recorded.ray.o.into()),
-                show(right),
-                self.about()
-            )
+                show(right)
+            ))
+            .compares(recorded.ray.o, right.to_array())
+            .asked(self.about())
         });
     }
 
@@ -532,10 +535,10 @@ impl Estimate<'_> {
         let (all, different) = (self.answer.rays.len(), different.len());
         let right = all == different;
         findings.judge(Aspect::Spread, self.call, right, 1e3, || {
-            format!(
-                "only {different} of {all} rays have different directions: each sample needs its own random numbers. {}",
-                self.about()
-            )
+            Message::new(format!(
+                "only {different} of {all} rays have different directions: each sample needs its own random numbers"
+            ))
+            .asked(self.about())
         });
     }
 }

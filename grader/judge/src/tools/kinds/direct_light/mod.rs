@@ -128,10 +128,6 @@ impl Check for kind::Direct {
         call::input(work, call)
     }
 
-    fn circumstances(_: &DirectWork, _: usize) -> Vec<&'static str> {
-        Vec::new()
-    }
-
     fn exact(_: &DirectWork, _: bool, _: &[u32]) -> Option<Vec<Fields>> {
         None
     }

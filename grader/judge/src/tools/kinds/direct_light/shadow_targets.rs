@@ -139,7 +139,8 @@ mod tests {
             assert_eq!(wrong(&findings), [Aspect::Range, Aspect::Radiance], "{end}");
             for finding in findings.iter().filter(|finding| finding.wrong > 0) {
                 let worst = finding.worst.as_ref().expect("it has a message");
-                assert!(worst.message.contains("just before"), "{}", worst.message);
+                let message = worst.message.to_string();
+                assert!(message.contains("just before"), "{message}");
             }
         }
     }

@@ -180,19 +180,20 @@ fn archives(folder: &Path) {
 /// Reads the class in `folder`. Returns what is said about each, by its name.
 fn read(folder: &Path, containment: Containment, before: Option<&str>) -> BTreeMap<String, String> {
     let program = Path::new(env!("CARGO_BIN_EXE_class"));
-    read_by(program, folder, containment, before)
+    read_by(program, folder, containment, before, LIMITS)
 }
 
-/// The same, with this program instead of `class`.
+/// The same, with this program instead of `class`, and these limits.
 fn read_by(
     program: &Path,
     folder: &Path,
     containment: Containment,
     before: Option<&str>,
+    limits: ReadingLimits,
 ) -> BTreeMap<String, String> {
     let workspace = workspace();
     let course = Course::read(&workspace).expect("a course");
-    let reader = Reader::new(program, &workspace, containment, LIMITS);
+    let reader = Reader::new(program, &workspace, containment, limits);
     let settings = Settings {
         what: "part1".into(),
         seed: 7,
@@ -264,7 +265,13 @@ fn git_is_read_within_limits() {
     ] {
         let program = with_git_that(&folder.path().join(number.to_string()), &lists);
         let class = folder.path().join("class");
-        let said = read_by(&program, &class, Containment::None, Some("2026-11-20"));
+        let said = read_by(
+            &program,
+            &class,
+            Containment::None,
+            Some("2026-11-20"),
+            LIMITS,
+        );
         assert_said(&said, &[("anna", expected), ("zoe", expected)]);
     }
 }
@@ -343,7 +350,8 @@ fn a_machine_that_cannot_read_its_own_course_reads_nothing() {
         },
         little,
     ] {
-        let said = read(folder.path(), Containment::None, None, limits);
+        let program = Path::new(env!("CARGO_BIN_EXE_class"));
+        let said = read_by(program, folder.path(), Containment::None, None, limits);
         assert_said(&said, &[("anna", "not read: ")]);
     }
 }

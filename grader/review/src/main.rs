@@ -37,6 +37,10 @@ mod tests {
     #[test]
     fn the_stored_help_is_that_of_the_commands() {
         let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
-        base::program::check_help(subprogram_command([review::command(), bless::command(), programs::look()]), folder).unwrap();
+        base::program::check_help(
+            subprogram_command([review::command(), bless::command(), programs::look()]),
+            folder,
+        )
+        .unwrap();
     }
 }

@@ -199,7 +199,10 @@ mod tests {
         };
         let join = Join::of(&roster, &["ada", "ADA"]);
         assert_eq!(join.submissions, [None, None]);
-        assert_eq!([0, 1].map(|i| has_several(&join, &roster, i)), [true, false]);
+        assert_eq!(
+            [0, 1].map(|i| has_several(&join, &roster, i)),
+            [true, false]
+        );
     }
 
     #[test]

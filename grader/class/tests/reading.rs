@@ -77,13 +77,13 @@ fn with_git_that(folder: &Path, lists: &str) -> PathBuf {
         std::fs::set_permissions(&path, rights).expect("rights");
         path
     };
-    let git = format!(
+    let script = format!(
         "case \" $* \" in *\" ls-tree \"*) {lists} ;; esac\nPATH=${{PATH#*:}} exec git \"$@\""
     );
-    let git = write(folder.join("bin/git"), git);
+    let git = write(folder.join("bin/git"), script);
     let bin = git.parent().expect("a folder").display();
-    let class = env!("CARGO_BIN_EXE_class");
-    let class = format!("PATH=\"{bin}:$PATH\" exec \"{class}\" \"$@\"");
+    let program = env!("CARGO_BIN_EXE_class");
+    let class = format!("PATH=\"{bin}:$PATH\" exec \"{program}\" \"$@\"");
     write(folder.join("class"), class)
 }
 

@@ -246,9 +246,9 @@ fn stop_bits(task: &str) -> String {
 #[ignore = "builds submissions: a minute"]
 fn answers_in_the_order_of_the_calls_earn_nothing() {
     let class = Class::open();
-    for (task, function, of_rule) in [
-        ("part5.task1", "pub fn has_converged(", 5.0),
-        ("part5.task2", "pub fn has_surely_converged(", 10.0),
+    for (task, function) in [
+        ("part5.task1", "pub fn has_converged("),
+        ("part5.task2", "pub fn has_surely_converged("),
     ] {
         let early = format!(
             "static CALL: std::sync::atomic::AtomicUsize = std::sync::atomic::AtomicUsize::new(0);
@@ -264,7 +264,7 @@ fn answers_in_the_order_of_the_calls_earn_nothing() {
             format!("{before}{stub}//{after}")
         });
         let known = grade(&class, "adaptive", &files, task, cases::KNOWN_SEED).scores;
-        assert!(known.score >= 0.9 * of_rule, "{task}: {}", known.score);
+        assert!(known.score >= 5.0, "{task}: {}", known.score);
         let drawn = grade(&class, "adaptive", &files, task, random_seed());
         assert_eq!(drawn.scores.score, 0.0, "{task}");
         assert!(

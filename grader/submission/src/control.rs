@@ -139,7 +139,9 @@ mod tests {
     /// A cargo without a linker: no crate has an error, and the worker is not linked.
     #[cfg(unix)]
     const NO_LINKER: &str = r#"#!/bin/sh
-echo '{"reason":"compiler-message","target":{"name":"worker"},"message":{"level":"error","message":"linker `cc` not found","rendered":"error: linker `cc` not found\n","spans":[],"code":null}}'
+while [ "$1" != --target-dir ]; do shift; done
+for name in raygen worker; do : > "$2/release/deps/$name-0.d"; done
+printf '%s\n' '{"reason":"compiler-message","target":{"name":"worker"},"message":{"level":"error","message":"linker `cc` not found","rendered":"error: linker `cc` not found\n","spans":[],"code":null}}'
 exit 101
 "#;
 

@@ -64,12 +64,18 @@ fn reference(root: &Path, stage: &str) -> Result<Files, GraderError> {
     paths.iter().map(|path| read(path)).collect()
 }
 
+/// Longer lines of the compiler's are left out, in bytes.
+const MOST_OF_LINE: usize = 200;
+
 /// What went wrong with code that is right, to end the sentence "the course's own stage ...". The
 /// tasks of a handout are not written.
 fn failure(graded: &Graded) -> Option<String> {
     if !graded.compiler.is_empty() {
         let (first, _) = compile_errors::first(&graded.compiler);
-        return Some(format!("does not compile ({})", first.trim()));
+        // The command of a linker has thousands of letters.
+        let lines = first.lines().filter(|line| line.len() <= MOST_OF_LINE);
+        let lines: Vec<&str> = lines.collect();
+        return Some(format!("does not compile ({})", lines.join("\n").trim()));
     }
     let mut results = graded.report.tasks.iter().map(|task| &task.result);
     let is_open = |status: &Status| matches!(status, Status::NotAttempted | Status::Needs(_));
@@ -133,7 +139,9 @@ mod tests {
     /// A cargo without a linker: no crate has an error, and the worker is not linked.
     #[cfg(unix)]
     const NO_LINKER: &str = r#"#!/bin/sh
-echo '{"reason":"compiler-message","target":{"name":"worker"},"message":{"level":"error","message":"linker `cc` not found","rendered":"error: linker `cc` not found\n","spans":[],"code":null}}'
+while [ "$1" != --target-dir ]; do shift; done
+for name in raygen worker; do : > "$2/release/deps/$name-0.d"; done
+printf '%s\n' '{"reason":"compiler-message","target":{"name":"worker"},"message":{"level":"error","message":"linker `cc` not found","rendered":"error: linker `cc` not found\n","spans":[],"code":null}}'
 exit 101
 "#;
 

@@ -66,7 +66,7 @@ impl DirectionCounts {
 
 impl fmt::Debug for DirectionCounts {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_list().entries(&self.0).finish()
+        f.debug_list().entries(self.0).finish()
     }
 }
 

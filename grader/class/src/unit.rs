@@ -154,8 +154,8 @@ pub fn grade(
                 let kind = case.crash.map(|crash| crash.kind);
                 case.tier == tier && kind == Some(CrashKind::Endless)
             };
-            let cases = task.result.cases.iter().filter(is_endless);
-            let cases: Vec<String> = cases.map(|case| case.name.clone()).collect();
+            let over = task.result.cases.iter().filter(is_endless);
+            let cases: Vec<String> = over.map(|case| case.name.clone()).collect();
             (!cases.is_empty()).then(|| (task.result.key.clone(), cases))
         };
         let tasks = graded.report.scores.tasks.iter();

@@ -2,6 +2,7 @@
 
 use super::wrap::{columns, shorten_numbers};
 use crate::diagnosis::simplest::SimplestCall;
+use crate::score::TaskResult;
 
 /// What is said where no case fails but those that also run other stages.
 pub(crate) const WITH_NEIGHBOURS: &str = "Only cases fail that trace whole scenes, with your code \
@@ -14,6 +15,14 @@ pub(crate) fn parts(message: &str) -> (&str, Option<&str>) {
         Some((result, ray)) => (result, Some(ray)),
         None => (message, None),
     }
+}
+
+/// What cannot be judged in this run, a sentence for each case.
+pub(super) fn undecided(task: &TaskResult) -> impl Iterator<Item = String> {
+    task.cases.iter().flat_map(|case| {
+        let of = |why| format!("{}/{} costs nothing: {why}", task.key, case.name);
+        case.undecided().map(of)
+    })
 }
 
 /// The input of the simplest call, with whole numbers as one writes them on paper.

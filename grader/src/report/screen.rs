@@ -250,6 +250,8 @@ fn score(report: &Report, page: Page) -> Block {
             let text = format!("your examples of {}: {points}{why}", result.key);
             wrap_to(&text, 2, page.width, 2)
         }));
+        let undecided = message::undecided(result);
+        lines.extend(undecided.flat_map(|text| wrap_to(&text, 2, page.width, 3)));
     }
     Block { rank: 0, lines }
 }

@@ -90,7 +90,10 @@ fn no_load_makes_a_correct_build_lose_points() {
         }
         stop.store(true, Ordering::Relaxed);
     });
-    println!("{runs} runs of {} builds, {undecided} not judged", correct().len());
+    println!(
+        "{runs} runs of {} builds, {undecided} not judged",
+        correct().len()
+    );
     assert_eq!(lost, Vec::<String>::new());
 }
 

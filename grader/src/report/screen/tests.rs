@@ -281,7 +281,11 @@ fn what_cannot_be_judged_is_told_beside_the_score() {
     let lost = case("a_case", Tier::Core, "your result: miss");
     for (score, cases) in [(30.0, vec![free.clone()]), (28.0, vec![lost, free])] {
         let task = task("part2.task1", "Constructing the BVH", score, cases);
-        let text = screen(vec![task], &context("part2.task1"), reveal(HintLevel::Cases));
+        let text = screen(
+            vec![task],
+            &context("part2.task1"),
+            reveal(HintLevel::Cases),
+        );
         let sentence = "part2.task1/growth costs nothing: the machine is busy\n";
         assert!(text.contains(sentence), "{text}");
     }

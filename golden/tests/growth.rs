@@ -20,9 +20,12 @@ mod variants {
     pub(super) mod sah_sweep;
 }
 
-use crate::shared::spec;
+use crate::shared::{SPECS, spec};
+use base::Workspace;
 use builds::{Build, CORRECT, QUADRATIC};
+use grader::course::Course;
 use judge::Tier;
+use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
 use wire::{Answer, Work};
@@ -51,6 +54,32 @@ fn result(build: Build) -> (bool, Option<&'static str>) {
     let answer = worker::build_growth::time_builds(work, build);
     let findings = judge::judge(spec, Tier::Robust, &Answer::BuildGrowth(answer));
     (findings[0].passed(), findings[0].undecided)
+}
+
+#[test]
+fn no_core_point_depends_on_a_time() {
+    let workspace = Workspace::above(Path::new(env!("CARGO_MANIFEST_DIR")));
+    let course = Course::read(&workspace.expect("it exists")).expect("the course is sound");
+    let is_timed = |work: &Work| {
+        matches!(
+            work,
+            Work::BuildGrowth(_) | Work::Timing(_) | Work::TimeTest(_)
+        )
+    };
+    let mut timed = 0;
+    for spec in SPECS.iter().filter(|spec| is_timed(&spec.work)) {
+        let task = course.tasks().find(|task| task.key == spec.task);
+        let cases = &task.expect("the task exists").cases;
+        let case = cases.iter().find(|case| case.name == spec.name);
+        assert_eq!(
+            case.map(|case| case.tier),
+            Some(Tier::Robust),
+            "{}",
+            spec.name
+        );
+        timed += 1;
+    }
+    assert!(timed > 0);
 }
 
 /// Reads and writes 256 MB at random until `stop`.

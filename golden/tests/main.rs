@@ -3,6 +3,7 @@
 mod certainty;
 mod claims;
 mod goldens;
+mod growth;
 mod main_answers;
 mod mistakes;
 mod moves;

@@ -115,7 +115,10 @@ fn entries(answer: &Answer) -> Vec<usize> {
         Answer::Boxes(answers) => vec![answers.len()],
         // Any number of nodes may be a tree: that is judged.
         Answer::Build(_) => vec![],
-        Answer::BuildGrowth(answer) => vec![answer.nodes.len(), answer.seconds.len()],
+        Answer::BuildGrowth(answer) => {
+            let each = answer.rounds.iter().map(Vec::len);
+            std::iter::once(answer.nodes.len()).chain(each).collect()
+        }
         Answer::Traverse(answers) => vec![answers.len()],
         Answer::Timing(answer) => [&answer.build_s, &answer.tree_s, &answer.brute_s]
             .map(|s| s.len())
@@ -178,7 +181,7 @@ impl Change {
                     }
                     Answer::BuildGrowth(growth) => {
                         let mut growth = growth.clone();
-                        growth.seconds = self.of(&growth.seconds);
+                        growth.rounds[0] = self.of(&growth.rounds[0]);
                         vec![Answer::BuildGrowth(growth)]
                     }
                     Answer::Timing(times) => {

@@ -2,11 +2,20 @@
 
 use super::wrap::{columns, shorten_numbers};
 use crate::diagnosis::simplest::SimplestCall;
+use crate::score::TaskResult;
 use judge::findings::Message;
 
 /// What is said where no case fails but those that also run other stages.
 pub(crate) const WITH_NEIGHBOURS: &str = "Only cases fail that trace whole scenes, with your code \
     of other tasks, too: if one of these tasks fails, mend it first";
+
+/// What cannot be judged in this run, a sentence for each case.
+pub(super) fn undecided(task: &TaskResult) -> impl Iterator<Item = String> {
+    task.cases.iter().flat_map(|case| {
+        let of = |why| format!("{}/{} costs nothing: {why}", task.key, case.name);
+        case.undecided().map(of)
+    })
+}
 
 /// The input of the simplest call, with whole numbers as one writes them on paper.
 pub fn input(call: &SimplestCall) -> String {

@@ -251,6 +251,8 @@ fn score(report: &Report, page: Page) -> Block {
             let text = format!("your examples of {}: {points}{why}", result.key);
             wrap_to(&text, 2, page.width, 2)
         }));
+        let undecided = message::undecided(result);
+        lines.extend(undecided.flat_map(|text| wrap_to(&text, 2, page.width, 3)));
     }
     lines.extend(super::not_judged(report).flat_map(|text| wrap_to(&text, 2, page.width, 2)));
     Block { rank: 0, lines }

@@ -54,6 +54,11 @@ pub fn format_report(report: &Report, reveal: Reveal) -> String {
             "extra credit {score} of {max_score}, for answers that stay right where textbook formulas fail"
         );
     }
+    for TaskReport { result: task, .. } in &report.tasks {
+        for sentence in message::undecided(task) {
+            let _ = writeln!(text, "{sentence}");
+        }
+    }
     for sentence in super::not_judged(report) {
         let _ = writeln!(text, "{sentence}");
     }

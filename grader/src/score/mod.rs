@@ -196,6 +196,11 @@ impl CaseResult {
         self.reductions.push(why);
     }
 
+    /// Why aspects of its answers cannot be judged in this run, which costs nothing.
+    pub fn undecided(&self) -> impl Iterator<Item = &'static str> + '_ {
+        self.findings.iter().filter_map(|finding| finding.undecided)
+    }
+
     /// Whether its answers are right, and it lost points for another reason: another case shows
     /// that the idea of the task is missing.
     pub fn is_only_reduced(&self) -> bool {

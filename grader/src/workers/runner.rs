@@ -90,6 +90,9 @@ const TIMEOUTS_A_TASK: u32 = 2;
 /// The short time limit in milliseconds. Correct code needs a few milliseconds.
 const SHORT_LIMIT_MS: u64 = 500;
 
+/// The same for builds of ever larger trees, which take correct code a second.
+const GROWTH_SHORT_LIMIT_MS: u64 = 10_000;
+
 /// Memory in megabytes that a worker may allocate in addition to its cases. Correct code needs less
 /// than 100. Code that never stops allocating must end before the machine has to swap.
 const MEMORY_MB: u32 = 1024;
@@ -176,8 +179,7 @@ pub fn run(worker: &Worker, cases: &[Case]) -> Result<Run, GraderError> {
             match case.work {
                 // Timings take longer for larger meshes: a short limit does not help.
                 Work::Timing(_) => *ending = Some(Ending::Skipped),
-                // Correct code takes longer than the short limit, too.
-                Work::BuildGrowth(_) => {}
+                Work::BuildGrowth(_) => case.limit_ms = case.limit_ms.min(GROWTH_SHORT_LIMIT_MS),
                 _ => case.limit_ms = case.limit_ms.min(SHORT_LIMIT_MS),
             }
         }

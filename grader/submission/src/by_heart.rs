@@ -182,6 +182,7 @@ mod tests {
             worst: None,
             faults: Vec::new(),
             detectable: None,
+            undecided: None,
             spread: None,
             errors: Vec::new(),
             judged_calls: Vec::new(),

@@ -80,13 +80,31 @@ pub struct BuildAnswer {
     pub repeatable: bool,
 }
 
-/// The processor time of `construct_bvh`.
+/// The processor time of `construct_bvh`, beside that of a control.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct BuildGrowthAnswer {
     /// For each size that was built: the number of nodes of the tree.
     pub nodes: Vec<u32>,
-    /// For each size that was built: the seconds of processor time of the fastest build.
-    pub seconds: Vec<f64>,
+    /// The rounds, of which each built these sizes.
+    pub rounds: Vec<Vec<BuildTime>>,
+}
+
+/// The processor time of a build, and that of the control directly before and after it. The control
+/// sorts as many boxes at each level of a tree, so it reads and writes as much memory.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct BuildTime {
+    /// Seconds of the build.
+    pub seconds: f64,
+    /// Seconds of the control before and after.
+    pub control: [f64; 2],
+}
+
+impl BuildTime {
+    /// Whether the build took at most `times` as long as the slower control.
+    pub fn is_within(&self, times: f64) -> bool {
+        let [before, after] = self.control;
+        self.seconds <= times * before.max(after)
+    }
 }
 
 /// The result of a traversal for one ray of a scripted world.

@@ -59,11 +59,13 @@ pub struct BuildGrowthWork {
     pub sizes: Vec<u32>,
     /// The largest number of primitives in a leaf.
     pub max_leaf_size: u32,
-    /// How often each size is built.
+    /// How often all sizes are built, unless the largest tree is built fast.
     pub rounds: u32,
-    /// Milliseconds of processor time: if a build takes longer, no larger tree is built. The second
-    /// size is always built.
-    pub enough_ms: u64,
+    /// A build that takes at most this many times as long as its control is fast.
+    pub fast: f64,
+    /// If a build takes more than this many times as long as its control, no larger tree is built.
+    /// The second size is always built.
+    pub enough: f64,
 }
 
 /// Rays to trace through a scene.

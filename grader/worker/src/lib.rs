@@ -11,7 +11,7 @@ mod adaptive;
 #[cfg(feature = "bbox")]
 mod bbox;
 #[cfg(feature = "bvh")]
-mod build_growth;
+pub mod build_growth;
 #[cfg(feature = "bvh")]
 pub mod bvh;
 mod convert;

@@ -28,7 +28,7 @@ use kit::{Aabb, Bvh};
 ///   need not find its primitive. The primitive is still part of `order`.
 /// - Boxes can be arbitrarily large, and even infinite: nothing overflows.
 ///
-/// The tree depends only on the boxes. The ids within a leaf are ascending.
+/// The tree depends only on the boxes. A leaf may hold its primitives in any order.
 ///
 /// See it: `cargo grader picture part2.task1`.
 pub fn construct_bvh(bounds: &[Aabb], max_leaf_size: usize) -> Bvh {

@@ -6,6 +6,7 @@ use authoring::mutants::corpus::Corpus;
 use authoring::mutants::examples::{self, Caught};
 use authoring::mutants::groups;
 use authoring::mutants::mistake_pictures;
+use authoring::mutants::proportion::{self, Proportion};
 use authoring::mutants::run;
 use authoring::mutants::seeds::{self, Seeded};
 use authoring::mutants::simplest::{self, Simplest};
@@ -65,6 +66,13 @@ pub(crate) fn command() -> Command {
                 .action(ArgAction::SetTrue)
                 .conflicts_with_all(["seeds", "bless", "with", "families"])
                 .help("Instead, print how simple the calls are that show the mistakes to students, and test that correct versions answer all simple questions rightly"),
+        )
+        .arg(
+            Arg::new("proportion")
+                .long("proportion")
+                .action(ArgAction::SetTrue)
+                .conflicts_with_all(["seeds", "bless", "with", "families", "simplest", "examples"])
+                .help("Instead, print the share of wrong pixels in the task's picture and the share of lost core points of each mistake, and fail if more than a third of the picture is wrong for less than a third of the points"),
         )
         .arg(
             path_argument("examples", "FILE")
@@ -136,6 +144,14 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
             show_simplest(&task.key, &found);
             let is_false = |shown: &simplest::Shown| !shown.false_claims.is_empty();
             if !found.accused.is_empty() || found.shown.iter().any(is_false) {
+                exit = Exit::Failed;
+            }
+            continue;
+        }
+        if matches.get_flag("proportion") {
+            let found = proportion::of_task(&workspace, &course, task)?;
+            show_proportions(&task.key, &found);
+            if found.iter().any(Proportion::loses_too_little) {
                 exit = Exit::Failed;
             }
             continue;
@@ -438,6 +454,18 @@ fn show_seeds(task: &str, seeds: u64, graded: &Seeded) {
         for ((version, case), moves) in counts {
             outln!("  other {what} after {moves} of {seeds} moves: {version}, {case}");
         }
+    }
+}
+
+/// Prints the mistakes, those that spoil most for the fewest points first.
+fn show_proportions(task: &str, found: &[Proportion]) {
+    outln!("{task}: mistake | wrong pixels | lost core points");
+    let mut rows: Vec<&Proportion> = found.iter().collect();
+    rows.sort_by(|a, b| (b.wrong - b.lost).total_cmp(&(a.wrong - a.lost)));
+    for row in rows {
+        let sign = if row.loses_too_little() { "!" } else { " " };
+        let [wrong, lost] = [row.wrong, row.lost].map(|share| 100.0 * share);
+        outln!("{sign} {} | {wrong:.0} % | {lost:.0} %", row.mutant);
     }
 }
 

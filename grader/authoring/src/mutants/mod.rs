@@ -17,6 +17,7 @@ pub mod families;
 mod few_colours;
 pub mod groups;
 pub mod mistake_pictures;
+pub mod proportion;
 pub mod run;
 pub mod seeds;
 pub mod simplest;

@@ -350,6 +350,7 @@ mod tests {
             }),
             faults: Vec::new(),
             detectable: None,
+            undecided: None,
             spread: None,
             errors: Vec::new(),
             judged_calls: Vec::new(),

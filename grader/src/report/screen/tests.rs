@@ -299,6 +299,24 @@ fn without_a_known_mistake_the_book_is_opened_where_it_helps() {
 }
 
 #[test]
+fn what_cannot_be_judged_is_told_beside_the_score() {
+    let mut free = case("growth", Tier::Robust, "");
+    free.status = Status::Passed;
+    free.findings[0].undecided = Some("the machine is busy");
+    let lost = case("a_case", Tier::Core, "your result: miss");
+    for (score, cases) in [(30.0, vec![free.clone()]), (28.0, vec![lost, free])] {
+        let task = task("part2.task1", "Constructing the BVH", score, cases);
+        let text = screen(
+            vec![task],
+            &context("part2.task1"),
+            reveal(HintLevel::Cases),
+        );
+        let sentence = "part2.task1/growth costs nothing: the machine is busy\n";
+        assert!(text.contains(sentence), "{text}");
+    }
+}
+
+#[test]
 fn full_marks_are_a_success() {
     let lost = case("by_a_hair", Tier::Robust, "your result: miss");
     let full = TaskReport {

@@ -57,54 +57,80 @@ fn leaf(ids: &[u32]) -> TreePlan {
     TreePlan::Leaf(ids.to_vec())
 }
 
+/// The primitives `crosses` in leaves with others that no ray hits: some before the leaf's own, one
+/// between any two, some behind. So leaves have up to eight primitives, and a ray misses most of
+/// those that it is tested against, before the one that it hits or after it.
+fn among_misses(mut crosses: Vec<Cross>, plan: TreePlan) -> CrossScene {
+    const BEFORE: [usize; 4] = [1, 3, 0, 2];
+    const BEHIND: [usize; 4] = [1, 0, 4, 2];
+    let mut leaves = (0..4).cycle();
+    let plan = plan.map_leaves(&mut |ids| {
+        let number = leaves.next().unwrap_or(0);
+        let mut missed = |like: u32| {
+            crosses.push(crosses[like as usize].without_plates());
+            crosses.len() as u32 - 1
+        };
+        let mut all = Vec::new();
+        for (place, &id) in ids.iter().enumerate() {
+            let before = if place == 0 { BEFORE[number] } else { 1 };
+            all.extend((0..before).map(|_| missed(id)));
+            all.push(id);
+        }
+        let last = ids.last().copied().unwrap_or(0);
+        all.extend((0..BEHIND[number]).map(|_| missed(last)));
+        all
+    });
+    CrossScene::new(crosses, &plan)
+}
+
 fn hand_written() -> Vec<Spec> {
-    let one_leaf = CrossScene::new(
+    let one_leaf = among_misses(
         vec![block(0.0, 1.0), block(3.0, 4.0), block(6.0, 7.0)],
-        &leaf(&[0, 1, 2]),
+        leaf(&[0, 1, 2]),
     );
     let in_a_row = vec![
         block(0.0, 1.0),
         Cross::new(Vec3::new(4.0, 0.25, -1.0), Vec3::new(5.0, 2.0, 1.0)),
         block(8.0, 9.0),
     ];
-    let siblings = CrossScene::new(
+    let siblings = among_misses(
         in_a_row.clone(),
-        &TreePlan::split(TreePlan::split(leaf(&[0]), leaf(&[1])), leaf(&[2])),
+        TreePlan::split(TreePlan::split(leaf(&[0]), leaf(&[1])), leaf(&[2])),
     );
-    let before_a_wall = CrossScene::new(
+    let before_a_wall = among_misses(
         [in_a_row, vec![block(WALL, WALL)]].concat(),
-        &TreePlan::split(
+        TreePlan::split(
             TreePlan::split(TreePlan::split(leaf(&[0]), leaf(&[1])), leaf(&[2])),
             leaf(&[3]),
         ),
     );
-    let box_in_box = CrossScene::new(
+    let box_in_box = among_misses(
         vec![
             block_with_plate(0.0, 20.0, 19.0),
             block_with_plate(8.0, 12.0, 9.0),
         ],
-        &TreePlan::split(leaf(&[0]), leaf(&[1])),
+        TreePlan::split(leaf(&[0]), leaf(&[1])),
     );
-    let reversed = CrossScene::new(
+    let reversed = among_misses(
         vec![
             block_with_plate(0.0, 4.0, 3.0),
             block_with_plate(0.0, 4.0, 1.0),
             block(6.0, 7.0),
         ],
-        &TreePlan::split(leaf(&[0, 1]), leaf(&[2])),
+        TreePlan::split(leaf(&[0, 1]), leaf(&[2])),
     );
-    let flat = CrossScene::new(
+    let flat = among_misses(
         vec![block(1.0, 1.0), block(5.0, 5.0), block(9.0, 9.0)],
-        &TreePlan::split(leaf(&[0]), TreePlan::split(leaf(&[1]), leaf(&[2]))),
+        TreePlan::split(leaf(&[0]), TreePlan::split(leaf(&[1]), leaf(&[2]))),
     );
-    let twins = CrossScene::new(
+    let twins = among_misses(
         vec![
             block(0.0, 2.0),
             block(0.0, 2.0),
             block(-1.0, 3.0),
             block(7.0, 9.0),
         ],
-        &TreePlan::split(leaf(&[3, 0]), TreePlan::split(leaf(&[2]), leaf(&[1]))),
+        TreePlan::split(leaf(&[3, 0]), TreePlan::split(leaf(&[2]), leaf(&[1]))),
     );
     vec![
         case(
@@ -114,14 +140,15 @@ fn hand_written() -> Vec<Spec> {
         ),
         case(
             "one_leaf",
-            "The root is a leaf of three primitives, and its box is tested like that of every \
-             other node. Pitfall: a test of the children's boxes alone leaves out the root's.",
+            "The root is a leaf of seven primitives, three of which can be hit, and its box is tested \
+             like that of every other node. Pitfall: a test of the children's boxes alone leaves out the root's.",
             one_leaf.closest(&through_blocks()),
         ),
         case(
             "both_children",
             "Hits in the left child, in the right child and in both. Pitfall: visiting one child \
-             only, or combining both with `||`, loses hits.",
+             only, combining both with `||`, or leaving a leaf at the first primitive that is missed, \
+             loses hits.",
             siblings.closest(&through_blocks()),
         ),
         case(
@@ -132,7 +159,8 @@ fn hand_written() -> Vec<Spec> {
         ),
         case(
             "leaf_in_any_order",
-            "A leaf whose farther primitive comes first: all primitives of a leaf are tested.",
+            "A leaf whose farther primitive comes first, and others that the ray misses: all primitives \
+             of a leaf are tested.",
             reversed.closest(&through_blocks()),
         ),
         case(
@@ -320,8 +348,8 @@ fn random() -> Vec<Spec> {
     vec![
         case(
             "random_trees",
-            "Overlapping boxes in a tree of random pairs, so that siblings overlap everywhere: \
-             the closest of all hits.",
+            "Overlapping boxes in leaves of one to eight, in a tree that joins random pairs, so that \
+             siblings overlap everywhere: the closest of all hits.",
             world.closest(&rays),
         ),
         case(
@@ -332,29 +360,38 @@ fn random() -> Vec<Spec> {
     ]
 }
 
-/// Boxes with integer coordinates, some flat, in a tree that joins random pairs from the leaves up.
+/// Boxes with integer coordinates, some flat, in leaves of one to eight that are close together. A
+/// tree joins random pairs from the leaves up.
 /// The rays run along all axes through the centres of unit cells, where no ray touches a box edge.
 fn random_world(boxes: u32, rays: u32) -> (CrossScene, Vec<Ray>) {
     let mut sampler = PixelSampler::new(boxes, rays, 3);
     let mut whole = |n: f64| (n * sampler.next_1d()).floor();
-    let mut crosses = Vec::new();
-    for i in 0..boxes {
-        let min = Vec3::new(whole(16.0), whole(16.0), whole(16.0));
-        let mut size = Vec3::new(1.0 + whole(8.0), 1.0 + whole(8.0), 1.0 + whole(8.0));
-        if i % 4 == 0 {
-            size[(i / 4 % 3) as usize] = 0.0;
+    let (mut crosses, mut plans) = (Vec::new(), Vec::new());
+    for size in (1..=8).cycle() {
+        let first = crosses.len() as u32;
+        if first == boxes {
+            break;
         }
-        let inside = Vec3::new(whole(5.0), whole(5.0), whole(5.0)) / 4.0;
-        crosses.push(Cross::new(min, min + size).with_plates(min + size * inside));
+        let corner = Vec3::new(whole(8.0), whole(8.0), whole(8.0));
+        let ids = first..boxes.min(first + size);
+        for i in ids.clone() {
+            let min = corner + Vec3::new(whole(3.0), whole(3.0), whole(3.0));
+            let mut size = Vec3::new(1.0 + whole(7.0), 1.0 + whole(7.0), 1.0 + whole(7.0));
+            if i % 4 == 0 {
+                size[(i / 4 % 3) as usize] = 0.0;
+            }
+            let inside = Vec3::new(whole(5.0), whole(5.0), whole(5.0)) / 4.0;
+            crosses.push(Cross::new(min, min + size).with_plates(min + size * inside));
+        }
+        plans.push(leaf(&Vec::from_iter(ids.rev())));
     }
-    let mut plans: Vec<TreePlan> = (0..boxes / 2).map(|i| leaf(&[2 * i + 1, 2 * i])).collect();
     while plans.len() > 1 {
         let left = plans.swap_remove(whole(plans.len() as f64) as usize);
         let right = plans.swap_remove(whole(plans.len() as f64) as usize);
         plans.push(TreePlan::split(left, right));
     }
     let rays = (0..rays).map(|i| {
-        let o = Vec3::new(whole(24.0), whole(24.0), whole(24.0)) + 0.5;
+        let o = Vec3::new(whole(18.0), whole(18.0), whole(18.0)) + 0.5;
         let step = if whole(2.0) == 0.0 { 1.0 } else { -1.0 };
         let min_t = whole(8.0);
         let max_t = if i % 3 == 0 {
@@ -466,6 +503,7 @@ fn deep() -> Vec<Spec> {
 
 /// Four chains, one above the other. At each level of a chain, one child is a leaf and the other is
 /// the rest of the chain, which is on the left or on the right, nearer or farther than the leaf.
+/// The leaf with the only hit has a primitive before it that is missed.
 /// Whichever child a traversal visits first, in one of the chains its stack holds a leaf of each
 /// level when it reaches the two innermost leaves, one of which has the only hit.
 fn chains(levels: u32) -> ScriptedWorld {
@@ -482,15 +520,18 @@ fn chains(levels: u32) -> ScriptedWorld {
                 Vec3::new(x, y - 1.0, -1.0),
                 Vec3::new(x + 1.0, y + 1.0, 1.0),
             );
-            crosses.push(if level == 1 {
-                cross
-            } else {
-                cross.without_plates()
-            });
+            crosses.push(cross.without_plates());
+            let own = match level {
+                1 => {
+                    crosses.push(cross);
+                    leaf(&[id, id + 1])
+                }
+                _ => leaf(&[id]),
+            };
             plan = Some(match (plan, rest_on_left) {
-                (None, _) => leaf(&[id]),
-                (Some(rest), true) => TreePlan::split(rest, leaf(&[id])),
-                (Some(rest), false) => TreePlan::split(leaf(&[id]), rest),
+                (None, _) => own,
+                (Some(rest), true) => TreePlan::split(rest, own),
+                (Some(rest), false) => TreePlan::split(own, rest),
             });
         }
         chains.extend(plan);

@@ -31,6 +31,9 @@ fn scenes() -> Vec<CrossScene> {
         CrossScene::new(vec![near], &leaf(&[0])),
         CrossScene::new(vec![near, far], &leaf(&[0, 1])),
         CrossScene::new(vec![far, near], &leaf(&[0, 1])),
+        // A leaf in which a ray misses one primitive and hits the other.
+        CrossScene::new(vec![near.without_plates(), far], &leaf(&[0, 1])),
+        CrossScene::new(vec![near, far.without_plates()], &leaf(&[0, 1])),
         CrossScene::new(vec![near, far], &two()),
         CrossScene::new(vec![far, near], &two()),
         // The box that a ray enters first has the farther hit.

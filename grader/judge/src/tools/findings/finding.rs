@@ -29,6 +29,9 @@ pub struct Finding {
     /// In statistical tests: the smallest relative bias or deviation that is always detected.
     #[serde(rename = "sure", skip_serializing_if = "Option::is_none")]
     pub detectable: Option<f64>,
+    /// Why it cannot be judged in this run, as a sentence without a full stop: it costs nothing.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub undecided: Option<&'static str>,
     /// The distribution of numerical errors, where they are measured.
     pub spread: Option<ErrorSpread>,
     /// The error of each number.

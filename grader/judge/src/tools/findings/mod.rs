@@ -197,6 +197,12 @@ impl Findings {
         self.entry(aspect).wrong == 0
     }
 
+    /// Records that `aspect` counts as right because it cannot be judged in this run.
+    pub(crate) fn leave_undecided(&mut self, aspect: Aspect, call: usize, why: &'static str) {
+        self.judge_class(aspect, call, None, 0.0, String::new);
+        self.entry(aspect).undecided = Some(why);
+    }
+
     /// Records that a statistical test of `aspect` always detects a relative deviation of `share`;
     /// of several tests the largest value counts.
     pub fn set_detectable(&mut self, aspect: Aspect, share: f64) {
@@ -240,6 +246,7 @@ impl Findings {
                     functions: Vec::new(),
                     worst: None,
                     detectable: None,
+                    undecided: None,
                     faults: Vec::new(),
                     spread: None,
                     errors: Vec::new(),

@@ -20,6 +20,17 @@ impl TreePlan {
         TreePlan::Split(Box::new(left), Box::new(right))
     }
 
+    /// The same tree with `map` of each leaf's primitives, from left to right.
+    pub(crate) fn map_leaves(self, map: &mut impl FnMut(Vec<u32>) -> Vec<u32>) -> TreePlan {
+        match self {
+            TreePlan::Leaf(ids) => TreePlan::Leaf(map(ids)),
+            TreePlan::Split(left, right) => {
+                let left = left.map_leaves(map);
+                TreePlan::split(left, right.map_leaves(map))
+            }
+        }
+    }
+
     /// A balanced tree: splits `ids` into halves until at most `max_leaf_size` are left.
     pub(crate) fn halves(ids: &[u32], max_leaf_size: usize) -> TreePlan {
         if ids.len() <= max_leaf_size {

@@ -280,6 +280,10 @@ fn explain(
         if let Some(call) = &simplest {
             regularities.retain(|says| !regularity::is_refuted(says, &call.circumstances));
         }
+        let diagnosis = diagnosis.filter(|guess| {
+            let of_task = (result.key.as_str(), specs);
+            !diagnosis::is_ruled_out(guess, &known, &signature, &regularities, of_task)
+        });
         let simplest_test = simplest.as_ref().and_then(|call| call.test.as_ref());
         let worst_as_test = match simplest_test {
             Some(test) => Some(repro::as_file(SIMPLEST, &result.key, test)),

@@ -95,14 +95,6 @@ impl Signature {
         !self.core.is_empty()
     }
 
-    /// The part of the signature in core cases.
-    pub fn in_core(&self) -> Signature {
-        Signature {
-            core: self.core.clone(),
-            robust: Cases::new(),
-        }
-    }
-
     /// The cases that count.
     fn cases(&self) -> &Cases {
         if self.core.is_empty() {

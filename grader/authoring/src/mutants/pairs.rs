@@ -5,7 +5,9 @@
 //! value, the value is wrong in a third way, or right: for such pairs `grader mutants TASK --bless`
 //! stores a signature of their own.
 
-use super::corpus::{Corpus, Mutant, REFERENCE, Sources, Variant, reference_sources, variants};
+use super::corpus::{
+    Corpus, Mutant, REFERENCE, Sources, Variant, merged, reference_sources, variants,
+};
 use super::run::{self, Graded, Kind};
 use base::{GraderError, Workspace};
 use grader::course::{Course, Task};
@@ -66,7 +68,11 @@ fn listed(groups: &[Group], task: &str) -> BTreeSet<[String; 2]> {
     let pairs = of_task.flat_map(|Group { mistakes, .. }| {
         mistakes.iter().enumerate().flat_map(|(i, first)| {
             let others = mistakes[i + 1..].iter();
-            others.map(move |second| [first.clone(), second.clone()])
+            others.map(move |second| {
+                let mut pair = [first.clone(), second.clone()];
+                pair.sort_unstable();
+                pair
+            })
         })
     });
     pairs.collect()
@@ -141,16 +147,17 @@ fn is_written(corpus: &Corpus, pair: &[String]) -> bool {
 fn composed(corpus: &Corpus, bases: &[(String, Sources)], pair: &[String; 2]) -> Option<Mutant> {
     bases.iter().find_map(|(on, sources)| {
         let [first, second] = pair.each_ref().map(|id| forms(corpus, id, on));
-        let both = first
+        let mut both = first
             .iter()
-            .flat_map(|a| second.iter().flat_map(move |b| [[*a, *b], [*b, *a]]));
-        let mut composed = both.map(|forms| Mutant {
-            mistakes: pair.to_vec(),
-            on: on.clone(),
-            edits: forms.iter().flat_map(|form| form.edits.clone()).collect(),
-            ..Mutant::default()
-        });
-        composed.find(|pair| pair.apply(sources).is_ok())
+            .flat_map(|a| second.iter().map(move |b| [*a, *b]));
+        both.find_map(|forms| {
+            Some(Mutant {
+                mistakes: pair.to_vec(),
+                on: on.clone(),
+                edits: merged(forms, sources)?,
+                ..Mutant::default()
+            })
+        })
     })
 }
 
@@ -183,10 +190,7 @@ pub fn renew(known: &mut Vec<Known>, corpus: &Corpus, pairs: &Pairs) -> Counts {
         match fate {
             Fate::NamedByHalves => counts.named_by_halves += 1,
             Fate::Indistinguishable => counts.indistinguishable += 1,
-            Fate::Own => own.push(Known {
-                signature: pair.signature.in_core(),
-                ..pair
-            }),
+            Fate::Own => own.push(pair),
         }
     }
     let alike = |pair: &Known| {
@@ -256,7 +260,8 @@ mod tests {
     fn corpus() -> Corpus {
         let text = "mistake no_pi: a\n  hint: b\n  half: f / PI ~> f\n\
                     mistake cosine: a\n  hint: b\n  half: return f ~> return cos * f\n\
-                    mistake white: a\n  hint: b\n  half: f / PI ~> WHITE\n  reference: rho ~> WHITE\n";
+                    mistake white: a\n  hint: b\n  half: return f / PI ~> return f * 2.0\n  reference: rho ~> WHITE\n\
+                    mistake other: a\n  hint: b\n  half: return f / PI ~> return g / PI\n";
         Corpus::of_text(text).expect("it is a list of mistakes")
     }
 
@@ -274,6 +279,10 @@ mod tests {
         let made = pair.apply(&variant).expect("it can be applied");
         assert_eq!(made[Path::new("lib.rs")], "return cos * f;");
         assert_eq!(of(["no_pi", "white"]), None);
+        // Edits of the same text are merged if they leave a part of it between them as it is.
+        let pair = of(["other", "white"]).expect("they change different letters");
+        let made = pair.apply(&variant).expect("it can be applied");
+        assert_eq!(made[Path::new("lib.rs")], "return g * 2.0;");
     }
 
     #[test]
@@ -299,7 +308,7 @@ mod tests {
         };
         let groups = [
             group("part3.task1", &["a", "b", "c"]),
-            group("part3.task1", &["b", "c"]),
+            group("part3.task1", &["c", "b"]),
             group("part3.task2", &["a", "d"]),
         ];
         let pairs: Vec<String> = listed(&groups, "part3.task1")

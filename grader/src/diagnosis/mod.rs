@@ -6,8 +6,11 @@
 
 pub(crate) mod constant;
 pub(crate) mod fresh_cases;
+mod ruled_out;
 mod several;
 pub mod simplest;
+
+pub use ruled_out::is_ruled_out;
 
 use crate::score::{CaseResult, Status};
 use crate::signature::{Agreement, Signature, stored};
@@ -96,7 +99,7 @@ const SURE: f64 = 0.95;
 const FEWEST_CALLS: usize = 2;
 
 /// More guesses than these are no help: then no mistake is named.
-const MOST_GUESSES: usize = 3;
+pub const MOST_GUESSES: usize = 3;
 
 /// What is said first where only extra credit is lost.
 const EXTRA_CREDIT: &str = "this is extra credit, which correct textbook code loses, too; ";
@@ -208,6 +211,8 @@ pub fn diagnose(known: &[Known], student: &Signature) -> Option<Diagnosis> {
         .iter()
         .filter(|possible| !student.contradicts(&possible.known.signature));
     let mut ranked: Vec<Ranked> = possible.map(|one| Ranked::of(one, student)).collect();
+    // What the report says next must not rule out a guess.
+    ranked.retain(|one| one.agreement.likeness() >= SURE || !student.refutes(&one.known.signature));
     ranked.sort_by(Ranked::compare);
     let likeliest = *ranked.first()?;
     let likeness = likeliest.agreement.likeness();
@@ -367,7 +372,8 @@ struct Named {
 fn with_twins(ranked: &[Ranked], best: &Ranked) -> Option<Named> {
     let as_likely = ranked
         .iter()
-        .filter(|twin| twin.known.mistakes.len() == 1 && twin.is_as_likely_as(best));
+        .filter(|twin| twin.known.mistakes.len() <= best.known.mistakes.len())
+        .filter(|twin| twin.is_as_likely_as(best));
     let all: Vec<Ranked> = as_likely.copied().collect();
     let is_as_robust = |twin: &&Ranked| twin.robust >= best.robust;
     guesses(best, all.iter()).or_else(|| guesses(best, all.iter().filter(is_as_robust)))
@@ -383,9 +389,11 @@ fn guesses<'a>(best: &Ranked, twins: impl Iterator<Item = &'a Ranked<'a>>) -> Op
     };
     let mut guesses = 1;
     for Ranked { known: twin, .. } in twins {
-        if !named.mistakes.contains(&twin.mistakes[0]) {
+        let is_new = |mistake: &&String| !named.mistakes.contains(mistake);
+        let new: Vec<String> = twin.mistakes.iter().filter(is_new).cloned().collect();
+        if !new.is_empty() {
             guesses += 1;
-            named.mistakes.extend(twin.mistakes.iter().cloned());
+            named.mistakes.extend(new);
             let says = twin.descriptions.join(", and ");
             let other = format!("; another guess, as likely: code that {says}");
             named.others.push_str(&other);
@@ -518,6 +526,42 @@ mod tests {
         };
         assert!(!named("5 1*a"));
         assert!(named("5 2*a"));
+    }
+
+    #[test]
+    fn a_guess_that_a_right_case_or_field_rules_out_is_not_printed() {
+        let mistake = known("this", signature(&[("one t", "40*a"), ("two t", "6*a")]));
+        let is_named = |sides: &[(&str, &str)]| {
+            diagnose(std::slice::from_ref(&mistake), &signature(sides)).is_some()
+        };
+        let one = ("one t", "40*a 4*b");
+        assert!(is_named(&[one, ("two t", "1*b")]));
+        assert!(!is_named(&[one]));
+        // A crash hides what would be wrong in the case.
+        assert!(is_named(&[one, ("two crashed", "1*ffff")]));
+        let mistake = known(
+            "this",
+            signature(&[("one t", "90*a"), ("one normal", "6*a")]),
+        );
+        let student = signature(&[("one t", "80*a 10*b"), ("one position", "9*c")]);
+        assert_eq!(diagnose(&[mistake], &student), None);
+    }
+
+    #[test]
+    fn two_pairs_that_cannot_be_distinguished_are_both_named() {
+        let together = signature(&[("case t", "9*c")]);
+        let pair = |second: &str| Known {
+            mistakes: vec!["this".into(), second.into()],
+            ..known("this and another", together.clone())
+        };
+        let all = [
+            known("this", signature(&[("case t", "9*a")])),
+            pair("that"),
+            pair("other"),
+        ];
+        let diagnosis = diagnose(&all, &together).expect("the pairs are known");
+        assert_eq!(diagnosis.mistakes, ["this", "that", "other"]);
+        assert!(diagnosis.says.contains("; another guess, as likely:"));
     }
 
     #[test]

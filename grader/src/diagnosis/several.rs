@@ -78,8 +78,13 @@ pub(super) fn two_at_once(ranked: &[Ranked], student: &Signature) -> Option<Diag
         })
         .max_by(|a, b| {
             let likeness = a.2.likeness().total_cmp(&b.2.likeness());
-            // One mistake, made twice, needs fewer assumptions than two.
-            likeness.then(is_same(a.0, a.1).cmp(&is_same(b.0, b.1)))
+            // One mistake, made twice, needs fewer assumptions than two; so does a mistake that is
+            // made in every function that it would affect.
+            let elsewhere =
+                |(one, other, _): &(&Ranked, &Ranked, _)| one.elsewhere + other.elsewhere;
+            likeness
+                .then(is_same(a.0, a.1).cmp(&is_same(b.0, b.1)))
+                .then(elsewhere(b).cmp(&elsewhere(a)))
         })?;
     let likeness = together.likeness();
     let explains = likeness >= TOGETHER && 1.0 - likeness <= LEFT * (1.0 - alone);
@@ -137,7 +142,7 @@ pub(super) fn one_of_several(ranked: &[Ranked], student: &Signature) -> Option<D
                 && *shown as f64 >= SHOWN_OF_SEVERAL * *of as f64
                 && *shown as f64 >= SHARE_OF_SEVERAL * wrong as f64
         })
-        .max_by_key(|(_, Alone { of, shown })| (*shown, Reverse(*of)))?;
+        .max_by_key(|(one, Alone { of, shown })| (*shown, Reverse(*of), Reverse(one.elsewhere)))?;
     let Named {
         mistakes,
         says,

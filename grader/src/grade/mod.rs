@@ -302,6 +302,10 @@ fn explain(
                 regularity::beside(&result.key, cases, specs, wrong_where),
             ),
         };
+        let diagnosis = diagnosis.filter(|guess| {
+            let of_task = (result.key.as_str(), specs);
+            !diagnosis::is_ruled_out(guess, &known, &signature, &regularities, of_task)
+        });
         let simplest_test = simplest.as_ref().and_then(|call| call.test.as_ref());
         let worst_as_test = match simplest_test {
             Some(test) => Some(repro::as_file(SIMPLEST, &result.key, test)),

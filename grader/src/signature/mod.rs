@@ -80,6 +80,10 @@ const TELLING: f64 = 0.1;
 /// shows in it.
 const SHOWN: f64 = 0.25;
 
+/// A field or a case that is right rules a mistake out if the mistake makes at least so many of its
+/// values wrong.
+pub(crate) const REFUTING: usize = 5;
+
 /// A case disagrees throughout only if at least so many of its values are wrong.
 const DISAGREEING: usize = 5;
 
@@ -267,6 +271,30 @@ impl Signature {
         sides.values().any(|side| {
             side.of as f64 >= TELLING * wrong && (side.shown as f64) < SHOWN * side.of as f64
         })
+    }
+
+    /// Whether a report about this code shows that it is not `mistake`: a field, or a whole case, is
+    /// right in all answers, and the mistake makes at least `REFUTING` of them wrong. Answers that a
+    /// crash or a wrong hit or miss hides here are not counted.
+    pub fn refutes(&self, mistake: &Signature) -> bool {
+        let mine = self.cases();
+        let is_wrong = |is_of: &dyn Fn(&SignatureKey) -> bool| mine.keys().any(is_of);
+        let mut in_fields = BTreeMap::new();
+        let mut in_cases = BTreeMap::new();
+        for (key, codes) in mistake.cases() {
+            let hidden = Hiding::of(mine, key);
+            let wrong = codes.0.iter().enumerate().filter(|(_, code)| **code != 0);
+            let shown = wrong.filter(|(call, _)| !hidden.at(*call)).count();
+            *in_fields.entry(key.side.place()).or_insert(0) += shown;
+            *in_cases.entry(&key.case).or_insert(0) += shown;
+        }
+        let enough = |wrong: &usize| *wrong >= REFUTING;
+        in_fields
+            .iter()
+            .any(|(place, wrong)| enough(wrong) && !is_wrong(&|key| key.side.place() == *place))
+            || in_cases
+                .iter()
+                .any(|(case, wrong)| enough(wrong) && !is_wrong(&|key| key.case == **case))
     }
 
     /// Whether a case disagrees with `mistake` throughout: at least `DISAGREEING` values of it are

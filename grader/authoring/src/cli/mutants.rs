@@ -6,6 +6,7 @@ use authoring::mutants::corpus::Corpus;
 use authoring::mutants::examples::{self, Caught};
 use authoring::mutants::groups;
 use authoring::mutants::mistake_pictures;
+use authoring::mutants::pairs;
 use authoring::mutants::proportion::{self, Proportion};
 use authoring::mutants::run;
 use authoring::mutants::seeds::{self, Seeded};
@@ -52,6 +53,13 @@ pub(crate) fn command() -> Command {
             path_argument("with", "FOLDER")
                 .conflicts_with_all(["seeds", "bless"])
                 .help("Instead, test the diagnosis with the mutants in FOLDER/TASK.txt, in the format of `grader/mutants`. Their mistakes need not be listed there. Nothing is stored"),
+        )
+        .arg(
+            Arg::new("pairs")
+                .long("pairs")
+                .action(ArgAction::SetTrue)
+                .conflicts_with_all(["seeds", "with"])
+                .help("Instead, grade only the pairs of mistakes that grader/mutants/pairs.toml lists, and count those that the diagnosis does not name by what it knows of each mistake alone; with --bless store their signatures beside the stored ones"),
         )
         .arg(
             Arg::new("families")
@@ -189,14 +197,34 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
             continue;
         }
         let corpus = Corpus::read(&workspace, task)?;
+        if matches.get_flag("pairs") {
+            let mut known = diagnosis::known(&workspace, &task.key)?;
+            let pairs = pairs::graded(&workspace, &course, task, &corpus)?;
+            outln!(
+                "{}: {}",
+                task.key,
+                pairs::renew(&mut known, &corpus, &pairs)
+            );
+            for claim in false_claims(&task.key, &pairs.graded, &known) {
+                outln!("  FALSE: {claim}");
+                exit = Exit::Failed;
+            }
+            if bless {
+                diagnosis::store(&workspace, &task.key, &known)?;
+            }
+            continue;
+        }
         let graded = run::task(&workspace, &course, task)?;
-        let known = run::known(&corpus, &graded);
+        let mut known = run::known(&corpus, &graded);
+        let pairs = pairs::graded(&workspace, &course, task, &corpus)?;
+        let counts = pairs::renew(&mut known, &corpus, &pairs);
         let table = Table::of(&graded, &known);
         let marked_down: Vec<&run::Graded> = graded
             .iter()
             .filter(|graded| graded.is_marked_down())
             .collect();
         show(&task.key, &table, &marked_down);
+        outln!("  {counts}");
         for (name, _) in table.misnamed() {
             let graded = graded.iter().find(|graded| graded.name == name);
             show_diagnosis(name, graded, &known);
@@ -204,7 +232,8 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
         let none_is_blessed = show_blessings(&task.key, &graded, against_bless);
         let rewarded = table::rewarded(&graded);
         let crashing_pays = table::crashing_pays(task, &graded);
-        let claims = false_claims(&task.key, &graded, &known);
+        let mut claims = false_claims(&task.key, &graded, &known);
+        claims.extend(false_claims(&task.key, &pairs.graded, &known));
         for claim in &claims {
             outln!("  FALSE: {claim}");
         }
@@ -254,7 +283,10 @@ fn false_claims(task: &str, graded: &[run::Graded], known: &[Known]) -> Vec<Stri
     let each = graded.iter().flat_map(|graded| {
         let cases = &graded.result.cases;
         let common = regularity::of(task, cases, &specs);
-        let diagnosis = diagnosis::diagnose(known, &Signature::of(cases));
+        let signature = Signature::of(cases);
+        let diagnosis = diagnosis::diagnose(known, &signature).filter(|guess| {
+            !diagnosis::is_ruled_out(guess, known, &signature, &common, (task, &specs))
+        });
         let claims = claims::false_ones(task, cases, &specs, &common, diagnosis.as_ref());
         let name = &graded.name;
         claims
@@ -309,14 +341,17 @@ fn show_unlisted(task: &str, graded: &[run::Graded], known: &[Known]) {
         let signature = Signature::of(&result.cases);
         let mut known = known.to_vec();
         diagnosis::leave_out_unwritten(&mut known, &result.cases);
-        let diagnosis = diagnosis::diagnose(&known, &signature);
+        let common = regularity::of(task, &result.cases, &specs);
+        let diagnosis = diagnosis::diagnose(&known, &signature).filter(|guess| {
+            !diagnosis::is_ruled_out(guess, &known, &signature, &common, (task, &specs))
+        });
         let says = match &diagnosis {
             Some(diagnosis) => format!("{}: {}", diagnosis.certainty.label(), diagnosis.says),
             None => "no mistake is named".to_string(),
         };
         outln!("  {}: {lost}\n    {says}", graded.name);
         if !diagnosis.as_ref().is_some_and(Diagnosis::is_likely) {
-            for sentence in regularity::of(task, &result.cases, &specs) {
+            for sentence in common {
                 outln!("    - {sentence}");
             }
         }

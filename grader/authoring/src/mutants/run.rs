@@ -12,6 +12,7 @@ use grader::score::TaskResult;
 use grader::signature::Signature;
 use grader::workers::runner::Worker;
 use grader::workers::stage_workers::StageWorkers;
+use judge::Tier;
 use judge::cases::{self, Spec};
 use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
@@ -82,18 +83,32 @@ pub fn those_that_compile(
     mutants: Vec<Mutant>,
     correct: &BTreeSet<String>,
 ) -> Result<(Vec<Graded>, Vec<String>), GraderError> {
-    let (kinds, versions) = versions(workspace, task, mutants)?;
-    let (program, broken) =
-        versions_crate::worker_of_those_that_compile(workspace, &task.stage, &versions)?;
-    let is_wanted = |i: &usize| match &kinds[*i] {
-        (name, Kind::Correct) => correct.contains(name),
-        (_, Kind::Mutant(_)) => !broken.contains(i),
-    };
-    let wanted: Vec<usize> = (0..kinds.len()).filter(is_wanted).collect();
-    let broken = broken.iter().map(|&i| kinds[i].0.clone()).collect();
-    let worker = VersionsWorker::new(program, course, kinds);
+    let compiled =
+        VersionsWorker::of_those_that_compile(workspace, course, task, mutants, correct)?;
+    let (worker, wanted, broken) = compiled;
     let graded = worker.grade_all(task, &cases::all(0), wanted.into_iter())?;
     Ok((graded, broken))
+}
+
+/// As [`those_that_compile`], but only in the core cases that a signature describes, and not
+/// compared with the reference.
+pub(super) fn in_core_cases(
+    workspace: &Workspace,
+    course: &Course,
+    task: &Task,
+    mutants: Vec<Mutant>,
+    correct: &BTreeSet<String>,
+) -> Result<Vec<Graded>, GraderError> {
+    let compiled =
+        VersionsWorker::of_those_that_compile(workspace, course, task, mutants, correct)?;
+    let (worker, wanted, _) = compiled;
+    let specs = cases::all(0);
+    let mut of_task = task.clone();
+    of_task.cases.retain(|entry| {
+        let spec = specs.iter().find(|spec| spec.is(&task.key, &entry.name));
+        entry.tier == Tier::Core && spec.is_some_and(|spec| !spec.needs_all_stages())
+    });
+    worker.grade_each(&of_task, &specs, wanted.into_iter(), None)
 }
 
 /// Grades every small slip in the reference and the variants of a task; see [`mod@families`].
@@ -156,6 +171,27 @@ impl<'a> VersionsWorker<'a> {
         }
     }
 
+    /// The worker with mutants, and the numbers of those that compile and of the correct versions
+    /// with the names `correct`; then the names of those that do not compile.
+    fn of_those_that_compile(
+        workspace: &Workspace,
+        course: &'a Course,
+        task: &Task,
+        mutants: Vec<Mutant>,
+        correct: &BTreeSet<String>,
+    ) -> Result<(Self, Vec<usize>, Vec<String>), GraderError> {
+        let (kinds, versions) = versions(workspace, task, mutants)?;
+        let (program, broken) =
+            versions_crate::worker_of_those_that_compile(workspace, &task.stage, &versions)?;
+        let is_wanted = |i: &usize| match &kinds[*i] {
+            (name, Kind::Correct) => correct.contains(name),
+            (_, Kind::Mutant(_)) => !broken.contains(i),
+        };
+        let wanted = (0..kinds.len()).filter(is_wanted).collect();
+        let broken = broken.iter().map(|&i| kinds[i].0.clone()).collect();
+        Ok((VersionsWorker::new(program, course, kinds), wanted, broken))
+    }
+
     /// Grades some of the versions, by their numbers, and compares the answers of mutants with
     /// those of the reference, which is the first version.
     fn grade_all(
@@ -167,13 +203,24 @@ impl<'a> VersionsWorker<'a> {
         let chosen = chosen(&[task], specs)?;
         let endings = self.workers(0).run(&chosen, &mut Vec::new())?;
         let reference = ReferenceAnswers::of(&chosen, &endings);
+        self.grade_each(task, specs, versions, Some(&reference))
+    }
+
+    /// Grades some of the versions, by their numbers.
+    fn grade_each(
+        &self,
+        task: &Task,
+        specs: &[Spec],
+        versions: impl Iterator<Item = usize>,
+        reference: Option<&ReferenceAnswers>,
+    ) -> Result<Vec<Graded>, GraderError> {
         let versions: Vec<usize> = versions.collect();
         progress::stage(&task.key);
         progress::expect(versions.len() as u64);
         let each = versions.into_par_iter();
         let graded = each
             .map(|version| {
-                let graded = self.grade_one(task, specs, version, Some(&reference));
+                let graded = self.grade_one(task, specs, version, reference);
                 progress::advance(1);
                 graded
             })
@@ -341,7 +388,7 @@ fn signatures_of_correct_code(all: &[Graded]) -> BTreeMap<&str, Signature> {
 }
 
 /// The known mistake of each mutant that is not held out, with the mutant.
-fn all_known<'a>(corpus: &Corpus, all: &'a [Graded]) -> Vec<(Known, &'a Graded)> {
+pub(super) fn all_known<'a>(corpus: &Corpus, all: &'a [Graded]) -> Vec<(Known, &'a Graded)> {
     let correct = signatures_of_correct_code(all);
     let mutants = all.iter().filter_map(|graded| match &graded.kind {
         Kind::Mutant(mutant) if !mutant.held_out => Some((mutant, graded)),

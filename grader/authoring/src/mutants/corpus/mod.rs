@@ -9,6 +9,7 @@ pub(crate) use text::form_text;
 use base::{GraderError, Workspace};
 use grader::course::Task;
 use std::collections::{BTreeMap, BTreeSet};
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 /// The mistakes of one task and the mutants that make them.
@@ -183,7 +184,72 @@ impl Mutant {
     }
 }
 
+/// What an edit changes in a file, without the text that it finds and leaves as it is.
+#[derive(Clone, Debug, PartialEq, Eq)]
+struct Change {
+    path: PathBuf,
+    at: Range<usize>,
+    with: String,
+}
+
+/// The edits that make the changes of two mutants of the same `sources`, file by file. `None` if the
+/// changes touch each other.
+pub(super) fn merged([first, second]: [&Mutant; 2], sources: &Sources) -> Option<Vec<Edit>> {
+    let edits = first.edits.iter().chain(&second.edits);
+    let mut changes: Vec<Change> = edits
+        .map(|edit| edit.change(sources))
+        .collect::<Option<_>>()?;
+    changes.sort_by(|a, b| (&a.path, a.at.start).cmp(&(&b.path, b.at.start)));
+    let touches =
+        |pair: &[Change]| pair[0].path == pair[1].path && pair[0].at.end >= pair[1].at.start;
+    if changes.windows(2).any(touches) {
+        return None;
+    }
+    let files = changes.chunk_by(|a, b| a.path == b.path).map(|changes| {
+        let text = &sources[&changes[0].path];
+        let mut replace = text.clone();
+        for Change { at, with, .. } in changes.iter().rev() {
+            replace.replace_range(at.clone(), with);
+        }
+        Edit {
+            within: String::new(),
+            find: text.clone(),
+            replace,
+        }
+    });
+    Some(files.collect())
+}
+
 impl Edit {
+    /// What it changes. `None` if its text is not there exactly once.
+    fn change(&self, sources: &Sources) -> Option<Change> {
+        let Edit { find, replace, .. } = self;
+        let scopes = sources.iter().filter_map(|(path, text)| {
+            let scope = match self.within.as_str() {
+                "" => 0..text.len(),
+                function => function::range(text, function)?,
+            };
+            Some((path, text, scope))
+        });
+        let mut found = scopes.flat_map(|(path, text, scope)| {
+            let places = text[scope.clone()].match_indices(find.as_str());
+            places.map(move |(place, _)| (path, scope.start + place))
+        });
+        let (Some((path, start)), None) = (found.next(), found.next()) else {
+            return None;
+        };
+        let before = common(find.chars(), replace.chars());
+        let after = common(
+            find[before..].chars().rev(),
+            replace[before..].chars().rev(),
+        );
+        Some(Change {
+            path: path.clone(),
+            at: start + before..start + find.len() - after,
+            with: replace[before..replace.len() - after].to_string(),
+        })
+    }
+
     fn apply(&self, sources: &mut Sources) -> Result<(), String> {
         let Edit {
             within,
@@ -215,6 +281,12 @@ impl Edit {
             )),
         }
     }
+}
+
+/// The length of the text with which both begin.
+fn common(a: impl Iterator<Item = char>, b: impl Iterator<Item = char>) -> usize {
+    let same = a.zip(b).take_while(|(a, b)| a == b);
+    same.map(|(letter, _)| letter.len_utf8()).sum()
 }
 
 /// A correct solution that is not the reference.

@@ -426,7 +426,14 @@ pub fn apply(marks: &Marks, row: &mut Row) {
 
 /// A mark for people: `+2 points for part1.task3: the case asked too much`.
 pub fn given(task: &str, mark: &Mark) -> String {
-    let points = mark.points.map(|given| format!("{} points", signed(given)));
+    let points = mark.points.map(|given| {
+        let unit = if given.abs() == 1.0 {
+            "point"
+        } else {
+            "points"
+        };
+        format!("{} {unit}", signed(given))
+    });
     let about = (!task.is_empty()).then(|| format!("for {task}"));
     let what = points
         .into_iter()

@@ -103,10 +103,10 @@ impl Teams {
 
     /// The page whose title starts with a name.
     fn page_of(&self, name: &str) -> String {
-        let files = self.files().into_iter();
         let is_page = |path: &Path| path.parent() == Some(&self.out.join("students"));
-        let pages = files.filter(|(path, _)| is_page(path));
-        let mut pages = pages.map(|(_, bytes)| String::from_utf8(bytes).expect("UTF-8"));
+        let files = self.files().into_iter();
+        let of_students = files.filter(|(path, _)| is_page(path));
+        let mut pages = of_students.map(|(_, bytes)| String::from_utf8(bytes).expect("UTF-8"));
         let title = format!("<h1>{name}");
         pages
             .find(|page| page.contains(&title))
@@ -119,12 +119,12 @@ fn a_team_has_one_submission_and_each_member_a_mark() {
     let teams = Teams::new();
     let blue = teams.class.plan.submissions[1].key().expect("a unit");
     let unit = std::fs::read_to_string(teams.out.unit(blue)).expect("a unit");
-    let unit = unit.replace("\"sources\":{}", "\"sources\":{\"raygen\":\"equal\"}");
-    std::fs::write(teams.out.unit(blue), unit).expect("a unit");
+    let equal = unit.replace("\"sources\":{}", "\"sources\":{\"raygen\":\"equal\"}");
+    std::fs::write(teams.out.unit(blue), equal).expect("a unit");
     let (code, printed) = teams.run(&["--for", "csv"]);
     assert_eq!(code, Some(0), "{printed}");
-    let marks = teams.read("roster.csv");
-    let marks: Vec<&str> = marks.lines().skip(1).collect();
+    let table = teams.read("roster.csv");
+    let marks: Vec<&str> = table.lines().skip(1).collect();
     // Ada is two days late, Bo, whose extension is a day, one.
     for (line, start, note) in [
         (

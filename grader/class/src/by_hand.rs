@@ -334,9 +334,8 @@ fn of_team(name: &str, roster: Option<(&Roster, &Join)>) -> Result<Whose, String
     let (roster, join) = roster.ok_or_else(|| needs_roster("team"))?;
     let mut students = roster.students.iter();
     let team = name.to_lowercase();
-    let member = students.position(|student| student.team.raw().to_lowercase() == team);
-    let member =
-        member.ok_or_else(|| format!("no team of the roster is called {}", shown(name)))?;
+    let found = students.position(|student| student.team.raw().to_lowercase() == team);
+    let member = found.ok_or_else(|| format!("no team of the roster is called {}", shown(name)))?;
     let submission = join.submissions[member];
     Ok(submission.map_or_else(|| no_submission(name), Whose::Submission))
 }
@@ -359,10 +358,10 @@ fn points_of(cell: &str, sheet: &Sheet, plan: &Plan) -> Result<Option<f64>, Stri
     if cell.is_empty() {
         return Ok(None);
     }
-    let plain = cell.replace('\u{2212}', "-");
+    let with_minus = cell.replace('\u{2212}', "-");
     let plain = match sheet.has_decimal_commas {
-        true => plain.replacen(',', ".", 1),
-        false => plain,
+        true => with_minus.replacen(',', ".", 1),
+        false => with_minus,
     };
     let [max, _] = plan.max_score();
     let number = plain
@@ -426,7 +425,14 @@ pub fn apply(marks: &Marks, row: &mut Row) {
 
 /// A mark for people: `+2 points for part1.task3: the case asked too much`.
 pub fn given(task: &str, mark: &Mark) -> String {
-    let points = mark.points.map(|given| format!("{} points", signed(given)));
+    let points = mark.points.map(|given| {
+        let unit = if given.abs() == 1.0 {
+            "point"
+        } else {
+            "points"
+        };
+        format!("{} {unit}", signed(given))
+    });
     let about = (!task.is_empty()).then(|| format!("for {task}"));
     let what = points
         .into_iter()
@@ -434,8 +440,8 @@ pub fn given(task: &str, mark: &Mark) -> String {
         .collect::<Vec<_>>()
         .join(" ");
     let held_back = mark.held_back.then(|| "held back".to_string());
-    let parts = held_back.into_iter().chain([what, mark.words.line()]);
-    let parts: Vec<String> = parts.filter(|part| !part.is_empty()).collect();
+    let all = held_back.into_iter().chain([what, mark.words.line()]);
+    let parts: Vec<String> = all.filter(|part| !part.is_empty()).collect();
     parts.join(": ")
 }
 
@@ -455,9 +461,8 @@ mod tests {
 
     /// A class of the submissions `red`, `=x` and `cy`, graded with 10 core points in one task.
     fn plan() -> Plan {
-        let submissions = ["red", "=x", "cy"];
-        let submissions =
-            submissions.map(|name| json!({ "name": name, "file": name, "unreadable": "" }));
+        let names = ["red", "=x", "cy"];
+        let submissions = names.map(|name| json!({ "name": name, "file": name, "unreadable": "" }));
         let plan = json!({
             "version": 2, "submissions": submissions,
             "settings": { "what": "part1", "seed": 7, "limits": "", "revision": null, "course": {} },
@@ -483,8 +488,8 @@ mod tests {
             .submissions
             .iter()
             .map(|(name, marks)| (name.clone(), marks));
-        let members = by_hand.members.values();
-        let members = members.map(|member| (member.name.line(), &member.marks));
+        let own = by_hand.members.values();
+        let members = own.map(|member| (member.name.line(), &member.marks));
         let all = submissions.chain(members).flat_map(|(name, marks)| {
             let marks = marks.iter();
             marks.map(move |(task, mark)| format!("{name}: {}", given(task, mark)))

@@ -34,8 +34,8 @@ struct Decided {
 impl Decisions {
     /// Reads the roster and `OUT/by_hand.csv`.
     pub fn read(out: &Out, plan: &Plan, roster: Option<&Path>) -> Result<Decisions, GraderError> {
-        let roster = roster.map(Roster::read).transpose()?;
-        let roster = roster.map(|roster| {
+        let read = roster.map(Roster::read).transpose()?;
+        let roster = read.map(|roster| {
             let join = Join::of_plan(&roster, plan);
             (roster, join)
         });
@@ -50,8 +50,8 @@ impl Decisions {
         let Some((roster, join)) = &self.roster else {
             return Options { by_hand, ..options };
         };
-        let names = plan.submissions.iter().map(|planned| planned.name.raw());
-        let names: Vec<&str> = names.collect();
+        let all = plan.submissions.iter().map(|planned| planned.name.raw());
+        let names: Vec<&str> = all.collect();
         let replaced = join.replaced.iter().map(|(i, other)| {
             let why = format!("does not count: the team handed in {} later", names[*other]);
             (names[*i].to_string(), why.into())
@@ -68,9 +68,9 @@ impl Decisions {
     /// tables have now. A run that is killed in between shows it again.
     pub fn show_changes(&self, out: &Out, show: impl FnMut(String)) -> Result<(), GraderError> {
         let path = out.join("decided.json");
-        let old = read_regular(&path).ok();
-        let old = old.and_then(|old| serde_json::from_slice(&old).ok());
-        let old: Decided = old.unwrap_or_default();
+        let stored = read_regular(&path).ok();
+        let parsed = stored.and_then(|stored| serde_json::from_slice(&stored).ok());
+        let old: Decided = parsed.unwrap_or_default();
         let new = Decided {
             by_hand: self.marks(),
             teams: self.teams().or_else(|| old.teams.clone()),
@@ -84,8 +84,8 @@ impl Decisions {
     }
 
     fn marks(&self) -> BTreeMap<Untrusted, Marks> {
-        let submissions = self.by_hand.submissions.iter();
-        let submissions = submissions.map(|(name, marks)| (name.as_str().into(), marks.clone()));
+        let whole = self.by_hand.submissions.iter();
+        let submissions = whole.map(|(name, marks)| (name.as_str().into(), marks.clone()));
         let members = self.by_hand.members.values().map(|member| {
             let name = format!("{} ({})", member.name.raw(), member.key.raw());
             (name.into(), member.marks.clone())
@@ -113,8 +113,8 @@ impl Decided {
     fn changes_since(&self, old: &Decided) -> Vec<String> {
         let both = [old, self];
         let marks = both.into_iter().flat_map(|decided| &decided.by_hand);
-        let keys = marks.flat_map(|(who, marks)| marks.keys().map(move |task| (who, task)));
-        let keys: BTreeSet<(&Untrusted, &String)> = keys.collect();
+        let all = marks.flat_map(|(who, marks)| marks.keys().map(move |task| (who, task)));
+        let keys: BTreeSet<(&Untrusted, &String)> = all.collect();
         let by_hand = keys.into_iter().filter_map(|(who, task)| {
             let of = both.map(|decided| decided.by_hand.get(who)?.get(task));
             let [a, b] = of.map(|mark| mark.map_or("nothing".into(), |mark| given(task, mark)));

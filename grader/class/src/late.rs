@@ -96,8 +96,8 @@ fn with_time_of_team(roster: &Roster, student: usize) -> Student {
 /// Whether something that was handed in at a time is in time for a student; without a deadline
 /// everything is.
 pub(crate) fn is_in_time(at: i64, student: &Student, term: Option<&PlannedTerm>) -> bool {
-    let due = term.and_then(|term| term.due);
-    let due = due.map(|due| extended(due, &student.extension).unwrap_or(due));
+    let of_class = term.and_then(|term| term.due);
+    let due = of_class.map(|due| extended(due, &student.extension).unwrap_or(due));
     let rule = term.and_then(|term| term.late);
     let grace = rule.map_or(0, |rule| i64::from(rule.grace_minutes) * 60);
     due.is_none_or(|due| at <= due + grace)

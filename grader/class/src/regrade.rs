@@ -84,8 +84,8 @@ fn submission<'a>(plan: &'a Plan, name: &Untrusted) -> Option<&'a str> {
 
 /// What is given by hand to a submission and to single students of its team.
 fn given_to(by_hand: &ByHand, name: &Untrusted) -> Vec<String> {
-    let whole = by_hand.submissions.get(name.raw()).into_iter().flatten();
-    let whole = whole.map(|(task, mark)| given(task, mark));
+    let marks = by_hand.submissions.get(name.raw()).into_iter().flatten();
+    let whole = marks.map(|(task, mark)| given(task, mark));
     let members = by_hand.members_of(name).flat_map(|member| {
         let marks = member.marks.iter();
         marks.map(|(task, mark)| format!("{}: {}", member.name.line(), given(task, mark)))

@@ -22,8 +22,8 @@ impl Sheet {
             let line = 1 + newlines(&bytes[..e.valid_up_to()]);
             format!("line {line} is not UTF-8: store the table as \"CSV UTF-8\"")
         })?;
-        let text = text.trim_start_matches('\u{feff}');
-        let text = text.replace("\r\n", "\n").replace('\r', "\n");
+        let unmarked = text.trim_start_matches('\u{feff}');
+        let text = unmarked.replace("\r\n", "\n").replace('\r', "\n");
         let separator = separator(&text);
         let mut reader = csv::ReaderBuilder::new()
             .flexible(true)
@@ -51,8 +51,8 @@ impl Sheet {
         if let Some((line, cells)) = lines.last().filter(|_| is_open)
             && cells.iter().any(|cell| cell.contains('\n'))
         {
-            let start = cells.iter().find(|cell| cell.contains('\n'));
-            let start = start
+            let cell = cells.iter().find(|cell| cell.contains('\n'));
+            let start = cell
                 .and_then(|cell| cell.lines().next())
                 .unwrap_or_default();
             return Err(format!(
@@ -81,8 +81,8 @@ fn newlines(bytes: &[u8]) -> usize {
 fn separator(text: &str) -> u8 {
     let first = text.lines().find(|line| !line.trim().is_empty());
     // Every second part is between quotes.
-    let outside = first.unwrap_or_default().split('"').step_by(2);
-    let outside: String = outside.collect();
+    let parts = first.unwrap_or_default().split('"').step_by(2);
+    let outside: String = parts.collect();
     let count = |separator: &u8| outside.bytes().filter(|byte| byte == separator).count();
     // Of equals the last one.
     let most = [b'\t', b';', b','].into_iter().max_by_key(count);
@@ -98,8 +98,8 @@ mod tests {
         let plain = "id,words\nanna,\"a, \"\"b\"\"\nc\"\n\nbo,\n";
         let expected = Sheet::parse(plain.as_bytes()).expect("a table");
         assert_eq!(expected.columns, ["id", "words"]);
-        let lines = [(2, ["anna", "a, \"b\"\nc"]), (5, ["bo", ""])];
-        let lines = lines.map(|(line, cells)| (line, cells.map(str::to_string).to_vec()));
+        let cells = [(2, ["anna", "a, \"b\"\nc"]), (5, ["bo", ""])];
+        let lines = cells.map(|(line, cells)| (line, cells.map(str::to_string).to_vec()));
         assert_eq!(expected.lines, lines);
         for (text, commas) in [
             (format!("\u{feff}{}", plain.replace('\n', "\r\n")), false),

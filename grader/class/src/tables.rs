@@ -23,8 +23,10 @@ pub fn write(
     let of_members =
         members().map(|member| format!("{}\0{}", member.submission.raw(), member.key.raw()));
     let of_members: Vec<String> = of_members.collect();
-    let names = plan.submissions.iter().map(|planned| planned.name.raw());
-    let names: Vec<&str> = names.chain(of_members.iter().map(String::as_str)).collect();
+    let submissions = plan.submissions.iter().map(|planned| planned.name.raw());
+    let names: Vec<&str> = submissions
+        .chain(of_members.iter().map(String::as_str))
+        .collect();
     let page_names = entries::page_names(&names);
     let students = out.join("students");
     std::fs::create_dir_all(&students).map_err(|e| GraderError::file("create", &students, e))?;

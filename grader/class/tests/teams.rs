@@ -103,10 +103,10 @@ impl Teams {
 
     /// The page whose title starts with a name.
     fn page_of(&self, name: &str) -> String {
-        let files = self.files().into_iter();
         let is_page = |path: &Path| path.parent() == Some(&self.out.join("students"));
-        let pages = files.filter(|(path, _)| is_page(path));
-        let mut pages = pages.map(|(_, bytes)| String::from_utf8(bytes).expect("UTF-8"));
+        let files = self.files().into_iter();
+        let of_students = files.filter(|(path, _)| is_page(path));
+        let mut pages = of_students.map(|(_, bytes)| String::from_utf8(bytes).expect("UTF-8"));
         let title = format!("<h1>{name}");
         pages
             .find(|page| page.contains(&title))
@@ -117,10 +117,14 @@ impl Teams {
 #[test]
 fn a_team_has_one_submission_and_each_member_a_mark() {
     let teams = Teams::new();
+    let blue = teams.class.plan.submissions[1].key().expect("a unit");
+    let unit = std::fs::read_to_string(teams.out.unit(blue)).expect("a unit");
+    let equal = unit.replace("\"sources\":{}", "\"sources\":{\"raygen\":\"equal\"}");
+    std::fs::write(teams.out.unit(blue), equal).expect("a unit");
     let (code, printed) = teams.run(&["--for", "csv"]);
     assert_eq!(code, Some(0), "{printed}");
-    let marks = teams.read("roster.csv");
-    let marks: Vec<&str> = marks.lines().skip(1).collect();
+    let table = teams.read("roster.csv");
+    let marks: Vec<&str> = table.lines().skip(1).collect();
     // Ada is two days late, Bo, whose extension is a day, one.
     for (line, start, note) in [
         (
@@ -175,7 +179,7 @@ fn what_is_given_by_hand_is_shown_everywhere_and_never_written() {
     for line in [
         "your decision: part1-ed: held back\n",
         "your decision: line 6 of by_hand.csv counts for nothing: away has no submission",
-        "by hand: Bo (s2): nothing -> -1 points: did not come\n",
+        "by hand: Bo (s2): nothing -> -1 point: did not come\n",
         "by hand: part1-ed: nothing -> held back: see me\n",
     ] {
         assert!(printed.contains(line), "{line}: {printed}");
@@ -235,7 +239,7 @@ fn what_is_given_by_hand_is_shown_everywhere_and_never_written() {
         "{moodle}"
     );
     assert!(
-        moodle.contains("by hand: -1 points: did not come"),
+        moodle.contains("by hand: -1 point: did not come"),
         "{moodle}"
     );
 
@@ -251,7 +255,7 @@ fn what_is_given_by_hand_is_shown_everywhere_and_never_written() {
     assert_eq!(
         listed,
         [
-            "by hand: Bo (s2): -1 points: did not come -> -1 points: came late",
+            "by hand: Bo (s2): -1 point: did not come -> -1 point: came late",
             "by hand: part1-ed: held back: see me -> +3 points",
             "by hand: red: +2 points for part1.task1: <b>=1+1</b>; =2, the case asks -> nothing",
             "team away: Fay -> Cy, Fay",
@@ -343,7 +347,7 @@ fn after_a_kill_and_beside_another_run_the_bytes_are_the_same() {
     teams.by_hand("id,points,held_back\nred,2,\npart1-ed,,x\n");
     let (_, printed) = teams.run(&["--for", "csv"]);
     let whole = teams.files();
-    let listed = "by hand: red: +1 points -> +2 points\n";
+    let listed = "by hand: red: +1 point -> +2 points\n";
     assert!(printed.contains(listed) && whole != old, "{printed}");
     // A kill after each of the files, from the first to the last.
     for kept in 0..whole.len() {

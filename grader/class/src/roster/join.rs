@@ -277,8 +277,8 @@ fn the_one_that_counts(
             .students
             .iter()
             .filter(|other| other.is_teammate_of(student));
-        let is_in_time = members.map(|member| late::is_in_time(commit.committer, member, term));
-        let is_in_time = is_in_time.reduce(|a, b| a || b).unwrap_or(true);
+        let in_time = members.map(|member| late::is_in_time(commit.committer, member, term));
+        let is_in_time = in_time.reduce(|a, b| a || b).unwrap_or(true);
         timed.push(((is_in_time, commit.committer), *i));
     }
     let (last, _) = timed.iter().max()?;
@@ -569,8 +569,8 @@ mod tests {
             late: None,
         };
         let join = |roster: &Roster, clones: [(&str, &CommitTimes); 2], term| {
-            let entries = [("ada", clones[0]), ("ghopper", clones[1])];
-            let entries = entries.map(|(name, (files, commit))| Entry {
+            let named = [("ada", clones[0]), ("ghopper", clones[1])];
+            let entries = named.map(|(name, (files, commit))| Entry {
                 name,
                 files: Some(files),
                 commit: Some(commit),

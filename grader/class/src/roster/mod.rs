@@ -54,8 +54,8 @@ impl Student {
     /// What tells the student from others: the first that is known of the school's identifier, the
     /// login, the address, the number and the name.
     pub fn key(&self) -> &Untrusted {
-        let known = [&self.id, &self.login, &self.email, &self.number];
-        let mut known = known.into_iter().filter(|text| !text.is_empty());
+        let all = [&self.id, &self.login, &self.email, &self.number];
+        let mut known = all.into_iter().filter(|text| !text.is_empty());
         known.next().unwrap_or(&self.name)
     }
 

@@ -25,12 +25,9 @@ fn first_caller(backtrace: &str) -> Option<String> {
         .lines()
         .filter_map(|line| line.trim().strip_prefix("at "));
     // Below the root folder of the workspace, as the compiler names files.
-    let of_stages = places.filter_map(|place| Some(&place[place.rfind(STAGES)? + 1..]));
+    let mut of_stages = places.filter_map(|place| Some(&place[place.rfind(STAGES)? + 1..]));
     let is_given = |place: &str| GIVEN.iter().any(|given| place.starts_with(given));
-    let (line, _column) = of_stages
-        .into_iter()
-        .find(|place| !is_given(place))?
-        .rsplit_once(':')?;
+    let (line, _column) = of_stages.find(|place| !is_given(place))?.rsplit_once(':')?;
     Some(line.to_owned())
 }
 

@@ -73,7 +73,7 @@ pub(crate) fn command() -> Command {
                 .long("simplest")
                 .action(ArgAction::SetTrue)
                 .conflicts_with_all(["seeds", "bless", "with", "families"])
-                .help("Instead, print how simple the calls are that show the mistakes to students, and test that correct versions answer all simple questions rightly"),
+                .help("Instead, print how simple the calls are that show the mistakes to students, and test that correct versions answer all simple questions rightly, and that what is said and drawn of a call is true"),
         )
         .arg(
             Arg::new("proportion")

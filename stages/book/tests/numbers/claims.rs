@@ -245,7 +245,7 @@ fn part2() -> Vec<Claim> {
         (
             "part2/task1.md",
             format!(
-                "at most {} times as long as sorting them at each level, or grows at most $n^{{{}}}$ times faster than sorting",
+                "at most {} times as long as sorting its boxes at each level, or grows at most $n^{{{}}}$ times faster than sorting",
                 constant(&growth, "FAST"),
                 constant(&growth, "MAX_EXCESS")
             ),

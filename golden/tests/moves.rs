@@ -136,8 +136,8 @@ fn points_of(bits: impl IntoIterator<Item = bool>, task: &Task, seed: u64) -> f6
             Work::Stop(_) => Answer::Stop(answers),
             _ => Answer::SureStop(answers),
         };
-        let entry = task.cases.iter().find(|entry| entry.name == spec.name);
-        let entry = entry.expect("the case is in the course");
+        let entry = (task.cases.iter().find(|entry| entry.name == spec.name))
+            .expect("the case is in the course");
         let findings = judge::judge(&spec, entry.tier, &answer);
         CaseResult::new(entry, "", Status::Passed, findings, &[])
     });
@@ -158,8 +158,8 @@ fn answers_in_the_order_of_the_calls_earn_less_than_a_constant() {
         if bits.is_empty() {
             continue; // a handout
         }
-        let constant = [true, false].map(|bit| points_of(std::iter::repeat(bit), task, 1));
-        let constant = constant[0].max(constant[1]);
+        let constants = [true, false].map(|bit| points_of(std::iter::repeat(bit), task, 1));
+        let constant = constants[0].max(constants[1]);
         let by_heart = |seed| points_of(bits.iter().copied(), task, seed);
         let drawn = (1..11).map(by_heart).sum::<f64>() / 10.0;
         println!(

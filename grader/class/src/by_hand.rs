@@ -8,13 +8,14 @@
 //! A line names a submission, as `gradebook.csv` does, and is about all who handed it in; or a team;
 //! or a student, of a team only this one.
 
-use crate::collect::{Row, Score, Status, points};
 use crate::out::{Out, read_regular};
 use crate::plan::Plan;
 use crate::roster::join::Join;
 use crate::roster::{Roster, Student};
+use crate::row::{Row, Score, Status};
 use crate::sheet::Sheet;
 use base::GraderError;
+use formats::gradebook::points_text as points;
 use formats::gradebook::text;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;

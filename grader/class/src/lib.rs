@@ -41,6 +41,7 @@ pub mod progress;
 pub mod reading;
 pub mod regrade;
 pub mod roster;
+mod row;
 pub mod sheet;
 pub mod tables;
 pub mod unit;

@@ -1,7 +1,7 @@
 //! Answers that are the same in every call, as those of code that is not finished. A known mistake
 //! may give the same answers; that they never change is said first.
 
-use super::{Certainty, Diagnosis};
+use super::mistake::{Certainty, Diagnosis};
 use crate::score::{CaseResult, Status};
 use judge::Tier;
 use judge::snapshot;

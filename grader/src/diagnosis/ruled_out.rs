@@ -1,6 +1,6 @@
 //! Tests a guess against what the report says next: where all wrong answers are.
 
-use super::{Diagnosis, Known};
+use super::mistake::{Diagnosis, Known};
 use crate::score::regularity::{Regularity, Shared};
 use crate::signature::{REFUTING, Signature};
 use judge::cases::Spec;

@@ -543,8 +543,8 @@ mod tests {
     #[test]
     fn a_gap_is_in_the_first_function_of_the_task_that_ends_there() {
         let workspace = Workspace::above(std::path::Path::new(env!("CARGO_MANIFEST_DIR")));
-        let course = Course::read(&workspace.expect("the grader is in the course"));
-        let course = course.expect("the course is valid");
+        let read = Course::read(&workspace.expect("the grader is in the course"));
+        let course = read.expect("the course is valid");
         let task = course.tasks().find(|task| task.key == "part4.task1");
         let holes = |all: [[&str; 2]; 3]| {
             all.map(|[called, hole]| HoleCall {

@@ -137,8 +137,8 @@ pub(super) fn require_idea(task: &Task, cases: &mut [CaseResult]) {
         Some((function, idea))
     });
     let lacking: BTreeMap<String, &Idea> = lacking.collect();
-    let answered = cases.iter().filter(|case| !case.findings.is_empty());
-    let answered: BTreeSet<String> = answered.map(|case| case.name.clone()).collect();
+    let with_answers = cases.iter().filter(|case| !case.findings.is_empty());
+    let answered: BTreeSet<String> = with_answers.map(|case| case.name.clone()).collect();
     for case in cases {
         let lacks = |share: &FunctionShare| lacking.get(&share.function);
         let Some(idea) = case.shares.iter().find_map(lacks) else {

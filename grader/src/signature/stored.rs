@@ -9,7 +9,7 @@ use super::codes::Codes;
 use super::key::SignatureKey;
 use super::{Cases, Distributions};
 use crate::course::packed::binary;
-use crate::diagnosis::Known;
+use crate::diagnosis::mistake::Known;
 use judge::findings::{COUNTS, DirectionCounts};
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
@@ -267,8 +267,8 @@ impl Reader<'_> {
                     cases.insert(key, codes.clone());
                 }
                 Key::Distributions(key) => {
-                    let all = codes.0.chunks(COUNTS).map(|counts| counts.try_into().ok());
-                    let all: Option<Vec<[u16; COUNTS]>> = all.collect();
+                    let each = codes.0.chunks(COUNTS).map(|counts| counts.try_into().ok());
+                    let all: Option<Vec<[u16; COUNTS]>> = each.collect();
                     let all = all?.into_iter().map(DirectionCounts::from_counts);
                     distributions.insert(key, all.collect());
                 }

@@ -5,7 +5,7 @@ use super::plot::{BOTH, Plot, Side, both};
 use crate::report::wrap::{columns, wrap};
 
 /// Columns and lines of the shapes.
-const COLUMNS: usize = 56;
+pub(super) const COLUMNS: usize = 56;
 const LINES: usize = 6;
 
 /// Columns between the shapes and the words beside them.

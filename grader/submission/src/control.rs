@@ -73,14 +73,14 @@ fn failure(graded: &Graded) -> Option<String> {
     if !graded.compiler.is_empty() {
         let (first, _) = compile_errors::first(&graded.compiler);
         // The command of a linker has thousands of letters.
-        let lines = first.lines().filter(|line| line.len() <= MOST_OF_LINE);
-        let lines: Vec<&str> = lines.collect();
+        let short = first.lines().filter(|line| line.len() <= MOST_OF_LINE);
+        let lines: Vec<&str> = short.collect();
         return Some(format!("does not compile ({})", lines.join("\n").trim()));
     }
     let mut results = graded.report.tasks.iter().map(|task| &task.result);
     let is_open = |status: &Status| matches!(status, Status::NotAttempted | Status::Needs(_));
-    let lost = results.find(|task| task.score < task.max_score && !is_open(&task.status));
-    let lost = lost.map(|task| {
+    let worst = results.find(|task| task.score < task.max_score && !is_open(&task.status));
+    let lost = worst.map(|task| {
         let mut crashed = task.cases.iter().filter_map(|case| match &case.status {
             Status::Crashed(how) => Some(format!("{}: {how}", case.name)),
             _ => None,

@@ -24,6 +24,7 @@ mod correct_versions;
 pub mod file_tree;
 mod given;
 mod jail;
+mod not_graded;
 pub mod one;
 pub mod packages;
 pub mod read;
@@ -212,9 +213,9 @@ impl SubmissionReport {
                 grade::at(workspace, &course, &graded_tasks, seed, &root, false)
             };
             // Each stage alone was built, or had a control of its own.
-            let of_first = graded_tasks.first().map(|task| &task.stage);
+            let first = graded_tasks.first().map(|task| &task.stage);
             let of_first: Vec<&Task> = (graded_tasks.iter().copied())
-                .filter(|task| Some(&task.stage) == of_first)
+                .filter(|task| Some(&task.stage) == first)
                 .collect();
             let graded = control::unless_the_machine_failed(
                 grade,

@@ -2,7 +2,7 @@
 
 use crate::file_tree::Files;
 use crate::given::Given;
-use crate::one::NotGraded;
+use crate::not_graded::NotGraded;
 use crate::untrusted::{Layout, Untrusted, shown};
 use crate::{scan, source_file};
 use base::GraderError;

@@ -1,6 +1,6 @@
 //! Reads one source file of a submission, whatever editor wrote it.
 
-use crate::one::NotGraded;
+use crate::not_graded::NotGraded;
 use grader::course::sources;
 use std::borrow::Cow;
 use std::path::Path;

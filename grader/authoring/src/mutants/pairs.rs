@@ -287,12 +287,12 @@ mod tests {
 
     #[test]
     fn every_listed_mistake_is_known() {
-        let workspace = Workspace::above(Path::new(env!("CARGO_MANIFEST_DIR")));
-        let workspace = workspace.expect("authoring is in the workspace");
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR"));
+        let workspace = Workspace::above(folder).expect("authoring is in the workspace");
         let course = Course::read(&workspace).expect("the course is sound");
         for Group { task, mistakes } in Group::all(&workspace).expect("the list can be read") {
-            let of_course = course.tasks().find(|of| of.key == task);
-            let of_course = of_course.unwrap_or_else(|| panic!("{task} is no task"));
+            let found = course.tasks().find(|of| of.key == task);
+            let of_course = found.unwrap_or_else(|| panic!("{task} is no task"));
             let corpus = Corpus::read(&workspace, of_course).expect("the task has mistakes");
             for id in mistakes {
                 assert!(corpus.mistake(&id).is_some(), "{task}: {id}");

@@ -45,8 +45,8 @@ pub fn of_task(
     };
     let versions = VersionsWorker::of_mutants(workspace, course, task)?;
     let render = |version| {
-        let worker = versions.workers(version).whole_scene;
-        let worker = worker.map_err(|_| GraderError::new("the worker cannot be run"))?;
+        let built = versions.workers(version).whole_scene;
+        let worker = built.map_err(|_| GraderError::new("the worker cannot be run"))?;
         picture::rendered_by(course, &picture, &worker)
     };
     let right = render(0)?.map_err(|status| {
@@ -70,8 +70,8 @@ pub fn of_task(
 
 /// The share of pixels that are wrong, whatever is chosen.
 fn share_of_wrong(picture: &TaskPicture, right: &Image, yours: &Image) -> f64 {
-    let judged = picture.panels.iter();
-    let judged = judged.filter(|panel| panel.differences != Differences::Choice);
+    let panels = picture.panels.iter();
+    let judged = panels.filter(|panel| panel.differences != Differences::Choice);
     let [w, h] = picture.work.size;
     let pixels = judged.count() * (w * h) as usize;
     let counts = compare(picture, right, yours).counts;

@@ -329,11 +329,14 @@ fn halves_by_remove(bounds: &[Aabb], mut ids: Vec<u32>, around: &Aabb) -> [Vec<u
 
 fn halves_by_insert(bounds: &[Aabb], mut ids: Vec<u32>, around: &Aabb) -> [Vec<u32>; 2] {
     sort_by_axis(bounds, &mut ids, around.extent().max_position());
-    let mut low = Vec::new();
-    for &id in &ids[..ids.len() / 2] {
-        low.insert(0, id);
-    }
-    [low, ids[ids.len() / 2..].to_vec()]
+    let (low, high) = ids.split_at(ids.len() / 2);
+    [low, high].map(|half| {
+        let mut list = Vec::new();
+        for &id in half {
+            list.insert(0, id);
+        }
+        list
+    })
 }
 
 /// Looks for its primitives among all of the scene, in each node.

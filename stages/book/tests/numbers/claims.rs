@@ -85,8 +85,8 @@ fn constant(path: &str, name: &str) -> f64 {
 
 fn grading() -> Vec<Claim> {
     let lines = constant("grader/harness/src/watch.rs", "MOST_WRITES");
-    let diagnosis = "grader/src/diagnosis/mod.rs";
-    let [likely, sure] = ["LIKELY", "SURE"].map(|name| 100.0 * constant(diagnosis, name));
+    let [likely, sure] = [("mod", "LIKELY"), ("mistake", "SURE")]
+        .map(|(file, name)| 100.0 * constant(&format!("grader/src/diagnosis/{file}.rs"), name));
     vec![
         (
             "grading.md",

@@ -296,8 +296,8 @@ fn source_files(top: &Path, src: &Path, notes: &mut Notes) -> Result<Files, NotG
 }
 
 /// Calls `visit` for every file below `folder` and for every folder that cannot be read, but not
-/// below [`SKIPPED_FOLDERS`]. Does not follow links. Returns whether these were all: it stops after
-/// [`MAX_ENTRIES`], and visits folders that are too deep instead of what is in them.
+/// below `SKIPPED_FOLDERS`. Does not follow links. Returns whether these were all: it stops after
+/// `MAX_ENTRIES`, and visits folders that are too deep instead of what is in them.
 pub fn for_each_file(folder: &Path, visit: &mut impl FnMut(&Path)) -> Result<bool, NotGraded> {
     walk(folder, SOURCES_DEPTH + MAX_DEPTH, &mut 0, visit)
 }

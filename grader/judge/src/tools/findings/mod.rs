@@ -31,7 +31,7 @@ fn digits(message: &Message) -> usize {
 /// use judge::findings::{Aspect, Findings};
 /// let mut findings = Findings::default();
 /// findings.judge(Aspect::T, 0, true, 0.0, String::new);
-/// findings.judge(Aspect::T, 1, false, 0.5, || "2.5, expected 2".into());
+/// findings.judge(Aspect::T, 1, false, 0.5, || "2.5, expected 2".to_string());
 /// let found = &findings.into_vec()[0];
 /// assert_eq!(found.to_string(), "t wrong on 1 of 2: 2.5, expected 2");
 /// ```

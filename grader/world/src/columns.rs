@@ -1,0 +1,372 @@
+//! The hard cases: each is a mesh with rays, from a seed.
+//!
+//! Every coordinate is rounded to single precision before the truth is computed, so a library that
+//! works in `f32` loses nothing when it reads the case. Rays at edges start inside a closed mesh, or
+//! above a closed terrain: whatever a library rounds, a miss is wrong.
+
+use crate::case::Case;
+use crate::random::Random;
+use crate::shapes::{Rounded, icosphere, indexed, slivers, terrain, uv_sphere};
+use kit::{Ray, Vec3};
+use meshes::MeshKind;
+
+/// What a column measures.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Measure {
+    /// Answers that lose a hit, invent one or have a wrong `t`: wrong for every library.
+    Wrong,
+    /// How many rays find the hit, in per cent: libraries agree on no convention.
+    Found,
+    /// The number of hits along the ray differs from the number of points at which the ray crosses
+    /// the surface.
+    Count,
+    /// The error of `t` in units in the last place of the library's precision.
+    Ulps,
+}
+
+/// A hard case.
+pub(crate) struct Column {
+    pub(crate) name: &'static str,
+    pub(crate) measure: Measure,
+    /// What the rays do, for the head of the table.
+    pub(crate) title: &'static str,
+    make: fn(&mut Random, usize) -> Case,
+}
+
+impl Column {
+    /// The case of this column with about `rays` rays.
+    pub(crate) fn case(&self, seed: u64, rays: usize) -> Case {
+        // Each column has its own random numbers, so a new column changes no other.
+        let name = self.name.bytes().fold(seed, |hash, byte| {
+            (hash ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3)
+        });
+        (self.make)(&mut Random(name), rays)
+    }
+}
+
+const fn column(
+    name: &'static str,
+    measure: Measure,
+    title: &'static str,
+    make: fn(&mut Random, usize) -> Case,
+) -> Column {
+    Column {
+        name,
+        measure,
+        title,
+        make,
+    }
+}
+
+/// All columns, in the order of the table.
+pub(crate) static COLUMNS: [Column; 24] = {
+    use Measure::*;
+    [
+        column("round_edge", Wrong, "round mesh, at edges", |random, n| {
+            from_inside(random, icosphere(3), n, Aim::Edge)
+        }),
+        column(
+            "round_vertex",
+            Wrong,
+            "round mesh, at vertices",
+            |random, n| from_inside(random, icosphere(3), n, Aim::Vertex),
+        ),
+        column("needle_edge", Wrong, "needles, at edges", |random, n| {
+            from_inside(random, uv_sphere(400, 8), n, Aim::Edge)
+        }),
+        column(
+            "needle_vertex",
+            Wrong,
+            "needles, at vertices",
+            |random, n| from_inside(random, uv_sphere(400, 8), n, Aim::Vertex),
+        ),
+        column(
+            "grid_vertex",
+            Wrong,
+            "integer terrain, at vertices",
+            |random, n| down(random, n, 0.0, 0.0),
+        ),
+        column(
+            "grid_edge",
+            Wrong,
+            "integer terrain, at edges",
+            |random, n| down(random, n, 0.5, 0.0),
+        ),
+        column(
+            "grid_diagonal",
+            Wrong,
+            "integer terrain, at diagonals",
+            |random, n| down(random, n, 0.5, 0.5),
+        ),
+        column(
+            "grid_inside",
+            Wrong,
+            "integer terrain, inside triangles",
+            |random, n| down(random, n, 0.5, 0.25),
+        ),
+        column(
+            "grid_slanted",
+            Wrong,
+            "integer terrain, in a plane of box faces",
+            slanted,
+        ),
+        column("far_1e4", Wrong, "start 10⁴ away", |random, n| {
+            from_afar(random, n, 14)
+        }),
+        column("far_1e6", Wrong, "start 10⁶ away", |random, n| {
+            from_afar(random, n, 20)
+        }),
+        column("far_1e8", Wrong, "start 10⁸ away", |random, n| {
+            from_afar(random, n, 27)
+        }),
+        column("small", Wrong, "a mesh of 10⁻⁶", |random, n| {
+            scaled(random, n, -20, 0)
+        }),
+        column("large", Wrong, "a mesh of 10⁶", |random, n| {
+            scaled(random, n, 20, 0)
+        }),
+        column(
+            "short_direction",
+            Wrong,
+            "directions of length 10⁻⁶",
+            |random, n| scaled(random, n, 0, -20),
+        ),
+        column(
+            "long_direction",
+            Wrong,
+            "directions of length 10⁶",
+            |random, n| scaled(random, n, 0, 20),
+        ),
+        column("sliver", Wrong, "slivers, inside", at_slivers),
+        column("duplicates", Wrong, "every triangle twice", duplicates),
+        column(
+            "nan_vertex",
+            Wrong,
+            "one vertex is NaN, at the others",
+            nan_vertex,
+        ),
+        column(
+            "at_start",
+            Found,
+            "the hit is at the range's start",
+            |random, n| ends(random, n, |t| (t, 2.0 * t)),
+        ),
+        column(
+            "at_end",
+            Found,
+            "the hit is at the range's end",
+            |random, n| ends(random, n, |t| (0.0, t)),
+        ),
+        column(
+            "on_surface",
+            Found,
+            "the ray starts on the surface",
+            |random, n| {
+                let mut case = ends(random, n, |_| (0.0, f64::INFINITY));
+                for ray in &mut case.rays {
+                    ray.o.z = 0.0;
+                }
+                case
+            },
+        ),
+        column("parity", Count, "hits counted through edges", through),
+        column(
+            "inner",
+            Ulps,
+            "error of t, inside triangles",
+            |random, n| from_inside(random, icosphere(3), n, Aim::Inner),
+        ),
+    ]
+};
+
+/// The case that is timed: 51,200 triangles, rays from around the mesh towards random points in its
+/// bounding box.
+pub(crate) fn speed(seed: u64, rays: usize) -> Case {
+    let random = &mut Random(seed);
+    let mesh = indexed(MeshKind::Smooth, 51_200);
+    let at_mesh = (0..rays).map(|_| {
+        let o = (3.0 * random.direction()).rounded();
+        let target = Vec3::new(random.signed(), random.signed(), random.signed());
+        Ray::new(o, (0.6 * target - o).rounded())
+    });
+    let rays = at_mesh.collect();
+    Case { rays, ..mesh }
+}
+
+/// What a ray aims at.
+#[derive(Clone, Copy, PartialEq)]
+enum Aim {
+    Edge,
+    Vertex,
+    Inner,
+}
+
+/// Rays from near the centre of a closed mesh around the origin.
+fn from_inside(random: &mut Random, mesh: Case, rays: usize, aim: Aim) -> Case {
+    let rays = (0..rays).map(|_| {
+        let o = (0.3 * random.unit() * random.direction()).rounded();
+        Ray::new(o, (target(random, &mesh, aim) - o).rounded())
+    });
+    let rays = rays.collect();
+    Case { rays, ..mesh }
+}
+
+/// A random point of a random triangle.
+fn target(random: &mut Random, mesh: &Case, aim: Aim) -> Vec3 {
+    let face = mesh.faces[random.below(mesh.faces.len())];
+    let first = random.below(3);
+    let [a, b, c] = [0, 1, 2].map(|i| mesh.vertices[face[(first + i) % 3] as usize]);
+    match aim {
+        Aim::Vertex => a,
+        Aim::Edge => (a + random.unit() * (b - a)).rounded(),
+        // Each weight is at least 1/10, so a rounded direction still hits this triangle.
+        Aim::Inner => {
+            let [s, t] = [random.unit(), random.unit()].map(|u| 0.1 + 0.35 * u);
+            (a + s * (b - a) + t * (c - a)).rounded()
+        }
+    }
+}
+
+/// Rays downwards at integer points of a terrain, moved by less than a square. Every number is a
+/// small integer or a quarter.
+fn down(random: &mut Random, rays: usize, x: f64, y: f64) -> Case {
+    let mesh = terrain(random, SIZE);
+    let rays = rays.min(SIZE * SIZE);
+    let mut inner = || 1.0 + random.below(SIZE - 2) as f64;
+    let rays = (0..rays).map(|_| {
+        let o = Vec3::new(inner() + x, inner() + y, 64.0);
+        Ray::new(o, Vec3::NEG_Z)
+    });
+    let rays = rays.collect();
+    Case { rays, ..mesh }
+}
+
+/// Squares of the terrain along each axis.
+const SIZE: usize = 100;
+
+/// Rays that slant downwards in a plane x = integer, which is full of edges and of faces of bounding
+/// boxes: one component of the direction is 0, and the planes of many boxes contain the ray.
+fn slanted(random: &mut Random, rays: usize) -> Case {
+    let mesh = terrain(random, SIZE);
+    let rays = rays.min(SIZE * SIZE);
+    let rays = (0..rays).map(|_| {
+        let mut integer = |first: usize, last: usize| (first + random.below(last - first)) as f64;
+        let o = Vec3::new(integer(1, SIZE), integer(1, 50), 64.0);
+        Ray::new(o, Vec3::new(0.0, integer(0, 2), -4.0))
+    });
+    let rays = rays.collect();
+    Case { rays, ..mesh }
+}
+
+/// Rays along an axis that start 2^`exponent` away from a closed mesh and aim at the inside of a
+/// triangle that faces them, as far from its edges as a tenth of its weights.
+fn from_afar(random: &mut Random, rays: usize, exponent: i32) -> Case {
+    let mesh = icosphere(3);
+    let distance = 2_f64.powi(exponent);
+    let rays = (0..rays).map(|_| {
+        let p = target(random, &mesh, Aim::Inner);
+        // The axis that the surface faces most: the triangle is not seen from its edge.
+        let axis = p.abs().max_position();
+        let mut o = p;
+        o[axis] = distance * p[axis].signum();
+        let mut d = Vec3::ZERO;
+        d[axis] = -p[axis].signum();
+        Ray::new(o, d)
+    });
+    let rays = rays.collect();
+    Case { rays, ..mesh }
+}
+
+/// The rays of `round_edge`, with lengths multiplied by 2^`size` and directions by 2^`direction` as
+/// well: no digit changes.
+fn scaled(random: &mut Random, rays: usize, size: i32, direction: i32) -> Case {
+    let mut case = from_inside(random, icosphere(3), rays, Aim::Inner);
+    let (size, direction) = (2_f64.powi(size), 2_f64.powi(direction));
+    for vertex in &mut case.vertices {
+        *vertex *= size;
+    }
+    for ray in &mut case.rays {
+        ray.o *= size;
+        ray.d *= size * direction;
+    }
+    case
+}
+
+/// Rays at right angles to slivers that are 4,096 times as long as wide, at inner points. Every
+/// number is a small integer or a half.
+fn at_slivers(random: &mut Random, rays: usize) -> Case {
+    let mesh = slivers(64);
+    let rays = (0..rays).map(|_| {
+        // Half of the height of a sliver, at its middle: as far from its edges as possible.
+        let (x, y) = (
+            2048.0,
+            random.below(64) as f64 + [0.25, 0.75][random.below(2)],
+        );
+        Ray::new(Vec3::new(x, y, 8.0), Vec3::NEG_Z)
+    });
+    let rays = rays.collect();
+    Case { rays, ..mesh }
+}
+
+/// `round_edge` with a second copy of every triangle.
+fn duplicates(random: &mut Random, rays: usize) -> Case {
+    let mut case = from_inside(random, icosphere(3), rays, Aim::Edge);
+    case.faces.extend(case.faces.clone());
+    case
+}
+
+/// Rays at triangles of a mesh in which one vertex is NaN, none of them at a triangle of that vertex.
+fn nan_vertex(random: &mut Random, rays: usize) -> Case {
+    let mut mesh = icosphere(3);
+    let spoilt = 5;
+    let whole = |face: &[u32; 3]| !face.contains(&spoilt);
+    let faces = mesh.faces.iter().copied().filter(whole).collect();
+    let hit = Case {
+        faces,
+        ..mesh.clone()
+    };
+    let aimed = from_inside(random, hit, rays, Aim::Inner);
+    mesh.vertices[spoilt as usize] = Vec3::NAN;
+    Case {
+        rays: aimed.rays,
+        ..mesh
+    }
+}
+
+/// Rays down at a terrain without height, at inner points, and ranges made from
+/// the exact t of the hit.
+fn ends(random: &mut Random, rays: usize, range: fn(f64) -> (f64, f64)) -> Case {
+    let mut mesh = terrain(random, 16);
+    for vertex in &mut mesh.vertices {
+        vertex.z = 0.0;
+    }
+    let top = mesh.vertices.len() as u32 / 2;
+    mesh.faces
+        .retain(|face| face.iter().all(|vertex| *vertex < top));
+    let rays = (0..rays).map(|_| {
+        let mut integer = |count| random.below(count) as f64;
+        let o = Vec3::new(integer(16) + 0.5, integer(16) + 0.25, 1.0 + integer(8));
+        let (min_t, max_t) = range(o.z);
+        Ray {
+            o,
+            d: Vec3::NEG_Z,
+            min_t,
+            max_t,
+        }
+    });
+    let rays = rays.collect();
+    Case { rays, ..mesh }
+}
+
+/// Rays from outside through an edge of a closed mesh: they cross the surface at two points.
+fn through(random: &mut Random, rays: usize) -> Case {
+    let mesh = icosphere(3);
+    let rays = (0..rays).map(|_| {
+        let p = target(random, &mesh, Aim::Edge);
+        let inner = 0.3 * random.direction();
+        let o = (p + 2.0 * (p - inner)).rounded();
+        Ray::new(o, (p - o).rounded())
+    });
+    let rays = rays.collect();
+    Case { rays, ..mesh }
+}

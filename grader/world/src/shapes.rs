@@ -1,0 +1,173 @@
+//! The meshes of the hard cases, with vertices in single precision.
+
+use crate::case::Case;
+use crate::random::Random;
+use kit::{Vec3, math};
+use meshes::MeshKind;
+use std::collections::HashMap;
+
+/// Rounds to single precision.
+pub(crate) trait Rounded {
+    /// The nearest value that `f32` can represent.
+    fn rounded(self) -> Self;
+}
+
+impl Rounded for Vec3 {
+    fn rounded(self) -> Vec3 {
+        self.as_vec3().as_dvec3()
+    }
+}
+
+/// A mesh without rays.
+fn mesh(vertices: impl IntoIterator<Item = Vec3>, faces: Vec<[u32; 3]>) -> Case {
+    let vertices = vertices.into_iter().map(Vec3::rounded).collect();
+    let rays = Vec::new();
+    Case {
+        vertices,
+        faces,
+        rays,
+    }
+}
+
+/// A generated mesh of about `triangles` triangles.
+pub(crate) fn indexed(kind: MeshKind, triangles: usize) -> Case {
+    let mut numbers: HashMap<[u64; 3], u32> = HashMap::new();
+    let mut vertices = Vec::new();
+    let mut number = |p: Vec3| {
+        *numbers
+            .entry(p.to_array().map(f64::to_bits))
+            .or_insert_with(|| {
+                vertices.push(p);
+                vertices.len() as u32 - 1
+            })
+    };
+    let triangles = meshes::generate(kind, triangles);
+    let faces = triangles
+        .iter()
+        .map(|t| [t.p0, t.p1, t.p2].map(&mut number));
+    let faces = faces.collect();
+    mesh(vertices, faces)
+}
+
+/// The unit icosahedron, each triangle divided into four `levels` times: 20 · 4^`levels` triangles.
+pub(crate) fn icosphere(levels: u32) -> Case {
+    const FACES: [[u32; 3]; 20] = [
+        [0, 11, 5],
+        [0, 5, 1],
+        [0, 1, 7],
+        [0, 7, 10],
+        [0, 10, 11],
+        [1, 5, 9],
+        [5, 11, 4],
+        [11, 10, 2],
+        [10, 7, 6],
+        [7, 1, 8],
+        [3, 9, 4],
+        [3, 4, 2],
+        [3, 2, 6],
+        [3, 6, 8],
+        [3, 8, 9],
+        [4, 9, 5],
+        [2, 4, 11],
+        [6, 2, 10],
+        [8, 6, 7],
+        [9, 8, 1],
+    ];
+    let golden = (1.0 + 5_f64.sqrt()) / 2.0;
+    let corner = |axis: usize, a: f64, b: f64| {
+        let mut p = [0.0; 3];
+        p[axis] = a;
+        p[(axis + 1) % 3] = b * golden;
+        Vec3::from_array(p).normalize()
+    };
+    // Three rectangles at right angles to each other.
+    let corners = [(-1.0, 1.0), (1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)];
+    let mut vertices: Vec<Vec3> = (0..3)
+        .flat_map(|axis| corners.map(|(a, b)| corner(axis, a, b)))
+        .collect();
+    let mut faces = FACES.to_vec();
+    for _ in 0..levels {
+        let mut middles: HashMap<(u32, u32), u32> = HashMap::new();
+        let mut middle = |a: u32, b: u32| {
+            *middles.entry((a.min(b), a.max(b))).or_insert_with(|| {
+                let sum = vertices[a as usize] + vertices[b as usize];
+                vertices.push(sum.normalize());
+                vertices.len() as u32 - 1
+            })
+        };
+        let divide = |[a, b, c]: [u32; 3]| {
+            let [ab, bc, ca] = [middle(a, b), middle(b, c), middle(c, a)];
+            [[a, ab, ca], [b, bc, ab], [c, ca, bc], [ab, bc, ca]]
+        };
+        faces = faces.into_iter().flat_map(divide).collect();
+    }
+    mesh(vertices, faces)
+}
+
+/// A unit sphere of `slices` slices around the z axis and `stacks` stacks: long triangles if there
+/// are many more slices.
+pub(crate) fn uv_sphere(slices: u32, stacks: u32) -> Case {
+    let mut vertices = vec![Vec3::Z];
+    for stack in 1..stacks {
+        let theta = std::f64::consts::PI * f64::from(stack) / f64::from(stacks);
+        for slice in 0..slices {
+            let phi = std::f64::consts::TAU * f64::from(slice) / f64::from(slices);
+            let across = math::sin(theta);
+            let (x, y) = (across * math::cos(phi), across * math::sin(phi));
+            vertices.push(Vec3::new(x, y, math::cos(theta)));
+        }
+    }
+    vertices.push(Vec3::NEG_Z);
+    let south = vertices.len() as u32 - 1;
+    let at = |stack: u32, slice: u32| 1 + (stack - 1) * slices + slice % slices;
+    let mut faces = Vec::new();
+    for j in 0..slices {
+        faces.push([0, at(1, j), at(1, j + 1)]);
+        faces.push([south, at(stacks - 1, j + 1), at(stacks - 1, j)]);
+        for i in 1..stacks - 1 {
+            let [a, b] = [at(i, j), at(i, j + 1)];
+            let [c, d] = [at(i + 1, j), at(i + 1, j + 1)];
+            faces.extend([[a, c, d], [a, d, b]]);
+        }
+    }
+    mesh(vertices, faces)
+}
+
+/// A closed block over `size` by `size` squares: heights from 1 to 20 at integer points above, the
+/// plane z = 0 below.
+pub(crate) fn terrain(random: &mut Random, size: usize) -> Case {
+    let points = || (0..=size).flat_map(|i| (0..=size).map(move |j| (i as f64, j as f64)));
+    let top = points().map(|(x, y)| Vec3::new(x, y, 1.0 + random.below(20) as f64));
+    let mut vertices: Vec<Vec3> = top.collect();
+    let below = vertices.len() as u32;
+    vertices.extend(points().map(|(x, y)| Vec3::new(x, y, 0.0)));
+    let n = size as u32;
+    let at = |i: u32, j: u32| i * (n + 1) + j;
+    let mut faces = Vec::new();
+    for (i, j) in (0..n).flat_map(|i| (0..n).map(move |j| (i, j))) {
+        let [a, b, c, d] = [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)];
+        faces.extend([[a, b, c], [a, c, d]]);
+        faces.extend([[a, c, b], [a, d, c]].map(|face| face.map(|vertex| vertex + below)));
+    }
+    for k in 0..n {
+        let sides = [
+            (at(k, 0), at(k + 1, 0)),
+            (at(n, k), at(n, k + 1)),
+            (at(k + 1, n), at(k, n)),
+            (at(0, k + 1), at(0, k)),
+        ];
+        for (p, q) in sides {
+            faces.extend([[below + p, below + q, q], [below + p, q, p]]);
+        }
+    }
+    mesh(vertices, faces)
+}
+
+/// `count` rectangles in the plane z = 0, 4,096 long and 1 wide, of two triangles each.
+pub(crate) fn slivers(count: u32) -> Case {
+    let rows = 0..=count;
+    let vertices = rows.flat_map(|y| [0.0, 4096.0].map(|x| Vec3::new(x, f64::from(y), 0.0)));
+    let rows = (0..count).map(|row| 2 * row);
+    let faces = rows.flat_map(|a| [[a, a + 1, a + 3], [a, a + 3, a + 2]]);
+    mesh(vertices, faces.collect())
+}

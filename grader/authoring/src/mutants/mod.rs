@@ -5,7 +5,8 @@
 //! and variants, [`versions_crate`] builds all versions of a stage in one crate, [`run`] grades
 //! them, [`table`] lists which case detects which mistake. [`grader::diagnosis`] compares a
 //! student's results with those of the mutants. [`pairs`] composes two mistakes in the same code.
-//! [`mistake_pictures`] renders mistakes for the book. [`blessing`] checks that no mistake of the reference could become golden unnoticed.
+//! [`mistake_pictures`] renders mistakes for the book. [`blessing`] checks that no mistake of the
+//! reference could become golden unnoticed.
 //! [`simplest`] measures how simple the calls are that show the mistakes, [`examples`] how many of
 //! them a student's examples catch.
 

@@ -22,6 +22,7 @@ use grader::score::regularity;
 use grader::signature::Signature;
 use grader::sketch::Sketch;
 use judge::{cases, plural};
+use rayon::prelude::*;
 use std::path::{Path, PathBuf};
 
 pub(crate) fn command() -> Command {
@@ -225,6 +226,9 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
             .collect();
         show(&task.key, &table, &marked_down);
         outln!("  {counts}");
+        for (name, kept) in run::repeated(&corpus, &graded) {
+            outln!("  REPEATED: {name} has the signature of {kept}: it may leave the list");
+        }
         for (name, _) in table.misnamed() {
             let graded = graded.iter().find(|graded| graded.name == name);
             show_diagnosis(name, graded, &known);
@@ -280,7 +284,7 @@ fn print_stored(workspace: &Workspace, task: &str) -> Result<(), GraderError> {
 /// What reports would say of these versions that is false of their answers.
 fn false_claims(task: &str, graded: &[run::Graded], known: &[Known]) -> Vec<String> {
     let specs = cases::all(0);
-    let each = graded.iter().flat_map(|graded| {
+    let each = graded.par_iter().flat_map_iter(|graded| {
         let cases = &graded.result.cases;
         let common = regularity::of(task, cases, &specs);
         let signature = Signature::of(cases);

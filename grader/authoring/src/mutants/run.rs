@@ -359,6 +359,20 @@ pub fn known(corpus: &Corpus, graded: &[Graded]) -> Vec<Known> {
     known
 }
 
+/// The mutants with the signature of an earlier mutant of the same mistakes, and that mutant. They
+/// may leave the list: without them the diagnosis knows the same.
+pub fn repeated<'a>(corpus: &Corpus, graded: &'a [Graded]) -> Vec<(&'a str, &'a str)> {
+    let mut kept: Vec<(Known, &Graded)> = Vec::new();
+    let mut repeated = Vec::new();
+    for (mutant, graded) in all_known(corpus, graded) {
+        match kept.iter().find(|(earlier, _)| *earlier == mutant) {
+            Some((_, earlier)) => repeated.push((graded.name.as_str(), earlier.name.as_str())),
+            None => kept.push((mutant, graded)),
+        }
+    }
+    repeated
+}
+
 /// Two mutants of one mistake that are this alike teach the diagnosis no more than one.
 const ALIKE: f64 = 0.99;
 

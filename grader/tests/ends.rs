@@ -4,7 +4,7 @@
 //! This program is the worker, too: the runner starts it with the arguments of a worker.
 
 use cap::Cap;
-use grader::workers::crash::{self, Crash, CrashKind};
+use grader::workers::crash::{Crash, CrashKind, Ended};
 use grader::workers::printed;
 use grader::workers::runner::{self, Ending, Patience, Worker};
 use std::alloc::System;
@@ -246,7 +246,7 @@ fn main() -> ExitCode {
             );
             continue;
         };
-        let says = crash::describe_with_call(ending).unwrap_or_default();
+        let says = Ended::of(ending).unwrap_or_default().to_string();
         assert!(
             says == end.says || end.kind == CrashKind::Panic && says.ends_with(end.says),
             "{}: {says}",

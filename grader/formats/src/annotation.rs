@@ -7,6 +7,7 @@ use grader::course::sources::{SourceFile, holes, line_of_function};
 use grader::report::{Report, Reveal, TaskReport, table};
 use grader::score::functions::FunctionStatus;
 use grader::score::{Status, TaskResult};
+use grader::workers::crash;
 
 /// A remark about a line.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -72,7 +73,8 @@ fn of_compiler(messages: &str, sources: &[SourceFile]) -> Vec<Annotation> {
             title = None;
         }
         let place = line.trim_start().strip_prefix("--> ");
-        let Some((file, line)) = place.and_then(|place| located(place, sources)) else {
+        let place = place.and_then(|place| crash::place(place.trim()));
+        let Some((file, line)) = place.and_then(|place| located(&place, sources)) else {
             continue;
         };
         // The first place of an error is where it is; others belong to its notes.
@@ -89,13 +91,11 @@ fn of_compiler(messages: &str, sources: &[SourceFile]) -> Vec<Annotation> {
     remarks
 }
 
-/// A place in one of `sources`, such as `stages/bvh/src/lib.rs:12:5`.
-fn located(place: &str, sources: &[SourceFile]) -> Option<(String, usize)> {
-    let mut parts = place.split(':');
-    let path = parts.next()?.trim().replace('\\', "/");
-    let line = parts.next()?.trim().parse().ok()?;
+/// A file and a line, if the file is one of `sources`.
+fn located(place: &(String, usize), sources: &[SourceFile]) -> Option<(String, usize)> {
+    let path = place.0.replace('\\', "/");
     let file = sources.iter().find(|file| path.ends_with(&file.path))?;
-    Some((file.path.clone(), line))
+    Some((file.path.clone(), place.1))
 }
 
 fn of_task(task: &TaskReport, sources: &[SourceFile], reveal: Reveal) -> Vec<Annotation> {
@@ -145,10 +145,10 @@ fn about(task: &TaskReport, reveal: Reveal) -> String {
 fn of_panics(task: &TaskResult, sources: &[SourceFile]) -> Vec<Annotation> {
     let mut remarks: Vec<Annotation> = Vec::new();
     for case in &task.cases {
-        let Status::Crashed(how) = &case.status else {
+        let Status::Crashed(ended) = &case.status else {
             continue;
         };
-        let place = how.strip_prefix("panicked at ");
+        let place = ended.panicked_at.as_ref();
         let Some((file, line)) = place.and_then(|place| located(place, sources)) else {
             continue;
         };
@@ -163,7 +163,7 @@ fn of_panics(task: &TaskResult, sources: &[SourceFile]) -> Vec<Annotation> {
             line,
             level: Level::Error,
             title: format!("{}: panics", task.key),
-            message: format!("{}: {how}", case.name),
+            message: format!("{}: {ended}", case.name),
         });
     }
     remarks

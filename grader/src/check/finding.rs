@@ -114,8 +114,8 @@ impl Finding {
         let first = endless.or(failed.first().copied())?;
         let simplest = report.simplest.as_ref();
         let crash = match &first.status {
-            Status::Crashed(how) if simplest.is_some() => Some(without_input(how)),
-            Status::Crashed(how) => Some(how.clone()),
+            Status::Crashed(ended) if simplest.is_some() => Some(ended.without_input()),
+            Status::Crashed(ended) => Some(ended.clone()),
             _ => None,
         };
         let wrong = match (&crash, simplest) {
@@ -151,7 +151,7 @@ impl Finding {
             others: others(report),
             mistake: None,
             remedy: None,
-            panicked_at: crash.as_deref().and_then(panic_location),
+            panicked_at: crash.and_then(|ended| ended.panicked_at),
         };
         finding.name_mistake(report);
         Some(finding)
@@ -296,23 +296,6 @@ fn others(report: &TaskReport) -> Vec<String> {
     notes
 }
 
-/// How a call crashed, without its input: a simpler one is shown.
-fn without_input(how: &str) -> String {
-    const END: &str = " of the case";
-    match how.split_once(&format!("{END}: ")) {
-        Some((before, _)) => format!("{before}{END})"),
-        None => how.to_owned(),
-    }
-}
-
-/// The file and the line in "panicked at FILE:LINE: message".
-fn panic_location(how: &str) -> Option<(String, usize)> {
-    let rest = how.strip_prefix("panicked at ")?;
-    let (file, rest) = rest.split_once(".rs:")?;
-    let digits = rest.split(|c: char| !c.is_ascii_digit()).next()?;
-    Some((format!("{file}.rs"), digits.parse().ok()?))
-}
-
 #[cfg(test)]
 impl Finding {
     pub(super) fn for_tests(only_with_others: bool) -> Finding {
@@ -326,21 +309,6 @@ impl Finding {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn a_panic_has_a_place() {
-        let how = "panicked at stages/bvh/src/traverse.rs:19: index out of bounds: a.rs:7";
-        let place = ("stages/bvh/src/traverse.rs".to_owned(), 19);
-        assert_eq!(panic_location(how), Some(place));
-        assert_eq!(panic_location("overflowed the stack"), None);
-    }
-
-    #[test]
-    fn the_input_of_a_crash_can_be_left_out() {
-        let how = "panicked at a.rs:1: no (call 4 of the case: o = (0.5, 1))";
-        let short = "panicked at a.rs:1: no (call 4 of the case)";
-        assert_eq!([how, short].map(without_input), [short, short]);
-    }
 
     #[test]
     fn a_message_names_its_function_whole() {

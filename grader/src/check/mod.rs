@@ -121,7 +121,7 @@ mod tests {
     use crate::grade::one_by_one::Graded;
     use crate::report::TaskReport;
     use crate::score::{CaseResult, Status, TaskResult};
-    use crate::workers::crash::{Crash, CrashKind};
+    use crate::workers::crash::{Crash, CrashKind, Ended};
     use judge::Tier;
 
     const TEXT: &str = "//! Triangles.\n\npub fn test_triangle(t: f64) -> bool {\n    let near = t < min_t;\n    near\n}\n\npub fn record_triangle(t: f64) -> f64 {\n    kit::hole!(\"part1.task3\", t)\n}\n";
@@ -231,8 +231,12 @@ mod tests {
 
     #[test]
     fn a_panic_is_shown_at_its_line() {
-        let how = "panicked at stages/intersect/src/triangle.rs:5: no (call 2 of the case)";
-        let messages = shown(Status::Crashed(how.into()), HintLevel::Findings);
+        let ended = Ended {
+            call: Some(2),
+            panicked_at: Some(("stages/intersect/src/triangle.rs".into(), 5)),
+            ..Ended::from("panicked at stages/intersect/src/triangle.rs:5: no")
+        };
+        let messages = shown(Status::Crashed(ended), HintLevel::Findings);
         let warning = messages.last().expect("a warning");
         assert_eq!(
             (warning.level, warning.spans[0].line_start),

@@ -256,11 +256,11 @@ impl Case<'_> {
         match (alone_answer, &line) {
             // Alone it is call 0, whatever its number in the case.
             (Err(status), _) => {
-                let text = status_text(status);
-                let how = text
-                    .split_once(" (call ")
-                    .map_or(text.as_str(), |(how, _)| how);
-                field("yours", how);
+                let how = match status {
+                    Status::Crashed(ended) => ended.how.clone(),
+                    status => status_text(status),
+                };
+                field("yours", &how);
             }
             (Ok(_), Some(line)) => field("yours", &line.answer_text()),
             (Ok(_), None) => {}

@@ -29,7 +29,6 @@ pub struct Diagnosis {
     /// The sentence for the student.
     pub says: String,
     /// What the code does, such as "culls back faces".
-    #[serde(skip)]
     pub description: String,
     /// Where to look.
     pub hint: String,

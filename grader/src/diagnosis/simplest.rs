@@ -30,7 +30,9 @@ pub struct SimplestCall {
     pub aspect: Option<Aspect>,
     /// What the function is called with.
     pub input: String,
-    /// Its result and the expected one, or how it crashes.
+    /// Its result and the expected one, or how it crashes. In a report without the question, which
+    /// is the input.
+    #[serde(serialize_with = "without_question")]
     pub result: Message,
     /// The call as a Rust test, if it fits in a short one.
     #[serde(skip)]
@@ -49,6 +51,10 @@ pub struct SimplestCall {
         skip_serializing_if = "Option::is_none"
     )]
     pub shown: Option<ShownCall>,
+}
+
+fn without_question<S: Serializer>(message: &Message, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_str(&message.clone().asked(String::new()))
 }
 
 fn drawing<S: Serializer>(shown: &Option<ShownCall>, serializer: S) -> Result<S::Ok, S::Error> {

@@ -12,7 +12,7 @@ use crate::report::{Report, TaskReport};
 use crate::score::regularity;
 use crate::score::{CaseResult, Status, TaskResult};
 use crate::signature::Signature;
-use crate::workers::crash::{self, Crash, CrashKind};
+use crate::workers::crash::{Crash, CrashKind, Ended};
 use crate::workers::printed::Printed;
 use crate::workers::runner::Ending;
 use crate::workers::stage_workers::StageWorkers;
@@ -432,7 +432,7 @@ fn with_input(status: Status, crash: Option<Crash>, spec: &Spec) -> Status {
     let call = crash.and_then(|crash| crash.call);
     let input = call.and_then(|call| spec.input(call as usize));
     match (status, input) {
-        (Status::Crashed(how), Some(input)) => Status::Crashed(crash::with_input(&how, &input)),
+        (Status::Crashed(ended), input @ Some(_)) => Status::Crashed(Ended { input, ..ended }),
         (status, _) => status,
     }
 }
@@ -509,17 +509,20 @@ fn status_without_answer(
     {
         return Ok(Some(Status::NotAttempted));
     }
-    if let Some(how) = crash::describe_with_call(ending) {
-        return Ok(Some(Status::Crashed(how)));
+    if let Some(ended) = Ended::of(ending) {
+        return Ok(Some(Status::Crashed(ended)));
     }
     Ok(match ending.outcome() {
         Some(Outcome::NotAttempted { task: hole }) if hole == task => Some(Status::NotAttempted),
         Some(Outcome::NotAttempted { task: hole }) => {
             Some(match course.holes().any(|(_, key)| key == hole) {
                 true => Status::Needs(hole.clone()),
-                false => Status::Crashed(format!(
-                    "the worker's record names the hole {hole:?}, which is not in the course"
-                )),
+                false => Status::Crashed(Ended {
+                    how: format!(
+                        "the worker's record names the hole {hole:?}, which is not in the course"
+                    ),
+                    ..Ended::default()
+                }),
             })
         }
         Some(Outcome::Unable { reason }) => {

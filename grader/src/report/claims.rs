@@ -48,9 +48,9 @@ pub fn false_ones(
         let is_endless = case
             .crash
             .is_some_and(|crash| crash.kind == CrashKind::Endless);
-        let says_so = how.contains("an endless loop?") || how.contains("without end?");
+        let says_so = how.how.contains("an endless loop?") || how.how.contains("without end?");
         let why = (says_so && !is_endless).then(|| format!("{}: it ended otherwise", case.name));
-        Some((how.clone(), why))
+        Some((how.to_string(), why))
     });
     of_common
         .chain(of_diagnosis)

@@ -189,7 +189,7 @@ pub fn status_text(status: &Status) -> String {
         Status::Failed => "failed".into(),
         Status::NotAttempted => "not attempted".into(),
         Status::Needs(task) => format!("needs {task}"),
-        Status::Crashed(how) => how.clone(),
+        Status::Crashed(ended) => ended.to_string(),
         Status::DoesNotCompile => "does not compile".into(),
     }
 }

@@ -11,7 +11,7 @@ pub(crate) mod order;
 pub mod regularity;
 
 use crate::course::{CaseEntry, Task, YOUR_EXAMPLES};
-use crate::workers::crash::Crash;
+use crate::workers::crash::{Crash, Ended};
 use functions::{FunctionResult, FunctionShare};
 use judge::Tier;
 use judge::findings::{Finding, Worst};
@@ -41,8 +41,7 @@ pub enum Status {
     /// Another task must be written first. Contains its key.
     Needs(String),
     /// The code panicked, timed out or ended the process, or its worker's record is malformed.
-    /// Contains a description.
-    Crashed(String),
+    Crashed(Ended),
     /// The stage does not compile.
     DoesNotCompile,
 }
@@ -273,7 +272,7 @@ impl TaskResult {
         let each = self.cases.iter().filter_map(|case| {
             let entry = task.cases.iter().find(|entry| entry.name == case.name)?;
             let (status, findings) = match &case.status {
-                _ if crashes(&case.name) => (Status::Crashed(String::new()), &[][..]),
+                _ if crashes(&case.name) => (Status::Crashed(Ended::default()), &[][..]),
                 Status::Passed | Status::Failed => (Status::Passed, &case.findings[..]),
                 status => (status.clone(), &[][..]),
             };

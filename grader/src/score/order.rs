@@ -43,12 +43,10 @@ pub(crate) fn new_faults_first<'a>(cases: &[&'a CaseResult]) -> Vec<&'a CaseResu
 }
 
 fn kinds(case: &CaseResult) -> Vec<Kind<'_>> {
-    if let Status::Crashed(how) | Status::Needs(how) = &case.status {
-        // Whichever call it was.
-        let how = how
-            .split_once(" (call ")
-            .map_or(how.as_str(), |(how, _)| how);
-        return vec![Kind::NoAnswer(how)];
+    match &case.status {
+        Status::Crashed(ended) => return vec![Kind::NoAnswer(&ended.how)],
+        Status::Needs(task) => return vec![Kind::NoAnswer(task)],
+        _ => {}
     }
     let wrong = case.findings.iter().flat_map(|finding| {
         let of = |fault: &Fault| Kind::Wrong(finding.aspect, fault.function, named(fault.class));
@@ -69,6 +67,7 @@ fn named(class: Class) -> Option<Class> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::workers::crash::Ended;
     use judge::findings::Findings;
 
     /// A failed case with one fault of each class.
@@ -104,20 +103,17 @@ mod tests {
 
     #[test]
     fn the_same_crash_is_known() {
-        let crashed = |name: &str, how: &str| CaseResult {
-            status: Status::Crashed(how.into()),
+        let crashed = |name: &str, how: &str, call: u32| CaseResult {
+            status: Status::Crashed(Ended {
+                call: Some(call),
+                ..how.into()
+            }),
             ..case(name, &[])
         };
         let cases = [
-            crashed(
-                "one",
-                "panicked at lib.rs:3: too small (call 0 of the case)",
-            ),
-            crashed(
-                "two",
-                "panicked at lib.rs:3: too small (call 7 of the case)",
-            ),
-            crashed("three", "ran out of time"),
+            crashed("one", "panicked at lib.rs:3: too small", 0),
+            crashed("two", "panicked at lib.rs:3: too small", 7),
+            crashed("three", "ran out of time", 0),
         ];
         assert_eq!(order(&cases), ["one", "three", "two"]);
     }

@@ -2,6 +2,8 @@
 
 use crate::workers::printed::{MOST_BYTES, with_commas};
 use crate::workers::runner::Ending;
+use serde::{Serialize, Serializer};
+use std::fmt;
 use wire::Outcome;
 
 /// A case whose code did not return an answer.
@@ -103,22 +105,87 @@ pub fn describe(ending: &Ending) -> Option<String> {
     })
 }
 
-/// As [`describe`], with the call that crashed.
-pub fn describe_with_call(ending: &Ending) -> Option<String> {
-    let how = describe(ending)?;
-    let call = Crash::of(ending).and_then(|crash| crash.call);
-    Some(match call {
-        Some(call) => format!("{how} (call {call} of the case)"),
-        None => how,
-    })
+/// How the code of a case ended without an answer. As text, what ends the sentence "your code ...",
+/// with the call and its input.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Ended {
+    /// How, whichever call it was.
+    pub how: String,
+    /// The call that was running, counted from 0, if it is known.
+    pub call: Option<u32>,
+    /// The input of that call.
+    pub input: Option<String>,
+    /// The file and the line of a panic.
+    pub panicked_at: Option<(String, usize)>,
 }
 
-/// Adds the input of the call to what [`describe_with_call`] returned.
-pub fn with_input(how: &str, input: &str) -> String {
-    match how.strip_suffix(" of the case)") {
-        Some(before) => format!("{before} of the case: {input})"),
-        None => how.to_string(),
+impl Ended {
+    /// How a case with this ending ended, without the input of the call; `None` if it returned.
+    pub fn of(ending: &Ending) -> Option<Ended> {
+        let panicked_at = match ending.outcome() {
+            Some(Outcome::Panicked { location, .. }) => place(location),
+            _ => None,
+        };
+        Some(Ended {
+            how: describe(ending)?,
+            call: Crash::of(ending).and_then(|crash| crash.call),
+            input: None,
+            panicked_at,
+        })
     }
+
+    /// The same without the input: a simpler one is shown.
+    #[must_use]
+    pub fn without_input(&self) -> Ended {
+        Ended {
+            input: None,
+            ..self.clone()
+        }
+    }
+}
+
+impl fmt::Display for Ended {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.how)?;
+        match (self.call, &self.input) {
+            (Some(call), Some(input)) => write!(f, " (call {call} of the case: {input})"),
+            (Some(call), None) => write!(f, " (call {call} of the case)"),
+            (None, _) => Ok(()),
+        }
+    }
+}
+
+impl Serialize for Ended {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
+    }
+}
+
+impl From<&str> for Ended {
+    fn from(how: &str) -> Ended {
+        Ended {
+            how: how.to_owned(),
+            ..Ended::default()
+        }
+    }
+}
+
+/// The file and the line of "FILE:LINE" or "FILE:LINE:COLUMN", as rustc and panics print a place;
+/// `None` if it is none.
+pub fn place(location: &str) -> Option<(String, usize)> {
+    let mut parts = location.rsplitn(3, ':').collect::<Vec<_>>();
+    parts.reverse();
+    let (file, line) = match parts[..] {
+        [file, line, column]
+            if column.parse::<usize>().is_ok() && line.parse::<usize>().is_ok() =>
+        {
+            (file.to_owned(), line)
+        }
+        [drive, path, line] => (format!("{drive}:{path}"), line),
+        [file, line] => (file.to_owned(), line),
+        _ => return None,
+    };
+    Some((file, line.parse().ok()?))
 }
 
 #[cfg(test)]
@@ -223,17 +290,45 @@ mod tests {
             ),
         ] {
             assert_eq!(Crash::of(&ending).map(|crash| crash.kind), Some(kind));
-            assert_eq!(describe_with_call(&ending).as_deref(), Some(sentence));
+            let ended = Ended::of(&ending).expect("it crashed");
+            assert_eq!(ended.to_string(), sentence);
         }
         assert_eq!(Crash::of(&Ending::Skipped), None);
     }
 
     #[test]
     fn the_input_is_part_of_the_call() {
+        let mut ended = Ended {
+            call: Some(4),
+            input: Some("Ray: o = 0".into()),
+            ..Ended::from("panicked")
+        };
         assert_eq!(
-            with_input("panicked (call 4 of the case)", "Ray: o = 0"),
+            ended.to_string(),
             "panicked (call 4 of the case: Ray: o = 0)"
         );
-        assert_eq!(with_input("panicked", "Ray: o = 0"), "panicked");
+        assert_eq!(
+            ended.without_input().to_string(),
+            "panicked (call 4 of the case)"
+        );
+        ended.call = None;
+        assert_eq!(ended.to_string(), "panicked");
+    }
+
+    #[test]
+    fn a_panic_has_a_place() {
+        for (location, file, line) in [
+            (
+                "stages/bvh/src/traverse.rs:19",
+                "stages/bvh/src/traverse.rs",
+                19,
+            ),
+            ("stages/bvh/src/lib.rs:4:5", "stages/bvh/src/lib.rs", 4),
+            ("C:\\bvh\\src\\lib.rs:4", "C:\\bvh\\src\\lib.rs", 4),
+            ("C:\\bvh\\src\\lib.rs:4:5", "C:\\bvh\\src\\lib.rs", 4),
+        ] {
+            assert_eq!(place(location), Some((file.to_owned(), line)), "{location}");
+        }
+        assert_eq!(place("nowhere"), None);
     }
 }

@@ -163,6 +163,9 @@ pub struct Diagnosis {
     pub mistakes: Vec<String>,
     /// The sentence about it.
     pub says: String,
+    /// What the code does, such as "culls back faces". Results of older programs lack it.
+    #[serde(default)]
+    pub description: String,
     /// Where to look.
     pub hint: String,
     /// `likely` or `perhaps`.

@@ -135,7 +135,7 @@ pub(super) fn simplest(call: &Simplest) -> Markup {
             p { strong { "The simplest call" } " like one of " code { (call.case) } ":" }
             @if let Some(drawing) = &call.drawing { (drawn(drawing)) }
             p { code { (call.input.line()) } }
-            p { code { (result(call)) } }
+            p { code { (call.result.line()) } }
         }
     }
 }
@@ -148,34 +148,5 @@ fn drawn(drawing: &Drawing) -> Markup {
             img src=(data) alt=(drawing.caption.line());
             figcaption { (drawing.caption.line()) }
         }
-    }
-}
-
-/// The result without the ray, which the message of a wrong answer repeats at its end.
-fn result(call: &Simplest) -> String {
-    let (input, result) = (call.input.line(), call.result.line());
-    let ray = input.split("; ").next().unwrap_or_default();
-    let result = result.strip_suffix(ray).unwrap_or(&result);
-    result.trim_end().to_string()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_ray_of_a_call_is_shown_once() {
-        let call = |result: &str| Simplest {
-            case: "range".into(),
-            aspect: None,
-            input: "Ray: o = 0, d = 1; sphere".into(),
-            result: result.into(),
-            drawing: None,
-        };
-        assert_eq!(
-            result(&call("expected: a miss. Ray: o = 0, d = 1")),
-            "expected: a miss."
-        );
-        assert_eq!(result(&call("expected: a miss")), "expected: a miss");
     }
 }

@@ -79,7 +79,10 @@ pub(super) fn by_task(class: &Class) -> Vec<TaskMistakes<'_>> {
             let (name, about, is_likely) = match &task.diagnosis {
                 Some(diagnosis) => (
                     Some(diagnosis.mistakes.join(" or ")),
-                    about_code(&diagnosis.says),
+                    match diagnosis.description.as_str() {
+                        "" => diagnosis.says.clone(),
+                        description => format!("code that {description}"),
+                    },
                     diagnosis.certainty == "likely",
                 ),
                 None if is_judged => (None, String::new(), false),
@@ -139,26 +142,4 @@ pub(super) fn students(tasks: &[TaskMistakes<'_>]) -> usize {
         .flat_map(|mistake| mistake.students.iter().map(|(row, _)| *row))
         .collect();
     rows.len()
-}
-
-/// What a diagnosis says about the code, without the student's numbers: of "your answers equal
-/// those of code that culls back faces: on 560 of 560 calls" the words "code that culls back
-/// faces".
-fn about_code(says: &str) -> String {
-    let start = says.find("code that ").unwrap_or(0);
-    let end = says.rfind(": on ").filter(|end| *end > start);
-    says[start..end.unwrap_or(says.len())].to_string()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_mistake_is_named_without_the_numbers_of_one_student() {
-        let says =
-            "your answers nearly equal those of code that swaps x and y: on 230 of 231 calls";
-        assert_eq!(about_code(says), "code that swaps x and y");
-        assert_eq!(about_code("something else"), "something else");
-    }
 }

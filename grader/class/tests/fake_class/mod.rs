@@ -139,7 +139,7 @@ fn diagnosis(i: usize) -> Value {
         1 => ("sizes_swapped", "divides x by the height"),
         _ => return Value::Null,
     };
-    json!({ "mistakes": [name], "says": format!("your answers equal those of code that {says}: on 9 of 9 calls"),
+    json!({ "mistakes": [name], "description": says, "says": format!("your answers equal those of code that {says}: on 9 of 9 calls"),
             "hint": "Look.", "certainty": "likely" })
 }
 

@@ -9,6 +9,7 @@ use grader::course::sources::SourceFile;
 use grader::report::{HintLevel, Report, Reveal, TaskReport, json};
 use grader::score::regularity::{Regularity, Shared};
 use grader::score::{CaseResult, Status, TaskResult};
+use grader::workers::crash::Ended;
 use judge::findings::{Aspect, Finding, Findings};
 use std::collections::BTreeMap;
 
@@ -129,10 +130,13 @@ pub(crate) fn partly() -> Outcome {
 
 /// A case panics, one needs another task, one is not written.
 pub(crate) fn broken() -> Outcome {
-    let panicked =
-        "panicked at stages/intersect/src/triangle.rs:4:5: overflow (call 0 of the case)";
+    let panicked = Ended {
+        call: Some(0),
+        panicked_at: Some(("stages/intersect/src/triangle.rs".into(), 4)),
+        ..Ended::from("panicked at stages/intersect/src/triangle.rs:4:5: overflow")
+    };
     let statuses = [
-        Status::Crashed(panicked.into()),
+        Status::Crashed(panicked),
         Status::Needs("part1.task2".into()),
         Status::NotAttempted,
         PASSED,

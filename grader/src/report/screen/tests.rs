@@ -5,6 +5,7 @@ use crate::report::wrap::columns;
 use crate::score::CaseResult;
 use crate::score::functions::FunctionShare;
 use crate::score::regularity::{Regularity, Shared};
+use crate::workers::crash::Ended;
 use crate::workers::printed::Printed;
 use judge::findings::{Aspect, Class, Findings, Message};
 use std::path::PathBuf;
@@ -414,7 +415,10 @@ fn an_attempted_task_comes_before_one_that_is_not() {
 #[test]
 fn a_crash_says_how_and_a_stage_that_does_not_compile_shows_the_first_error() {
     let mut crashed = case("back_face", Tier::Core, "");
-    crashed.status = Status::Crashed("panicked at lib.rs:3: too small (call 7 of the case)".into());
+    crashed.status = Status::Crashed(Ended {
+        call: Some(7),
+        ..Ended::from("panicked at lib.rs:3: too small")
+    });
     crashed.findings.clear();
     let crash = task("part1.task3", "", 3.0, vec![crashed]);
     let text = screen(

@@ -216,7 +216,7 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
             continue;
         }
         let graded = run::task(&workspace, &course, task)?;
-        let mut known = run::known(&corpus, &graded);
+        let (mut known, spare) = run::known(&corpus, &graded);
         let pairs = pairs::graded(&workspace, &course, task, &corpus)?;
         let counts = pairs::renew(&mut known, &corpus, &pairs);
         let table = Table::of(&graded, &known);
@@ -226,8 +226,10 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
             .collect();
         show(&task.key, &table, &marked_down);
         outln!("  {counts}");
-        for (name, kept) in run::repeated(&corpus, &graded) {
-            outln!("  REPEATED: {name} has the signature of {kept}: it may leave the list");
+        for name in spare {
+            outln!(
+                "  SPARE: the diagnosis names {name} without its own signature: it may leave the list"
+            );
         }
         for (name, _) in table.misnamed() {
             let graded = graded.iter().find(|graded| graded.name == name);

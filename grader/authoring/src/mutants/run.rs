@@ -336,8 +336,9 @@ fn with_reference(reference: &Sources, variant: &str) -> Sources {
 
 /// The known mistakes of a task for the diagnosis, from the mutants that are not held out. Of
 /// mutants that make the same mistake and give nearly the same answers, only the first counts,
-/// unless the diagnosis does not name the others without their own answers.
-pub fn known(corpus: &Corpus, graded: &[Graded]) -> Vec<Known> {
+/// unless the diagnosis does not name the others without their own answers. Returns with them the
+/// names of the mutants that do not count: they may leave the list.
+pub fn known<'a>(corpus: &Corpus, graded: &'a [Graded]) -> (Vec<Known>, Vec<&'a str>) {
     let mut known: Vec<Known> = Vec::new();
     let mut alike = Vec::new();
     for (mutant, result) in all_known(corpus, graded) {
@@ -349,28 +350,16 @@ pub fn known(corpus: &Corpus, graded: &[Graded]) -> Vec<Known> {
             false => known.push(mutant),
         }
     }
+    let mut spare = Vec::new();
     for (mutant, graded) in alike {
         let diagnosis = diagnose(&known, &Signature::of(&graded.result.cases));
         let named = diagnosis.map_or(Vec::new(), |diagnosis| diagnosis.mistakes);
-        if !mutant.mistakes.iter().all(|made| named.contains(made)) {
-            known.push(mutant);
+        match mutant.mistakes.iter().all(|made| named.contains(made)) {
+            true => spare.push(graded.name.as_str()),
+            false => known.push(mutant),
         }
     }
-    known
-}
-
-/// The mutants with the signature of an earlier mutant of the same mistakes, and that mutant. They
-/// may leave the list: without them the diagnosis knows the same.
-pub fn repeated<'a>(corpus: &Corpus, graded: &'a [Graded]) -> Vec<(&'a str, &'a str)> {
-    let mut kept: Vec<(Known, &Graded)> = Vec::new();
-    let mut repeated = Vec::new();
-    for (mutant, graded) in all_known(corpus, graded) {
-        match kept.iter().find(|(earlier, _)| *earlier == mutant) {
-            Some((_, earlier)) => repeated.push((graded.name.as_str(), earlier.name.as_str())),
-            None => kept.push((mutant, graded)),
-        }
-    }
-    repeated
+    (known, spare)
 }
 
 /// Two mutants of one mistake that are this alike teach the diagnosis no more than one.

@@ -203,7 +203,7 @@ fn learn_task(
         .iter()
         .map(|name| format!("`{name}` does not compile"));
     let mut problems: Vec<String> = broken.collect();
-    let known = run::known(&Corpus::read(workspace, task)?, &graded);
+    let (known, _) = run::known(&Corpus::read(workspace, task)?, &graded);
     let mut all = diagnosis::known(workspace, &task.key)?;
     all.extend(known.iter().cloned());
     for graded in &graded {

@@ -99,3 +99,64 @@ fn the_oldest_compilers_are_tested() {
     assert!(read(".github/workflows/ci.yml").contains(".ci/steps/oldest"));
     assert!(read(".ci/nightly").contains(".ci/steps/oldest"));
 }
+
+/// The anchor of a heading, as GitHub makes it.
+fn anchor(heading: &str) -> String {
+    let is_kept = |c: &char| c.is_alphanumeric() || [' ', '-', '_'].contains(c);
+    let kept = heading
+        .trim()
+        .to_lowercase()
+        .chars()
+        .filter(is_kept)
+        .collect::<String>();
+    kept.replace(' ', "-")
+}
+
+/// The links of the documents, apart from the book, whose links `cargo test -p book` follows, and
+/// from templates.
+#[test]
+fn links_of_documents_lead_to_files_and_headings() {
+    assert_eq!(anchor("I want to add …"), "i-want-to-add-");
+    let command = [
+        "ls-files",
+        "--cached",
+        "--others",
+        "--exclude-standard",
+        "--",
+        "*.md",
+    ];
+    let listed = std::process::Command::new("git")
+        .args(command)
+        .current_dir(root())
+        .output();
+    let listed = String::from_utf8(listed.expect("git lists the files").stdout);
+    let listed = listed.expect("paths are text");
+    let read = |path: &PathBuf| fs::read_to_string(path).unwrap_or_default();
+    let mut links = 0;
+    for document in listed.lines().filter(|path| !path.contains("/src/")) {
+        let path = root().join(document);
+        let text = read(&path);
+        let prose: String = text.split("```").step_by(2).collect();
+        let targets = prose
+            .split("](")
+            .skip(1)
+            .filter_map(|rest| rest.split(')').next());
+        for link in targets.filter(|link| !link.contains("://")) {
+            let (file, heading) = link.split_once('#').unwrap_or((link, ""));
+            let file = match file {
+                "" => path.clone(),
+                _ => path.with_file_name(file),
+            };
+            assert!(file.exists(), "{document} links to {link}");
+            let lines = read(&file);
+            let mut headings = lines.lines().filter(|line| line.starts_with('#'));
+            let is_there = |line: &str| anchor(line.trim_start_matches('#')) == heading;
+            assert!(
+                heading.is_empty() || headings.any(is_there),
+                "{document}: no heading {link}"
+            );
+            links += 1;
+        }
+    }
+    assert!(links > 80, "only {links} links were found");
+}

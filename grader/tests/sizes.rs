@@ -30,9 +30,9 @@ const MOST_LINES: usize = 1_700;
 
 /// The most bytes of a document in the root: it is read from beginning to end.
 const DOCUMENTS: [(&str, usize); 3] = [
-    ("README.md", 22_900),
-    ("ARCHITECTURE.md", 22_900),
-    ("CONTRIBUTING.md", 29_900),
+    ("README.md", 12_500),
+    ("ARCHITECTURE.md", 20_000),
+    ("CONTRIBUTING.md", 14_000),
 ];
 
 /// Lines of product code and of tests.

@@ -8,6 +8,7 @@ mod modules;
 mod names;
 mod palette;
 mod pictures;
+mod repository;
 mod sizes;
 mod sketch;
 mod student_loop;

@@ -1,4 +1,4 @@
-//! The table of the book's chapter about accuracy, whose rows README has, too, is what is measured.
+//! The table of the book's chapter about accuracy is what is measured.
 
 use super::cost::on;
 use base::Workspace;

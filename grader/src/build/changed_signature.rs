@@ -1,4 +1,5 @@
 //! Explains a stage that compiles, but whose functions the worker cannot call: a signature changed.
+//! Lists the signatures that the worker expects ([`stage_functions`]).
 
 use crate::build::compile_errors;
 use crate::course::sources::{self, SourceFile};
@@ -7,6 +8,35 @@ use std::path::Path;
 
 /// The signatures that the workers expect, each in a line that ends with `;`.
 const EXPECTED: &str = include_str!("stage_signatures.txt");
+
+/// A function of a stage, as the workers call it.
+#[derive(Clone, Debug)]
+pub struct StageFunction {
+    /// Its signature, from `pub fn` to the result.
+    pub signature: &'static str,
+    /// Its name.
+    pub name: &'static str,
+    /// The names of its arguments, in order; a pattern such as `(x, y)` is one.
+    pub arguments: Vec<String>,
+}
+
+/// The functions of the stages that the workers call: what students write, and `rate_colour`.
+pub fn stage_functions() -> impl Iterator<Item = StageFunction> {
+    expected().filter_map(|signature| {
+        let (arguments, _) = arguments_and_result(signature);
+        let name_of = |argument: &String| argument.split(": ").next().map(str::to_owned);
+        Some(StageFunction {
+            signature,
+            name: name(signature)?,
+            arguments: arguments.iter().filter_map(name_of).collect(),
+        })
+    })
+}
+
+fn expected() -> impl Iterator<Item = &'static str> {
+    let lines = EXPECTED.lines().filter(|line| line.starts_with("pub fn "));
+    lines.map(|line| line.trim_end_matches(';'))
+}
 
 /// The most lines of the compiler's message, where no signature differs.
 const LINES: usize = 10;
@@ -34,9 +64,7 @@ pub(crate) fn explain(root: &Path, stage: &str, messages: &str) -> String {
 /// A paragraph for each function that differs. A function that `files` do not have only counts if
 /// the compiler mentions it.
 fn changed(stage: &str, files: &[SourceFile], messages: &str) -> Vec<String> {
-    let expected = EXPECTED.lines().filter(|line| line.starts_with("pub fn "));
-    let paragraphs = expected.filter_map(|line| {
-        let expected = line.trim_end_matches(';');
+    let paragraphs = expected().filter_map(|expected| {
         let name = name(expected)?;
         let found = files.iter().find_map(|file| {
             let found = sources::body(&file.text, name)?.split('{').next()?;
@@ -72,15 +100,26 @@ fn in_one_line(signature: &str) -> String {
 
 /// The types of the arguments and of the result: what stays if the arguments are renamed.
 fn types(signature: &str) -> Vec<String> {
+    let (arguments, result) = arguments_and_result(signature);
+    let of_type = |text: &String| match text.split_once(": ") {
+        Some((_, of_type)) => of_type.to_owned(),
+        None => text.clone(),
+    };
+    let arguments = arguments.iter().map(of_type);
+    [result].into_iter().chain(arguments).collect()
+}
+
+/// The arguments, each as `name: type`, and the result with its arrow.
+fn arguments_and_result(signature: &str) -> (Vec<String>, String) {
     let (head, result) = match end_of_arguments(signature) {
         Some(end) => signature.split_at(end),
         None => (signature, ""),
     };
-    let mut types = vec![result.trim().to_owned()];
-    let arguments = head.split_once('(').map_or("", |(_, arguments)| arguments);
+    let mut arguments = Vec::new();
+    let list = head.split_once('(').map_or("", |(_, arguments)| arguments);
     let mut depth = 0_i32;
     let mut argument = String::new();
-    for c in arguments.chars().chain([',']) {
+    for c in list.chars().chain([',']) {
         depth += match c {
             '(' | '<' | '[' => 1,
             ')' | ']' => -1,
@@ -89,16 +128,12 @@ fn types(signature: &str) -> Vec<String> {
             _ => 0,
         };
         if c == ',' && depth <= 0 {
-            let text = std::mem::take(&mut argument);
-            let of_type = text
-                .split_once(": ")
-                .map_or(text.as_str(), |(_, of_type)| of_type);
-            types.push(of_type.trim().to_owned());
+            arguments.push(std::mem::take(&mut argument).trim().to_owned());
         } else {
             argument.push(c);
         }
     }
-    types
+    (arguments, result.trim().to_owned())
 }
 
 /// Where the list of arguments ends: behind the bracket that closes the first one.
@@ -153,6 +188,19 @@ mod tests {
                 .collect();
             assert_eq!(differing, [""; 0]);
         }
+    }
+
+    #[test]
+    fn arguments_are_named() {
+        let arguments = |name: &str| {
+            let found = stage_functions().find(|function| function.name == name);
+            found.expect("a function").arguments.join("; ")
+        };
+        assert_eq!(arguments("intersect_bvh"), "bvh; ray; world");
+        assert_eq!(
+            arguments("raytrace_pixel_adaptive"),
+            "(x, y); film; budget; sampler; camera_ray; trace_ray; stop"
+        );
     }
 
     #[test]

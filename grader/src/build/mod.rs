@@ -7,6 +7,8 @@ pub mod compile_warnings;
 mod read_files;
 mod target_folder;
 
+pub use changed_signature::{StageFunction, stage_functions};
+
 use crate::build::cargo_run::{MOST_TIME, run_cargo};
 use crate::build::read_files::ReadFiles;
 use crate::course::sources;

@@ -37,6 +37,26 @@ use clap::{Arg, ArgMatches, Command, value_parser};
 use std::ffi::OsString;
 use std::process::ExitCode;
 
+/// What a command of this program does.
+type Run = fn(&ArgMatches) -> Result<Exit, GraderError>;
+
+/// The commands of this program, in the order of `--help`, where `help` is the last of all.
+const COMMANDS: [(fn() -> Command, Run); 13] = [
+    (status::command, |_| status::run()),
+    (watch::command, watch::run),
+    (check::command, check::run),
+    (explain::command, explain::run),
+    (examples::command, examples::run),
+    (picture::command, picture::run),
+    (book::command, book::run),
+    (predict::command, predict::run),
+    (gym::command, gym::run),
+    (doctor::command, |_| doctor::run()),
+    (offline::command, |_| offline::run()),
+    (completions::command, completions::run),
+    (help::command, help::run),
+];
+
 /// The commands that are separate programs: name, package, description.
 const SUBPROGRAMS: &[(&str, &str, &str)] = &[
     (
@@ -112,6 +132,7 @@ fn command() -> Command {
     let for_instructors = grade::submission_arguments()
         .into_iter()
         .chain(course_systems::arguments());
+    let [commands @ .., (help, _)] = COMMANDS;
     grade::arguments(Command::new("grader"), HintLevel::Findings)
         .args(grade::student_arguments())
         .args(for_instructors.map(|argument| argument.hide(true)))
@@ -121,22 +142,9 @@ fn command() -> Command {
         .version(base::VERSION)
         .args_conflicts_with_subcommands(true)
         .after_help(help::after())
-        .subcommands([
-            status::command(),
-            watch::command(),
-            check::command(),
-            explain::command(),
-            examples::command(),
-            picture::command(),
-            book::command(),
-            predict::command(),
-            gym::command(),
-            doctor::command(),
-            offline::command(),
-            completions::command(),
-        ])
+        .subcommands(commands.iter().map(|(command, _)| command()))
         .subcommands(subprograms)
-        .subcommand(help::command())
+        .subcommand(help())
 }
 
 /// Runs the program `grader`.
@@ -147,25 +155,13 @@ pub fn main() -> ExitCode {
 
 fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     if let Some((name, rest)) = matches.subcommand() {
-        if name == picture::NAME {
-            return picture::run(rest);
+        let is_named = |(command, _): &&(fn() -> Command, Run)| command().get_name() == name;
+        if let Some((_, run)) = COMMANDS.iter().find(is_named) {
+            return run(rest);
         }
         let subprogram = SUBPROGRAMS.iter().find(|(other, ..)| *other == name);
         let Some((_, package, _)) = subprogram else {
-            return match name {
-                "status" => status::run(),
-                "watch" => watch::run(rest),
-                "check" => check::run(rest),
-                "doctor" => doctor::run(),
-                "offline" => offline::run(),
-                "completions" => completions::run(rest),
-                examples::NAME => examples::run(rest),
-                book::NAME => book::run(rest),
-                predict::NAME => predict::run(rest),
-                gym::NAME => gym::run(rest),
-                help::NAME => help::run(rest),
-                _ => explain::run(rest),
-            };
+            unreachable!("`{name}` is in neither list of commands");
         };
         // A command is always the first argument.
         return subprogram::run(package, std::env::args_os().skip(1).collect());

@@ -6,7 +6,7 @@
 
 mod circles;
 mod source_tree;
-mod tokens;
+pub(crate) mod tokens;
 
 use cargo_metadata::MetadataCommand;
 use source_tree::SourceTree;

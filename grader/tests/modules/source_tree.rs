@@ -231,7 +231,7 @@ fn add_use<'a>(
                     return;
                 }
             }
-            Token::Mark(_) => {}
+            Token::Mark(_) | Token::Literal => {}
         }
     }
     if path.len() > prefix.len() {

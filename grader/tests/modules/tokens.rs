@@ -1,60 +1,74 @@
-//! The tokens of a source file that imports are made of.
+//! The tokens of a source file: what imports are made of, and which lines are code.
 
-/// A name or a mark.
+use std::ops::{Range, RangeInclusive};
+
+/// A name, a literal or a mark.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Token {
     /// An identifier or a keyword.
     Name(String),
+    /// A string, a character or a number.
+    Literal,
     /// `::`
     Path,
     /// Any other mark, one character each.
     Mark(char),
 }
 
-/// The tokens of `text`, without comments, literals and what is compiled for tests only.
+/// The tokens of `text`, without comments and what is compiled for tests only.
 pub(crate) fn of(text: &str) -> Vec<Token> {
-    without_tests(all(text))
+    let (tokens, _) = all(text);
+    let mut kept = Vec::with_capacity(tokens.len());
+    let mut at = 0;
+    for tests in items_of_tests(&tokens) {
+        kept.extend_from_slice(&tokens[at..tests.start]);
+        at = tests.end;
+    }
+    kept.extend_from_slice(&tokens[at..]);
+    kept
 }
 
-fn all(text: &str) -> Vec<Token> {
+/// All tokens of `text` but comments, and the lines of each.
+pub(crate) fn all(text: &str) -> (Vec<Token>, Vec<RangeInclusive<usize>>) {
     let chars: Vec<char> = text.chars().collect();
-    let mut tokens = Vec::new();
-    let mut at = 0;
+    let (mut tokens, mut lines) = (Vec::new(), Vec::new());
+    let (mut at, mut line) = (0, 0);
     while at < chars.len() {
         let (here, next) = (chars[at], chars.get(at + 1).copied());
-        at = match (here, next) {
-            ('/', Some('/')) => line_end(&chars, at),
-            ('/', Some('*')) => comment_end(&chars, at),
-            ('"', _) => string_end(&chars, at + 1),
+        let (token, end) = match (here, next) {
+            ('/', Some('/')) => (None, line_end(&chars, at)),
+            ('/', Some('*')) => (None, comment_end(&chars, at)),
+            ('"', _) => (Some(Token::Literal), string_end(&chars, at + 1)),
             ('r', Some('"' | '#')) if raw_string_end(&chars, at + 1).is_some() => {
-                raw_string_end(&chars, at + 1).unwrap_or(chars.len())
+                let end = raw_string_end(&chars, at + 1);
+                (Some(Token::Literal), end.unwrap_or(chars.len()))
             }
-            ('b', Some('"')) => string_end(&chars, at + 2),
-            ('\'', _) => quote_end(&chars, at),
-            (':', Some(':')) => {
-                tokens.push(Token::Path);
-                at + 2
-            }
-            _ if here.is_alphabetic() || here == '_' => {
-                let is_part = |c: &char| c.is_alphanumeric() || *c == '_';
-                let name: String = chars[at..].iter().copied().take_while(is_part).collect();
-                let length = name.chars().count();
-                tokens.push(Token::Name(name));
-                at + length
-            }
-            _ if here.is_ascii_digit() => {
+            ('b', Some('"')) => (Some(Token::Literal), string_end(&chars, at + 2)),
+            ('\'', _) => (Some(Token::Literal), quote_end(&chars, at)),
+            (':', Some(':')) => (Some(Token::Path), at + 2),
+            _ if here.is_alphanumeric() || here == '_' => {
                 let is_part = |c: &&char| c.is_alphanumeric() || **c == '_';
-                at + chars[at..].iter().take_while(is_part).count()
+                let word: String = chars[at..].iter().take_while(is_part).collect();
+                let end = at + word.chars().count();
+                let is_number = here.is_ascii_digit();
+                let token = if is_number {
+                    Token::Literal
+                } else {
+                    Token::Name(word)
+                };
+                (Some(token), end)
             }
-            _ => {
-                if !here.is_whitespace() {
-                    tokens.push(Token::Mark(here));
-                }
-                at + 1
-            }
+            _ => ((!here.is_whitespace()).then_some(Token::Mark(here)), at + 1),
         };
+        let end = end.min(chars.len());
+        let last = line + chars[at..end].iter().filter(|c| **c == '\n').count();
+        if let Some(token) = token {
+            tokens.push(token);
+            lines.push(line..=last);
+        }
+        (at, line) = (end, last);
     }
-    tokens
+    (tokens, lines)
 }
 
 fn line_end(chars: &[char], at: usize) -> usize {
@@ -118,20 +132,23 @@ fn quote_end(chars: &[char], at: usize) -> usize {
     }
 }
 
-/// The tokens without items after `#[cfg(test)]`.
-fn without_tests(tokens: Vec<Token>) -> Vec<Token> {
-    let attribute = all("#[cfg(test)]");
-    let mut kept = Vec::with_capacity(tokens.len());
+/// The places of the items that are compiled for tests only, with their attributes.
+pub(crate) fn items_of_tests(tokens: &[Token]) -> Vec<Range<usize>> {
+    let attributes = ["#[cfg(test)]", "#[cfg(all(test,"].map(|text| all(text).0);
+    let mut found = Vec::new();
     let mut at = 0;
     while at < tokens.len() {
-        if tokens[at..].starts_with(&attribute) {
-            at = item_end(&tokens, at + attribute.len());
+        if attributes.iter().any(|it| tokens[at..].starts_with(it)) {
+            // The attribute ends with the first `]` at its depth.
+            let end = tokens[at..].iter().position(|it| *it == Token::Mark(']'));
+            let end = item_end(tokens, at + end.map_or(0, |length| length + 1));
+            found.push(at..end);
+            at = end;
         } else {
-            kept.push(tokens[at].clone());
             at += 1;
         }
     }
-    kept
+    found
 }
 
 /// The end of the item that starts at `at`: after its `;`, or after its braces.

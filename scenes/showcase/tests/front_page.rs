@@ -270,22 +270,6 @@ fn no_line_of_code_or_of_a_table_is_cut() {
     }
 }
 
-/// Every picture and every page that the README links to exists.
-#[test]
-fn links_of_the_readme_lead_somewhere() {
-    let text = fs::read_to_string(root().join("README.md")).expect("README.md");
-    let links: Vec<&str> = text
-        .split("](")
-        .skip(1)
-        .filter_map(|rest| rest.split([')', '#']).next())
-        .filter(|link| !link.contains("://"))
-        .collect();
-    assert!(links.len() > 20, "{links:?}");
-    for link in links {
-        assert!(root().join(link).exists(), "README.md links to {link}");
-    }
-}
-
 #[test]
 fn the_badge_names_the_required_rust_version() {
     let manifest = fs::read_to_string(root().join("Cargo.toml")).expect("Cargo.toml");

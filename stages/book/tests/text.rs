@@ -334,6 +334,7 @@ fn commands_can_be_run() {
             let known = [
                 "cargo grader",
                 "cargo run --release -p pathtracer -- -f ",
+                "cargo run --release -p viewer -- ",
                 "cargo run --release -p book_site -- ",
                 // In the folder of a term.
                 "cargo run --release --manifest-path .first-light/Cargo.toml -p book_site -- ",

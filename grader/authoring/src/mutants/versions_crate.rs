@@ -6,7 +6,7 @@
 
 use super::corpus::Sources;
 use base::{GraderError, Workspace};
-use grader::build::{BuildOutcome, BuildRoot, CompileErrors};
+use grader::build::{BuildOutcome, BuildRoot, CompileErrors, StageFunction, stage_functions};
 use std::collections::BTreeSet;
 use std::fmt::Write;
 use std::fs::File;
@@ -15,285 +15,6 @@ use tempfile::TempPath;
 
 /// The environment variable with the number of the version to run, counted from 0.
 pub const VERSION_VARIABLE: &str = "FIRSTLIGHT_VERSION";
-
-/// The signature of a function of a stage.
-struct StageFunction {
-    stage: &'static str,
-    function: &'static str,
-    generics: &'static str,
-    parameters: &'static [(&'static str, &'static str)],
-    returns: &'static str,
-}
-
-const RAY: (&str, &str) = ("ray", "&Ray");
-const RAY_MUT: (&str, &str) = ("ray", "&mut Ray");
-
-const STAGE_FUNCTIONS: &[StageFunction] = &[
-    StageFunction {
-        stage: "raygen",
-        function: "raytrace_pixel",
-        generics: "",
-        parameters: &[
-            ("x", "u32"),
-            ("y", "u32"),
-            ("film", "FilmSize"),
-            ("ns_aa", "u32"),
-            ("sampler", "&mut PixelSampler"),
-            ("camera_ray", "&mut impl FnMut(Vec2) -> Ray"),
-            (
-                "trace_ray",
-                "&mut impl FnMut(&Ray, &mut PixelSampler) -> Spectrum",
-            ),
-        ],
-        returns: "PixelEstimate",
-    },
-    StageFunction {
-        stage: "raygen",
-        function: "generate_ray",
-        generics: "",
-        parameters: &[("camera", "&Camera"), ("sensor", "Vec2")],
-        returns: "Ray",
-    },
-    StageFunction {
-        stage: "intersect",
-        function: "test_triangle",
-        generics: "",
-        parameters: &[("tri", "&Triangle"), RAY],
-        returns: "Option<TriangleHit>",
-    },
-    StageFunction {
-        stage: "intersect",
-        function: "intersect_triangle",
-        generics: "",
-        parameters: &[("tri", "&Triangle"), ("id", "PrimId"), RAY_MUT],
-        returns: "Option<Hit>",
-    },
-    StageFunction {
-        stage: "intersect",
-        function: "test_sphere",
-        generics: "",
-        parameters: &[("s", "&Sphere"), RAY],
-        returns: "Option<f64>",
-    },
-    StageFunction {
-        stage: "intersect",
-        function: "intersect_sphere",
-        generics: "",
-        parameters: &[("s", "&Sphere"), ("id", "PrimId"), RAY_MUT],
-        returns: "Option<Hit>",
-    },
-    StageFunction {
-        stage: "bbox",
-        function: "intersect_bbox",
-        generics: "",
-        parameters: &[("b", "&Aabb"), RAY],
-        returns: "Option<Interval>",
-    },
-    StageFunction {
-        stage: "bvh",
-        function: "construct_bvh",
-        generics: "",
-        parameters: &[("bounds", "&[Aabb]"), ("max_leaf_size", "usize")],
-        returns: "Bvh",
-    },
-    StageFunction {
-        stage: "bvh",
-        function: "intersect_bvh",
-        generics: "<W: World>",
-        parameters: &[("bvh", "&Bvh"), RAY_MUT, ("world", "&mut W")],
-        returns: "Option<Hit>",
-    },
-    StageFunction {
-        stage: "bvh",
-        function: "occludes_bvh",
-        generics: "<W: World>",
-        parameters: &[("bvh", "&Bvh"), RAY, ("world", "&mut W")],
-        returns: "bool",
-    },
-    StageFunction {
-        stage: "direct",
-        function: "lambert_f",
-        generics: "",
-        parameters: &[("reflectance", "Spectrum"), ("wo", "Vec3"), ("wi", "Vec3")],
-        returns: "Spectrum",
-    },
-    StageFunction {
-        stage: "direct",
-        function: "lambert_pdf",
-        generics: "",
-        parameters: &[("wo", "Vec3"), ("wi", "Vec3")],
-        returns: "f64",
-    },
-    StageFunction {
-        stage: "direct",
-        function: "lambert_sample",
-        generics: "",
-        parameters: &[("reflectance", "Spectrum"), ("wo", "Vec3"), ("u", "Vec2")],
-        returns: "Option<BsdfSample>",
-    },
-    StageFunction {
-        stage: "direct",
-        function: "zero_bounce_radiance",
-        generics: "",
-        parameters: &[("surface", "&Surface"), ("wo", "Vec3")],
-        returns: "Spectrum",
-    },
-    StageFunction {
-        stage: "direct",
-        function: "estimate_direct_lighting_hemisphere",
-        generics: "",
-        parameters: &[
-            ("lit", "&LitScene"),
-            ("surface", "&Surface"),
-            ("wo", "Vec3"),
-            ("samples", "u32"),
-            ("sampler", "&mut PixelSampler"),
-            ("scattering", "&impl Scattering"),
-            ("trace", "&mut impl FnMut(&Ray) -> Option<Hit>"),
-        ],
-        returns: "Spectrum",
-    },
-    StageFunction {
-        stage: "direct",
-        function: "estimate_direct_lighting_importance",
-        generics: "",
-        parameters: &[
-            ("lit", "&LitScene"),
-            ("surface", "&Surface"),
-            ("wo", "Vec3"),
-            ("ns_area_light", "u32"),
-            ("sampler", "&mut PixelSampler"),
-            ("scattering", "&impl Scattering"),
-            ("occluded", "&mut impl FnMut(&Ray) -> bool"),
-        ],
-        returns: "Spectrum",
-    },
-    StageFunction {
-        stage: "global",
-        function: "fresnel_dielectric",
-        generics: "",
-        parameters: &[("cos_i", "f64"), ("eta", "f64")],
-        returns: "f64",
-    },
-    StageFunction {
-        stage: "global",
-        function: "reflect",
-        generics: "",
-        parameters: &[("wo", "Vec3")],
-        returns: "Vec3",
-    },
-    StageFunction {
-        stage: "global",
-        function: "refract",
-        generics: "",
-        parameters: &[("wo", "Vec3"), ("ior", "f64")],
-        returns: "Option<Vec3>",
-    },
-    StageFunction {
-        stage: "global",
-        function: "mirror_sample",
-        generics: "",
-        parameters: &[("reflectance", "Spectrum"), ("wo", "Vec3")],
-        returns: "Option<BsdfSample>",
-    },
-    StageFunction {
-        stage: "global",
-        function: "refraction_sample",
-        generics: "",
-        parameters: &[
-            ("transmittance", "Spectrum"),
-            ("ior", "f64"),
-            ("wo", "Vec3"),
-        ],
-        returns: "Option<BsdfSample>",
-    },
-    StageFunction {
-        stage: "global",
-        function: "glass_sample",
-        generics: "",
-        parameters: &[
-            ("reflectance", "Spectrum"),
-            ("transmittance", "Spectrum"),
-            ("ior", "f64"),
-            ("wo", "Vec3"),
-            ("chosen", "f64"),
-        ],
-        returns: "Option<BsdfSample>",
-    },
-    StageFunction {
-        stage: "global",
-        function: "estimate_radiance",
-        generics: "",
-        parameters: &[
-            ("lit", "&LitScene"),
-            ("ray", "&Ray"),
-            ("max_depth", "u32"),
-            ("sampler", "&mut PixelSampler"),
-            ("scattering", "&impl Scattering"),
-            ("trace", "&mut impl FnMut(&Ray) -> Option<Hit>"),
-            (
-                "direct",
-                "&mut impl FnMut(&Surface, Vec3, &mut PixelSampler) -> Spectrum",
-            ),
-            (
-                "roulette",
-                "&mut impl FnMut(Spectrum, u32, f64) -> Option<Spectrum>",
-            ),
-        ],
-        returns: "Spectrum",
-    },
-    StageFunction {
-        stage: "global",
-        function: "play_roulette",
-        generics: "",
-        parameters: &[("throughput", "Spectrum"), ("bounces", "u32"), ("u", "f64")],
-        returns: "Option<Spectrum>",
-    },
-    StageFunction {
-        stage: "adaptive",
-        function: "has_converged",
-        generics: "",
-        parameters: &[("samples", "&Tally"), ("tolerance", "f64")],
-        returns: "bool",
-    },
-    StageFunction {
-        stage: "adaptive",
-        function: "has_surely_converged",
-        generics: "",
-        parameters: &[
-            ("samples", "&Tally"),
-            ("tolerance", "f64"),
-            ("rule", "&mut impl FnMut(&Tally, f64) -> bool"),
-        ],
-        returns: "bool",
-    },
-    StageFunction {
-        stage: "adaptive",
-        function: "raytrace_pixel_adaptive",
-        generics: "",
-        parameters: &[
-            ("place", "(u32, u32)"),
-            ("film", "FilmSize"),
-            ("budget", "Budget"),
-            ("sampler", "&mut PixelSampler"),
-            ("camera_ray", "&mut impl FnMut(Vec2) -> Ray"),
-            (
-                "trace_ray",
-                "&mut impl FnMut(&Ray, &mut PixelSampler) -> Spectrum",
-            ),
-            ("stop", "&mut impl FnMut(&Tally, f64) -> bool"),
-        ],
-        returns: "PixelEstimate",
-    },
-    // Given, but the worker uses it for the picture of the sample rate.
-    StageFunction {
-        stage: "adaptive",
-        function: "rate_colour",
-        generics: "",
-        parameters: &[("samples", "u32"), ("ns_aa", "u32")],
-        returns: "Spectrum",
-    },
-];
 
 /// A stage and the versions that its crate contains, the reference first.
 #[derive(Clone, Copy, Debug)]
@@ -496,8 +217,8 @@ fn module(version: usize) -> String {
 
 /// The `lib.rs` of the crate: each function of the stage calls the selected version.
 fn library(versions: &StageVersions<'_>) -> String {
-    let (stage, before) = (versions.stage, versions.before);
-    let versions = versions.versions.len();
+    let (all, before) = (versions.versions, versions.before);
+    let versions = all.len();
     let mut text = String::from("#![allow(warnings)]\nuse kit::*;\n");
     for i in 0..versions {
         let _ = writeln!(text, "mod {};", module(i));
@@ -509,38 +230,36 @@ fn library(versions: &StageVersions<'_>) -> String {
          let number: usize = std::env::var(\"{VERSION_VARIABLE}\").unwrap().parse().unwrap();\n        \
          number.checked_sub({before}).filter(|version| *version < {versions}).unwrap_or(0)\n    }})\n}}"
     );
-    for function in STAGE_FUNCTIONS
-        .iter()
-        .filter(|function| function.stage == stage)
-    {
+    let is_of_stage =
+        |function: &StageFunction| all.first().is_some_and(|it| defines(it, function.name));
+    for function in stage_functions().filter(is_of_stage) {
         let StageFunction {
-            function,
-            generics,
-            parameters,
-            returns,
-            ..
+            signature,
+            name,
+            arguments,
         } = function;
-        let declared: Vec<String> = parameters
+        let arguments = arguments.join(", ");
+        let _ = writeln!(text, "{signature} {{\n    match choice() {{");
+        for (i, _) in all
             .iter()
-            .map(|(name, of)| format!("{name}: {of}"))
-            .collect();
-        let names: Vec<&str> = parameters.iter().map(|(name, _)| *name).collect();
+            .enumerate()
+            .filter(|(_, version)| defines(version, name))
+        {
+            let _ = writeln!(text, "        {i} => {}::{name}({arguments}),", module(i));
+        }
         let _ = writeln!(
             text,
-            "pub fn {function}{generics}({}) -> {returns} {{\n    match choice() {{",
-            declared.join(", ")
+            "        _ => unreachable!(\"the version has no {name}\"),\n    }}\n}}"
         );
-        for i in 0..versions {
-            let _ = writeln!(
-                text,
-                "        {i} => {}::{function}({}),",
-                module(i),
-                names.join(", ")
-            );
-        }
-        let _ = writeln!(text, "        _ => unreachable!(),\n    }}\n}}");
     }
     text
+}
+
+/// Whether a version of a stage has the function `name`: `record_triangle` is not in all.
+fn defines(sources: &Sources, name: &str) -> bool {
+    let heads = [format!("pub fn {name}("), format!("pub fn {name}<")];
+    let has_one = |text: &String| heads.iter().any(|head| text.contains(head));
+    sources.values().any(has_one)
 }
 
 /// Writes the workspace of `job`: the versions' crates and the worker. Their dependencies are in

@@ -415,7 +415,7 @@ const GIVEN: &[(&str, &str)] = &[
     ("part1/task2.md", "At 180 degrees the tangent"),
     ("part1/task2.md", "and near 180 degrees it does not project"),
     ("part1/task2.md", "Perspective at 150 degrees"),
-    // tests/course.rs compares this number with the README's table.
+    // tests/course.rs compares this number with the table of accuracy.md.
     ("part1/task3.md", "one of them of needles, 6.5 % leak"),
     // Proved in the paper that intersect/src/exact.rs names.
     ("part1/task3.md", "an error of 1.5 ulp at most"),

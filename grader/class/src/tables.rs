@@ -5,6 +5,7 @@
 
 use crate::collect::{Class, Options, Row};
 use crate::out::{Out, read_regular};
+use crate::pages::OwnPage;
 use crate::plan::Plan;
 use crate::{by_hand, entries, gradebook, pages};
 use base::{GraderError, write_whole};
@@ -28,6 +29,10 @@ pub fn write(
         .chain(of_members.iter().map(String::as_str))
         .collect();
     let page_names = entries::page_names(&names);
+    let own_pages: Vec<OwnPage> = members()
+        .zip(&page_names[plan.submissions.len()..])
+        .map(|(member, page)| OwnPage { member, page })
+        .collect();
     let students = out.join("students");
     std::fs::create_dir_all(&students).map_err(|e| GraderError::file("create", &students, e))?;
     let class = Class::read(out, plan, options, |plan, i, row, details| {
@@ -37,19 +42,18 @@ pub fn write(
             write_whole(&students.join(format!("{name}.html")), page.as_bytes())
         };
         write(&page_names[i], row)?;
-        let own_pages = members().zip(&page_names[plan.submissions.len()..]);
-        for (member, name) in own_pages.filter(|(member, _)| member.submission == row.name) {
+        for OwnPage { member, page } in own_pages.iter().filter(|own| own.is_of(row)) {
             let mut own = Row {
                 owner: Some(member.name.clone()),
                 ..row.clone()
             };
             by_hand::apply(&member.marks, &mut own);
-            write(name, &own)?;
+            write(page, &own)?;
         }
         Ok(())
     })?;
     remove_other_pages(&students, &page_names)?;
-    let page = pages::class::page(&class, &page_names);
+    let page = pages::class::page(&class, &page_names, &own_pages);
     write_whole(&out.join("class.html"), page.as_bytes())?;
     write_whole(&out.join("lecture.html"), pages::lecture(&class).as_bytes())?;
     // Last: where it is, everything is.

@@ -48,10 +48,38 @@ fn class(extra: &dyn Fn(u64) -> String) -> Vec<Student> {
         let source = Source::new(&files, &Known::default());
         Student {
             name: format!("{i:02}").into(),
+            owner: None,
             stages: BTreeMap::from([("intersect".to_string(), source)]),
         }
     };
     (0..20).map(student).collect()
+}
+
+/// Who hand in together are no pair, and count as one for others.
+#[test]
+fn those_of_a_team_are_not_compared_with_each_other() {
+    let of = |sharing: &[u64], team: &[usize]| -> Vec<[String; 2]> {
+        // In another order, so that two have two passages.
+        let shared = |i: u64| match (sharing.contains(&i), i) {
+            (true, 4) => SHARED.to_string() + &own_code(100, 9) + &own_code(300, 9),
+            (true, _) => own_code(300, 9) + &own_code(200 + i, 9) + SHARED,
+            (false, _) => String::new(),
+        };
+        let mut students = class(&shared);
+        for i in team {
+            students[*i].owner = Some(4);
+        }
+        let found = pairs(&students);
+        let names = names(&found).into_iter();
+        names.map(|both| both.map(str::to_owned)).collect()
+    };
+    assert_eq!(of(&[4, 9], &[]), [["04", "09"]]);
+    assert!(of(&[4, 9], &[4, 9]).is_empty());
+    // What three of twenty have may be chance, what a team and one other have is none.
+    assert!(of(&[4, 9, 11], &[]).is_empty());
+    let found = of(&[4, 9, 11], &[4, 9]);
+    let has = |a: &str, b: &str| found.contains(&[a.to_owned(), b.to_owned()]);
+    assert!(has("04", "11") && !has("04", "09"), "{found:?}");
 }
 
 /// The largest share of a stage.
@@ -327,6 +355,7 @@ fn code_of_the_grader_in_a_stage_is_shown() {
     let known = known(workspace.root(), "bvh").expect("it can be read");
     let student = |name: &str, files: &submission::file_tree::Files| Student {
         name: name.into(),
+        owner: None,
         stages: BTreeMap::from([("bvh".to_string(), Source::new(files, &known))]),
     };
     let walk = &graders[Path::new("grader/judge/src/tools/truth/tree_tests.rs")];

@@ -266,7 +266,12 @@ fn git_is_read_within_limits() {
             format!("[ \"$(ulimit -t)\" != {limit} ] || kill -XCPU $$"),
             "too large: is a clone that git cannot read within the limits",
         ),
-        (3, ":".to_string(), "read"),
+        (
+            3,
+            "kill -KILL $$".to_string(),
+            "not read: cannot read it: the system killed git",
+        ),
+        (4, ":".to_string(), "read"),
     ] {
         let program = with_git_that(&folder.path().join(number.to_string()), &lists);
         let class = folder.path().join("class");

@@ -212,6 +212,10 @@ fn what_is_given_by_hand_is_shown_everywhere_and_never_written() {
         page.contains("7 of 10 points") && page.contains("did not come"),
         "{page}"
     );
+    let class = teams.read("class.html");
+    let (before, _) = class.split_once(">Bo alone</a>").expect("a link");
+    let (_, link) = before.rsplit_once("href=\"").expect("a link");
+    assert_eq!(teams.read(link.trim_end_matches('"')), page);
     let page = teams.page_of("alone: Ed");
     assert!(
         page.contains("No score yet.") && page.contains("see me"),

@@ -1,9 +1,10 @@
 //! Who of a class has each fingerprint.
 
 use super::pairs::Student;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
-/// The fingerprints of each stage, each with the number of a student who has it, sorted.
+/// The fingerprints of each stage, each with the number of a student who has it, sorted; of those who
+/// hand in together the first one.
 #[derive(Clone, Debug)]
 pub struct Owners<'a>(BTreeMap<&'a str, Vec<(u64, usize)>>);
 
@@ -19,6 +20,11 @@ impl<'a> Owners<'a> {
         }
         for all in stages.values_mut() {
             all.sort_unstable();
+            let mut seen = BTreeSet::new();
+            all.retain(|(hash, i)| {
+                let owner = students[*i].owner;
+                owner.is_none_or(|owner| seen.insert((*hash, owner)))
+            });
         }
         Owners(stages)
     }

@@ -36,6 +36,8 @@ pub const SHOWN: usize = 20;
 pub struct Student {
     /// The name.
     pub name: Untrusted,
+    /// The first in the roster of those who hand in together, if the roster knows whose it is.
+    pub owner: Option<usize>,
     /// The code, by its stage.
     pub stages: BTreeMap<String, Source>,
 }

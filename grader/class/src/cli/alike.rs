@@ -8,6 +8,8 @@ use crate::entries;
 use crate::out::Out;
 use crate::reading::Reader;
 use crate::reading::intake::Revision;
+use crate::roster::Roster;
+use crate::roster::join::Join;
 use base::program::Exit;
 use base::{GraderError, Workspace, errln, outln, write_whole};
 use grader::course::Course;
@@ -22,13 +24,15 @@ use submission::code::{self, source::Source};
 const LARGEST_STAGE: usize = 1 << 20;
 
 /// Compares the submissions in the folder `class`, and writes the page and the folder for JPlag to
-/// `out`. `progress` is told which submission is read, and of how many.
+/// `out`. With a `roster` those of a team are not compared with each other. `progress` is told which
+/// submission is read, and of how many.
 pub(super) fn run(
     workspace: &Workspace,
     class: &Path,
     out: &Out,
     reader: &Reader,
     revision: Option<&Revision>,
+    roster: Option<&Path>,
     progress: fn(usize, usize),
 ) -> Result<Exit, GraderError> {
     let course = Course::read(workspace)?;
@@ -48,11 +52,20 @@ pub(super) fn run(
     let entries = entries::list(class)?;
     let names: Vec<&str> = entries.iter().map(|entry| entry.name.as_str()).collect();
     let folders = entries::page_names(&names);
+    let (owners, labels) = match roster.map(Roster::read).transpose()? {
+        Some(roster) => {
+            let join = Join::of(&roster, &names);
+            let labels = join.names(&roster, &names);
+            (join.owners, labels)
+        }
+        None => (vec![None; names.len()], BTreeMap::new()),
+    };
     let mut students = Vec::new();
     let mut unread = Vec::new();
     for (i, entry) in entries.iter().enumerate() {
         progress(i, entries.len());
         let name = Untrusted::from(entry.name.as_str());
+        let name = labels.get(&entry.name).cloned().unwrap_or(name);
         let read = match reader.read_entry(class, entry, revision) {
             Ok(read) => read,
             Err(unreadable) => {
@@ -74,19 +87,24 @@ pub(super) fn run(
             }
             stages.insert(stage.clone(), Source::new(files, known));
         }
-        students.push(Student { name, stages });
+        let owner = owners[i];
+        students.push(Student {
+            name,
+            owner,
+            stages,
+        });
     }
     for (name, why) in &unread {
         errln!("not compared: {}: {}", name.line(), why.line());
     }
-    let owners = Owners::new(&students);
-    let pairs = pairs::pairs(&students, &owners, pairs::COMPARED);
+    let of_fingerprints = Owners::new(&students);
+    let pairs = pairs::pairs(&students, &of_fingerprints, pairs::COMPARED);
     let strongest = pairs
         .listed
         .iter()
         .take(page::LISTED)
-        .map(|found| pairs::pair(&students, &owners, found));
-    let (common, more_common) = common::common(&students, &owners, page::LISTED);
+        .map(|found| pairs::pair(&students, &of_fingerprints, found));
+    let (common, more_common) = common::common(&students, &of_fingerprints, page::LISTED);
     let grader = the_grader(workspace, &students, &known)?;
     let (pasted, with_pasted) = pairs::pasted(&grader, &students, page::LISTED);
     let contents = Contents {
@@ -138,6 +156,7 @@ fn the_grader(
     });
     Ok(Student {
         name: Untrusted::from("the grader"),
+        owner: None,
         stages: as_stages.collect(),
     })
 }

@@ -74,6 +74,12 @@ pub(super) fn write(
     for (submission, problem) in &join.problems {
         outln!("no mark: {}: {}", name(*submission), about(roster, problem));
     }
+    for submission in &join.of_test_student {
+        outln!(
+            "no student: {}: a teacher handed it in as Canvas's test student",
+            name(*submission)
+        );
+    }
     let late: Vec<String> = join.late.iter().map(|i| name(*i)).collect();
     if !late.is_empty() && lateness.is_none() {
         outln!("late, as the course system says: {}", late.join(", "));

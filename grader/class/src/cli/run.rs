@@ -69,6 +69,7 @@ pub fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
             out,
             &reader,
             revision(matches).as_ref(),
+            matches.get_one::<PathBuf>("roster").map(PathBuf::as_path),
             reading,
         );
     }

@@ -1,13 +1,14 @@
 //! The page of the class.
 
-use super::{distribution, expected_pairs, missing, page as whole_page, submissions};
+use super::{OwnPage, distribution, expected_pairs, missing, page as whole_page, submissions};
 use crate::collect::{Class, Row, Status, points};
 use crate::likeness::{self, EXPECTED, Pair};
 use maud::{Markup, html};
 use submission::Untrusted;
 
-/// The page. `page_names` are the file names of the students' pages, in the order of the rows.
-pub fn page(class: &Class, page_names: &[String]) -> String {
+/// The page. `page_names` are the file names of the students' pages, in the order of the rows;
+/// `own_pages` are those of single students of teams.
+pub fn page(class: &Class, page_names: &[String], own_pages: &[OwnPage<'_>]) -> String {
     let settings = &class.plan.settings;
     let body = html! {
         h1 { (class.title()) ": the class" }
@@ -25,7 +26,7 @@ pub fn page(class: &Class, page_names: &[String]) -> String {
         (distribution::all(class))
         (missing::section(class, page_names))
         (pairs(class))
-        (submissions::section(class, page_names))
+        (submissions::section(class, page_names, own_pages))
     };
     whole_page(
         &format!("{}, the class", class.title()),

@@ -14,11 +14,29 @@ mod submissions;
 
 pub use missing::lecture;
 
+use crate::by_hand::Member;
+use crate::row::Row;
 use ::pages::PALETTE;
 use ::pages::html::base64;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use sha2::{Digest, Sha256};
 use submission::Untrusted;
+
+/// The page of a student of a team to whom something is given by hand alone.
+#[derive(Clone, Copy, Debug)]
+pub struct OwnPage<'a> {
+    /// The student.
+    pub member: &'a Member,
+    /// The file name of the page.
+    pub page: &'a str,
+}
+
+impl OwnPage<'_> {
+    /// Whether it is of a student who handed in the submission of `row`.
+    pub fn is_of(&self, row: &Row) -> bool {
+        self.member.submission == row.name
+    }
+}
 
 const STYLE: &str = include_str!("style.css");
 

@@ -1,6 +1,7 @@
 //! The table of all submissions. A script sorts it by a column and filters it; without one it is in
 //! the order of the names.
 
+use super::OwnPage;
 use crate::collect::{Class, Row, points};
 use maud::{Markup, html};
 
@@ -8,7 +9,7 @@ use maud::{Markup, html};
 pub(super) const SCRIPT: &str = include_str!("submissions.js");
 
 /// The section of the page.
-pub(super) fn section(class: &Class, page_names: &[String]) -> Markup {
+pub(super) fn section(class: &Class, page_names: &[String], own_pages: &[OwnPage<'_>]) -> Markup {
     html! {
         h2 id="submissions" { "All submissions" }
         div id="filter" {}
@@ -25,7 +26,7 @@ pub(super) fn section(class: &Class, page_names: &[String]) -> Markup {
                     }
                 }
                 tbody {
-                    @for (row, page) in class.rows.iter().zip(page_names) { (line(class, row, page)) }
+                    @for (row, page) in class.rows.iter().zip(page_names) { (line(class, row, page, own_pages)) }
                 }
             }
         }
@@ -37,11 +38,16 @@ pub(super) fn link(row: &Row, page: &str) -> Markup {
     html! { a href=(format!("students/{page}.html")) title=(row.name.line()) { (row.who().line()) } }
 }
 
-fn line(class: &Class, row: &Row, page: &str) -> Markup {
+fn line(class: &Class, row: &Row, page: &str, own_pages: &[OwnPage<'_>]) -> Markup {
     let tasks = class.plan.tasks.iter();
     html! {
         tr id=(format!("s-{page}")) {
-            td.name { (link(row, page)) }
+            td.name {
+                (link(row, page))
+                @for OwnPage { member, page } in own_pages.iter().filter(|own| own.is_of(row)) {
+                    br; a href=(format!("students/{page}.html")) { (member.name.line()) " alone" }
+                }
+            }
             td.status { (row.status.label()) }
             @match &row.score {
                 Some(score) => {

@@ -280,15 +280,16 @@ impl Reader {
 const SIGXCPU: i32 = 24;
 
 /// The signal that ends a process for which the system has no memory.
-const SIGKILL: i32 = 9;
+pub(super) const SIGKILL: i32 = 9;
 
+/// The signal that ended a process.
 #[cfg(unix)]
-fn signal(status: ExitStatus) -> Option<i32> {
+pub(super) fn signal(status: ExitStatus) -> Option<i32> {
     std::os::unix::process::ExitStatusExt::signal(&status)
 }
 
 #[cfg(not(unix))]
-fn signal(_: ExitStatus) -> Option<i32> {
+pub(super) fn signal(_: ExitStatus) -> Option<i32> {
     None
 }
 

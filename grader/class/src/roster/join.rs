@@ -13,7 +13,7 @@
 //! (that of the member with the longest extension); if all are late, the last one. Else a person
 //! decides.
 
-use super::{Roster, Student};
+use super::{Roster, Student, TEST_STUDENT};
 use crate::late;
 use crate::plan::{Plan, PlannedTerm, State};
 use crate::reading::intake::CommitTimes;
@@ -130,6 +130,8 @@ pub struct Join {
     pub late: Vec<usize>,
     /// The first student, in the order of the roster, of those who handed in a submission.
     pub owners: Vec<Option<usize>>,
+    /// Submissions of Canvas's test student, as whom a teacher sees the page of a student.
+    pub of_test_student: Vec<usize>,
     /// Submissions of a team that do not count, each with the one that was handed in later.
     pub replaced: BTreeMap<usize, usize>,
 }
@@ -185,6 +187,7 @@ impl Join {
             let fitting = fitting(roster, &clue);
             let firsts: BTreeSet<usize> = fitting.iter().map(|s| first_members[*s]).collect();
             match firsts.len() {
+                0 if is_of_test_student(roster, &clue) => join.of_test_student.push(i),
                 0 => join.problems.push((i, Problem::Nobody)),
                 1 => {
                     join.owners[i] = firsts.first().copied();
@@ -341,6 +344,21 @@ fn fitting(roster: &Roster, clue: &Clue) -> Vec<usize> {
     those(&|student| by_identifier(student) || by_name(student) || !has_exact && by_suffix(student))
 }
 
+/// Whether a submission that fits nobody is that of Canvas's test student: the roster has its number,
+/// or it has a number and that student's name, in either order.
+fn is_of_test_student(roster: &Roster, clue: &Clue) -> bool {
+    let Some(number) = &clue.number else {
+        return false;
+    };
+    let own = plain(&clue.name);
+    let mut names = TEST_STUDENT.iter();
+    roster
+        .test_students
+        .iter()
+        .any(|test| *test == number.as_str())
+        || names.any(|name| plain(name) == own)
+}
+
 /// A name without spaces, signs and capital letters, as Canvas writes it. A letter with a mark is
 /// one character, however it was written: macOS writes names of files as letters and marks.
 fn plain(text: &str) -> String {
@@ -412,6 +430,29 @@ mod tests {
             assert_eq!(join.submissions, expected, "{entry}: {:?}", join.problems);
             assert_eq!(join.late.len(), usize::from(entry.contains("LATE")));
         }
+    }
+
+    #[test]
+    fn the_test_student_of_canvas_is_named() {
+        let mut roster = roster();
+        roster.test_students.push("98766".into());
+        let entries = [
+            "studenttest_98766_4_stages",
+            "teststudent_LATE_5_6_x",
+            "renamed_98766_4_x",
+            // Nobody's: no name of Canvas, and another student.
+            "Test Student",
+            "testa_5_6_x",
+        ];
+        let join = Join::of(&roster, &entries);
+        assert_eq!(join.of_test_student, [0, 1, 2]);
+        assert_eq!(join.problems, [(3, Problem::Nobody), (4, Problem::Nobody)]);
+        // A student whose name it is.
+        roster.students[0].name = "Student, Test".into();
+        roster.students[0].number = "5".into();
+        let join = Join::of(&roster, &entries[1..2]);
+        assert_eq!(join.submissions[0], Some(0));
+        assert!(join.of_test_student.is_empty());
     }
 
     #[test]

@@ -22,6 +22,8 @@ pub struct Roster {
     pub maximum: Option<f64>,
     /// The assignments of Canvas, by the names of their columns, and the most points of each.
     pub assignments: Vec<(Untrusted, f64)>,
+    /// The numbers of Canvas's test students, who are no students of the class.
+    pub test_students: Vec<Untrusted>,
 }
 
 /// A student of a roster. What the file does not say is empty.
@@ -144,7 +146,7 @@ const ID: &str = "id";
 const POINTS_POSSIBLE: &str = "Points Possible";
 
 /// Whom Canvas adds to a class for teachers to see the page of a student.
-const TEST_STUDENT: &str = "Student, Test";
+const TEST_STUDENT: [&str; 2] = ["Student, Test", "Test Student"];
 
 impl Roster {
     /// Reads a roster, CSV with a line of column names.
@@ -182,6 +184,7 @@ impl Roster {
         let mut students = Vec::new();
         let mut maximum = None;
         let mut assignments = Vec::new();
+        let mut test_students = Vec::new();
         let mut teams = Teams::default();
         for (line, record) in &sheet.lines {
             let value = |field: Field| {
@@ -228,8 +231,8 @@ impl Roster {
                     .zip(record)
                     .filter_map(|(name, points)| Some((name.as_str().into(), points.parse().ok()?)))
                     .collect();
-            } else if is_canvas && name == TEST_STUDENT && student.id.is_empty() {
-                continue;
+            } else if is_canvas && is_test_student(&name) && student.id.is_empty() {
+                test_students.push(student.number);
             } else if !is_empty {
                 maximum = maximum.or_else(|| value(Field::Maximum).parse().ok());
                 student.team = teams.of(*line, &student, value(Field::Team))?;
@@ -243,8 +246,14 @@ impl Roster {
             students,
             maximum,
             assignments,
+            test_students,
         })
     }
+}
+
+/// Whether Canvas calls its test student so.
+fn is_test_student(name: &str) -> bool {
+    TEST_STUDENT.contains(&name)
 }
 
 /// The teams of a roster while it is read.
@@ -309,10 +318,13 @@ mod tests {
 
     #[test]
     fn the_exports_of_course_systems_are_read() {
-        let canvas = parse(
-            "\u{feff}Student,ID,SIS User ID,SIS Login ID,Section,Homework 1 (77)\r\n    Points Possible,,,,,80\r\n\"Hopper, Grace\",98765,s1,ghopper,\"CS 1, A\",\r\n\"Student, Test\",98766,,1f00aa,\"CS 1, A\",\r\n",
+        let canvas = Roster::parse(
+            "\u{feff}Student,ID,SIS User ID,SIS Login ID,Section,Homework 1 (77)\r\n    Points Possible,,,,,80\r\n\"Hopper, Grace\",98765,s1,ghopper,\"CS 1, A\",\r\n\"Student, Test\",98766,,1f00aa,\"CS 1, A\",\r\nTest Student,98767,,1f00ab,B,\r\n".as_bytes(),
         );
-        let [grace] = &canvas[..] else {
+        let canvas = canvas.expect("a roster");
+        let numbers = canvas.test_students.iter().map(Untrusted::raw);
+        assert_eq!(numbers.collect::<Vec<_>>(), ["98766", "98767"]);
+        let [grace] = &canvas.students[..] else {
             panic!("{canvas:?}")
         };
         assert_eq!(grace.name, "Hopper, Grace");

@@ -7,6 +7,7 @@
 use super::unpack::Unpacker;
 use crate::reading::Unreadable;
 use crate::reading::content::unreadable;
+use crate::reading::process;
 use base::GraderError;
 use base::child_processes;
 use base::interrupt::{self, TempFolder};
@@ -14,7 +15,7 @@ use grader::course::sources;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
 use std::fmt;
-use std::io::{BufRead, BufReader, Read, Write};
+use std::io::{BufRead, BufReader, ErrorKind, Read, Write};
 use std::path::{Path, PathBuf};
 use std::process::{ChildStdout, Command, Stdio};
 use std::time::{SystemTime, UNIX_EPOCH};
@@ -413,7 +414,13 @@ impl Git {
         if let Some(stdout) = child.stdout.take() {
             // Even a small clone may have a long list: its folders may repeat the same folder.
             let read = stdout.take(MAX_LIST + 1).read_to_end(&mut output);
-            read.map_err(|_| stopped())?;
+            read.map_err(|e| match e.kind() {
+                ErrorKind::OutOfMemory => Unreadable::TooLarge(
+                    "has a list of files for which the program that reads it has no memory: ask for a new clone"
+                        .into(),
+                ),
+                _ => Unreadable::Machine(format!("cannot read what git prints: {e}")),
+            })?;
         }
         if output.len() as u64 > MAX_LIST {
             let _ = child.kill(); // git may have ended
@@ -425,8 +432,10 @@ impl Git {
         }
         let status = child.wait().map_err(cannot_run)?;
         let says = stderr.join().unwrap_or_default();
-        if status.code().is_none() {
-            return Err(stopped());
+        match process::signal(status) {
+            Some(process::SIGKILL) => return Err(killed()),
+            Some(_) => return Err(stopped()),
+            None => {}
         }
         if !status.success() {
             // The name of the temporary folder changes with each run, and tables must not.
@@ -538,6 +547,13 @@ fn stopped() -> Unreadable {
     Unreadable::TooLarge(
         "is a clone that git cannot read within the limits of time and memory: ask for a new clone"
             .into(),
+    )
+}
+
+/// The error where the system ended git, which no limit of ours does.
+fn killed() -> Unreadable {
+    Unreadable::Machine(
+        "cannot read it: the system killed git. Did the memory of the machine run out?".into(),
     )
 }
 

@@ -5,6 +5,7 @@
 
 use super::picture::PictureReport;
 use super::trees::TreeReport;
+use super::world::WorldReport;
 use serde::{Deserialize, Serialize};
 
 pub use super::ray_family::RayFamily;
@@ -25,6 +26,8 @@ pub struct CostReport {
     pub bvh: Option<TreeReport>,
     /// Pictures, if requested.
     pub pictures: Option<PictureReport>,
+    /// Hard cases beside real ray casters, if requested.
+    pub world: Option<WorldReport>,
 }
 
 /// The machine that the times were measured on.

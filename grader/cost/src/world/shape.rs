@@ -26,7 +26,9 @@ pub(super) fn smooth(triangles: usize) -> IndexedMesh {
         })
     };
     let triangles = meshes::generate(meshes::MeshKind::Smooth, triangles);
-    let faces = triangles.iter().map(|t| [t.p0, t.p1, t.p2].map(&mut number));
+    let faces = triangles
+        .iter()
+        .map(|t| [t.p0, t.p1, t.p2].map(&mut number));
     let faces = faces.collect();
     rounded(positions, faces)
 }
@@ -144,7 +146,9 @@ pub(crate) fn terrain(random: &mut ProbeRng, size: usize) -> IndexedMesh {
     let below = positions.len() as u32;
     positions.extend(points(size, || 0.0));
     let mut faces = squares(size);
-    let floor = faces.iter().map(|[a, b, c]| [a + below, c + below, b + below]);
+    let floor = faces
+        .iter()
+        .map(|[a, b, c]| [a + below, c + below, b + below]);
     let floor: Vec<[u32; 3]> = floor.collect();
     faces.extend(floor);
     let n = size as u32;

@@ -15,6 +15,7 @@ mod measure;
 mod measure_kernels;
 pub mod page;
 pub mod picture;
+mod precision;
 pub mod quartiles;
 mod ray_family;
 mod rays;

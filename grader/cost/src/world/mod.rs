@@ -24,7 +24,7 @@ pub use libraries::{judge, stored, write_cases};
 pub use row::{Cell, Row};
 pub(crate) use shape::terrain;
 
-use crate::report::Precision;
+use crate::precision::Precision;
 use base::GraderError;
 use outcome::value;
 use serde::{Deserialize, Serialize};

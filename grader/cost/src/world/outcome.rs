@@ -2,7 +2,7 @@
 
 use super::case::{Answers, RayAnswer};
 use super::column::Measure;
-use crate::report::Precision;
+use crate::precision::Precision;
 
 /// An answer whose `t` differs by more than this fraction is wrong, not rounded.
 const FAR: f64 = 1e-3;

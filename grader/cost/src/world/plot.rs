@@ -1,7 +1,7 @@
 //! The plot: what each library answers wrongly, against its speed.
 
 use super::{COLUMNS, Row, WorldReport};
-use crate::report::Precision;
+use crate::precision::Precision;
 use plots::canvas::{Canvas, Label, Position, file, for_both_widths, svg};
 use plots::figure::{Figure, heads};
 use plots::labels::Labels;

@@ -1,7 +1,7 @@
 //! Rows of the table: one for each library and interface, and their form in a file.
 
 use super::column::{COLUMNS, Measure};
-use crate::report::Precision;
+use crate::precision::Precision;
 use serde::{Deserialize, Serialize};
 use std::fmt::{self, Display, Write};
 

@@ -46,7 +46,7 @@ t: the largest error in units in the last place of the row's precision. * marks 
 /// Formats the rows, and what is wrong in the student's.
 pub(crate) fn show(report: &WorldReport) -> String {
     let mut table = Table::new();
-    table.load_preset(presets::NOTHING);
+    table.load_style(presets::NOTHING);
     let heads = ["", "precision", "Mrays/s"].into_iter();
     table.set_header(heads.chain(GROUPS.iter().map(|(head, _)| *head)));
     for row in report.yours.iter().chain(&report.libraries) {

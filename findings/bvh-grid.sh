@@ -69,4 +69,4 @@ fn main() {
     assert_eq!((vertex, inside), (361, 0));
 }
 RUST
-cargo run --quiet --release
+cargo run --quiet

@@ -139,7 +139,10 @@ impl Grid {
         let rays = (0..GRID_RAYS).map(|i| {
             let mut inner = || 1.0 + dice.below(GRID - 2) as f64;
             let off = [[0.0, 0.0], [0.5, 0.0], [0.5, 0.5]][i % 3];
-            let ray = Ray::new(Vec3::new(inner() + off[0], inner() + off[1], 64.0), Vec3::NEG_Z);
+            let ray = Ray::new(
+                Vec3::new(inner() + off[0], inner() + off[1], 64.0),
+                Vec3::NEG_Z,
+            );
             (ray, brute_force(&triangles, &ray))
         });
         let rays = rays.collect();
@@ -153,7 +156,10 @@ impl Grid {
         mut closest: impl FnMut(&Ray) -> ClosestHit,
     ) {
         let t = |hit: ClosestHit| hit.map(|(t, _)| t);
-        let lost = self.rays.iter().filter(|(ray, hit)| t(closest(ray)) != t(*hit));
+        let lost = self
+            .rays
+            .iter()
+            .filter(|(ray, hit)| t(closest(ray)) != t(*hit));
         row.grid_lost = lost.count();
         row.grid_rays = self.rays.len();
     }

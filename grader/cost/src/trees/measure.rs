@@ -158,7 +158,9 @@ pub(crate) fn measure(
             let closest = |ray: &Ray| traversal.closest(tree, &scene.triangles, ray);
             exactness::count(&mut row, closest, &aimed, &truth);
             let grid_tree = grid_tree(&builders[i]);
-            grid.count(&mut row, |ray| traversal.closest(&grid_tree, &grid.triangles, ray));
+            grid.count(&mut row, |ray| {
+                traversal.closest(&grid_tree, &grid.triangles, ray)
+            });
             by_precision.push(row);
         }
     }

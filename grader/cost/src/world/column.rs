@@ -179,7 +179,7 @@ pub static COLUMNS: [Column; 24] = [
 
 /// The case that is timed: 51,200 triangles, rays from around the mesh towards random points of its
 /// bounding box. Rays of 8 x 8 that follow each other start at one point, as those of a camera.
-pub fn speed(seed: u64, rays: usize) -> Case {
+pub(super) fn speed(seed: u64, rays: usize) -> Case {
     let dice = &mut ProbeRng::new("speed", seed);
     let mesh = smooth(51_200);
     let tiles = (0..rays / 64).flat_map(|_| {

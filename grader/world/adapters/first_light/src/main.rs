@@ -1,6 +1,9 @@
 //! This project's trees: the wide one, ray by ray and in tiles, and the plain one in both precisions.
 
-use first_light_bvh::construct_bvh;
+#[path = "../../rust/src/lib.rs"]
+mod world_adapters;
+
+use bvh::construct_bvh;
 use kit::{Bvh, PrimId, Triangle, TriangleHit, Vec3};
 use simd_bvh::{RayTile, Subset, TestCounts, TileEnds, TileMemory, WideBvh};
 use std::cell::RefCell;

@@ -10,7 +10,7 @@ use judge::cases::probes::{ProbeRng, at, through};
 use kernels::{HitF64, Kernel, Precision};
 use kit::{Primitive, Ray, Triangle};
 use meshes::{MeshKind, generate};
-use oracle::may_touch;
+use oracle::{KernelClass, may_touch};
 
 /// The closed meshes: one with ordinary triangles, one with needles.
 const MESHES: [MeshKind; 2] = [MeshKind::Smooth, MeshKind::Needles];
@@ -99,7 +99,8 @@ impl ClosedMesh {
         let near = |ray: &Ray| {
             let numbered = (0..).zip(&triangles);
             numbered
-                .filter(|(_, tri)| may_touch(&Primitive::Triangle(tri), ray))
+                // Kernels in f32 need the wide bound.
+                .filter(|(_, tri)| may_touch(&Primitive::Triangle(tri), ray, KernelClass::Textbook))
                 .map(|(i, _)| i)
                 .collect()
         };

@@ -5,7 +5,7 @@
 //! (one run), [`timing`] (how everything is timed), `measure_kernels`, `rays` (the test rays),
 //! `truth` and `accuracy` (comparison with the oracle), `leaks`, `student` (measures the student's
 //! kernel through the worker), [`trees`], [`picture`] (the cost of better pictures), [`table`] and
-//! [`page`] (output).
+//! [`page`] (output); [`world`] compares with real ray casters.
 
 mod accuracy;
 mod leak_view;
@@ -15,6 +15,7 @@ mod measure;
 mod measure_kernels;
 pub mod page;
 pub mod picture;
+mod precision;
 pub mod quartiles;
 mod ray_family;
 mod rays;
@@ -24,5 +25,6 @@ pub mod table;
 pub mod timing;
 pub mod trees;
 mod truth;
+pub mod world;
 
 pub use measure::{CostRequest, SampleCounts, measure};

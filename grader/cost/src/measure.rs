@@ -2,7 +2,8 @@
 
 use super::leaks::ClosedMeshes;
 use super::report::{CostReport, Shape};
-use super::{machine, measure_kernels, picture, trees};
+use super::student::Student;
+use super::{machine, measure_kernels, picture, trees, world};
 use base::{GraderError, Workspace};
 use kernels::Precision;
 use kit::{Aabb, Sphere};
@@ -16,6 +17,8 @@ pub struct CostRequest {
     pub trees: bool,
     /// Whether pictures are rendered with the program of the workspace.
     pub pictures: bool,
+    /// Whether the student's tree answers the hard cases of the libraries.
+    pub world: bool,
     /// The numbers of rays and rounds.
     pub size: SampleCounts,
     /// Seed of the random rays.
@@ -35,6 +38,8 @@ pub struct SampleCounts {
     pub mesh: usize,
     /// Rounds in which all trees are built and traversed.
     pub tree_rounds: usize,
+    /// Rays of each hard case of the libraries.
+    pub world_rays: usize,
 }
 
 impl SampleCounts {
@@ -45,6 +50,7 @@ impl SampleCounts {
         rounds: 90,
         mesh: 200_000,
         tree_rounds: 24,
+        world_rays: 2_000,
     };
 
     /// Takes some seconds.
@@ -54,6 +60,7 @@ impl SampleCounts {
         rounds: 20,
         mesh: 20_000,
         tree_rounds: 24,
+        world_rays: 200,
     };
 }
 
@@ -64,7 +71,7 @@ impl CostRequest {
             true => picture::plan::all(self.is_quick()).len(),
             false => 0,
         };
-        self.shapes.len() + usize::from(self.trees) + pictures
+        self.shapes.len() + usize::from(self.trees) + usize::from(self.world) + pictures
     }
 
     fn is_quick(&self) -> bool {
@@ -92,6 +99,7 @@ pub fn measure(
         families: Vec::new(),
         bvh: None,
         pictures: None,
+        world: None,
     };
     for shape in &request.shapes {
         progress::stage(shape.name());
@@ -119,6 +127,16 @@ pub fn measure(
     if request.trees {
         progress::stage("trees");
         cost.bvh = trees::measure(workspace, request.seed, size)?;
+        report(&cost)?;
+    }
+    if request.world {
+        progress::stage("ray casters");
+        let student = Student::build_with("meshes", "part2.task3", workspace)?;
+        let mut trace = |case: &world::Case| match &student {
+            Ok(student) => student.closest(&case.triangles(), &case.rays),
+            Err(missing) => Ok(Err(missing.clone())),
+        };
+        cost.world = Some(world::measure(size.world_rays, &mut trace)?);
         report(&cost)?;
     }
     if let Some(workspace) = workspace.filter(|_| request.pictures) {

@@ -5,8 +5,10 @@
 
 use super::picture::PictureReport;
 use super::trees::TreeReport;
+use super::world::WorldReport;
 use serde::{Deserialize, Serialize};
 
+pub use super::precision::Precision;
 pub use super::ray_family::RayFamily;
 pub use super::timing::Timing;
 
@@ -25,6 +27,8 @@ pub struct CostReport {
     pub bvh: Option<TreeReport>,
     /// Pictures, if requested.
     pub pictures: Option<PictureReport>,
+    /// Hard cases beside real ray casters, if requested.
+    pub world: Option<WorldReport>,
 }
 
 /// The machine that the times were measured on.
@@ -92,33 +96,6 @@ pub struct RayColumn {
     pub family: RayFamily,
     /// What makes these rays hard for this shape.
     pub about: String,
-}
-
-/// The precision of a kernel.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub enum Precision {
-    /// Single precision: 24 bits. The oracle uses the rounded inputs, so that only the kernel's own
-    /// roundings count.
-    #[serde(rename = "f32")]
-    F32,
-    /// Double precision: 53 bits.
-    #[serde(rename = "f64")]
-    F64,
-    /// Shapes and rays are stored in single precision and computed with in double precision. Judged
-    /// like `f32`.
-    #[serde(rename = "f32 in f64")]
-    F32InF64,
-}
-
-impl Precision {
-    /// The name, as in the JSON.
-    pub fn name(self) -> &'static str {
-        match self {
-            Precision::F32 => "f32",
-            Precision::F64 => "f64",
-            Precision::F32InF64 => "f32 in f64",
-        }
-    }
 }
 
 /// The results of one kernel.

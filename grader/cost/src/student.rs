@@ -15,7 +15,10 @@ use grader::workers::runner::{self, Ending, Worker};
 use judge::cases::probes::{brute_force, wire_ray, wire_triangle};
 use kernels::{Precision, RayAndShapes};
 use kit::{Aabb, Ray, Sphere, Triangle};
-use wire::work::{BoxWork, Probe, Shapes, SphereWork, TestTiming, TriangleWork, Xyz};
+use wire::work::{
+    BoxWork, BuildWork, Probe, SceneSource, SceneWork, Shapes, SphereWork, TestTiming,
+    TriangleWork, Xyz,
+};
 use wire::{Outcome, Work};
 
 /// A shape with a test in the student's code.
@@ -160,6 +163,39 @@ impl Student {
             Ok(_) => Err(unexpected_answer()),
             Err(missing) => Ok(Err(missing)),
         }
+    }
+
+    /// Builds the student's tree over the triangles, and traces the rays through it. Returns the `t`
+    /// of each closest hit.
+    pub(crate) fn closest(
+        &self,
+        triangles: &[Triangle],
+        rays: &[Ray],
+    ) -> Result<Result<Vec<Option<f64>>, MissingReason>, GraderError> {
+        let boxes = triangles.iter().map(|tri| wire_box(&tri.bounds()));
+        let build = BuildWork {
+            bounds: boxes.collect(),
+            max_leaf_size: 4,
+        };
+        let tree = match self.run(Work::Build(build))? {
+            Ok(wire::Answer::Build(answer)) => answer.tree,
+            Ok(_) => return Err(unexpected_answer()),
+            Err(missing) => return Ok(Err(missing)),
+        };
+        let scene = SceneWork {
+            scene: SceneSource::Triangles(triangles.iter().map(wire_triangle).collect()),
+            tree,
+            rays: rays.iter().map(wire_ray).collect(),
+            any_hit: false,
+        };
+        Ok(match self.run(Work::SceneHits(scene))? {
+            Ok(wire::Answer::SceneHits(answer)) => {
+                let hits = answer.hits.iter();
+                Ok(hits.map(|hit| hit.map(|hit| hit.t)).collect())
+            }
+            Ok(_) => return Err(unexpected_answer()),
+            Err(missing) => Err(missing),
+        })
     }
 
     /// Times the student's test in each of these orders of the rays; the first one is not timed.

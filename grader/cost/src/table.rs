@@ -6,6 +6,7 @@ use super::report::{
     Accuracy, CostReport, KernelFamily, KernelRow, RayFamily, Timing, correct_bits, whole_bits,
 };
 use super::trees;
+use super::world;
 use comfy_table::{Cell, CellAlignment, Table, presets};
 use std::fmt::Write;
 
@@ -23,6 +24,7 @@ pub struct Printed {
     legend: bool,
     trees: bool,
     pictures: bool,
+    world: bool,
 }
 
 impl Printed {
@@ -40,6 +42,11 @@ impl Printed {
             self.trees = true;
             text += self.legend(report);
             text += &trees::table::show(trees);
+        }
+        if let Some(rows) = report.world.as_ref().filter(|_| !self.world) {
+            self.world = true;
+            text += self.legend(report);
+            text += &world::table::show(rows);
         }
         if let Some(pictures) = report.pictures.as_ref().filter(|_| !self.pictures) {
             self.pictures = true;

@@ -38,6 +38,7 @@ fn every_row_of_the_chapter_is_what_is_measured() {
         shapes: vec![Shape::Triangle],
         trees: false,
         pictures: false,
+        world: false,
         // Times are not compared.
         size: SampleCounts {
             rounds: 1,

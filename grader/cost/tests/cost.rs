@@ -2,7 +2,7 @@
 //! tested.
 
 use cost::report::{Accuracy, CostReport, KernelFamily, KernelRow, Precision, RayFamily, Shape};
-use cost::trees::WrongHits;
+use cost::trees::{ExactnessRow, WrongHits};
 use cost::{CostRequest, SampleCounts, measure};
 use std::sync::LazyLock;
 
@@ -13,6 +13,7 @@ const SMALL: SampleCounts = SampleCounts {
     rounds: 1,
     mesh: 1_000,
     tree_rounds: 1,
+    world_rays: 20,
 };
 
 fn small(shape: Shape, seed: u64) -> CostReport {
@@ -20,6 +21,7 @@ fn small(shape: Shape, seed: u64) -> CostReport {
         shapes: vec![shape],
         trees: false,
         pictures: false,
+        world: false,
         size: SMALL,
         seed,
     };
@@ -198,6 +200,7 @@ fn traversal_needs_slack_to_equal_brute_force() {
         shapes: Vec::new(),
         trees: true,
         pictures: false,
+        world: false,
         size: SampleCounts {
             rays: 24_000,
             ..SMALL
@@ -260,6 +263,8 @@ fn traversal_needs_slack_to_equal_brute_force() {
         .iter()
         .filter(|row| row.split != "midpoint");
     assert!(others.clone().all(|row| row.lost_per_million() == 0.0));
+    let loses_on_grid = |row: &&ExactnessRow| row.grid_lost > 0;
+    assert!(!others.clone().any(|row| loses_on_grid(&row)));
     assert_eq!(others.count(), 2, "the trees by median and SAH");
     let single = lost("Woop", "Ize, 2 ulp", Precision::F32);
     assert!(single > 0.0);

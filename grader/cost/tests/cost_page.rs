@@ -141,6 +141,8 @@ fn exactness(box_test: &str, precision: Precision, ratio: f64, lost: usize) -> E
         rays: 10_000,
         missed: lost / 2,
         wrong: lost - lost / 2,
+        grid_rays: 3_000,
+        grid_lost: lost / 3,
     }
 }
 
@@ -209,6 +211,7 @@ fn report(rows: Vec<KernelRow>, bias: Option<f64>) -> CostReport {
         quick: false,
         families: vec![family(rows)],
         bvh: Some(trees()),
+        world: None,
         pictures: Some(PictureReport {
             experiments: vec![Experiment {
                 title: "samples".into(),

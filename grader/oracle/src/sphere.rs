@@ -103,7 +103,7 @@ pub fn sphere(s: &Sphere, ray: &Ray) -> SphereVerdict {
         return SphereVerdict::miss(why);
     }
     let error_bounds = SphereErrorBounds::new(s, ray);
-    if error_bounds.surely_misses() {
+    if error_bounds.surely_misses(KernelClass::Textbook) {
         return SphereVerdict::miss(Miss::LineMisses);
     }
     ExactSphere::new(s, ray).verdict(ray, &error_bounds)

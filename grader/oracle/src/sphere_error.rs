@@ -28,6 +28,8 @@ pub(super) struct SphereErrorBounds {
     b: f64,
     ff: f64,
     rr: f64,
+    /// `|f|²` without its part along the ray: the squared distance of the centre from the line.
+    ll: f64,
     /// Largest coordinate of the centre or the origin, radius included; and largest component of
     /// `d`.
     extent: f64,
@@ -39,11 +41,13 @@ pub(super) struct SphereErrorBounds {
 impl SphereErrorBounds {
     pub(super) fn new(s: &Sphere, ray: &Ray) -> SphereErrorBounds {
         let f = ray.o - s.center;
+        let (a, b) = (ray.d.length_squared(), f.dot(ray.d));
         SphereErrorBounds {
-            a: ray.d.length_squared(),
-            b: f.dot(ray.d),
+            a,
+            b,
             ff: f.length_squared(),
             rr: s.radius * s.radius,
+            ll: (f - b / a * ray.d).length_squared(),
             extent: max_abs(ray.o).max(max_abs(s.center)).max(s.radius),
             direction: max_abs(ray.d),
             fits_f64: fits_f64(&[ray.o, s.center, ray.d, Vec3::splat(s.radius)]),
@@ -67,12 +71,19 @@ impl SphereErrorBounds {
     }
 
     /// Whether the discriminant is certainly negative, in exact arithmetic and for every correct
-    /// kernel. This is the filter: most rays miss, and need no integers. The discriminant is
-    /// computed here as in textbook code, so its bound is doubled: once for this computation, once
-    /// for the kernel. Robust bounds are smaller.
-    pub(super) fn surely_misses(&self) -> bool {
-        let d = self.b * self.b - self.a * (self.ff - self.rr);
-        self.fits_f64 && d < -2.0 * self.discriminant(KernelClass::Textbook)
+    /// kernel of this class. This is the filter: most rays miss, and need no integers. The
+    /// discriminant is computed here as such a kernel does, so its bound is doubled: once for this
+    /// computation, once for the kernel. Robust bounds are smaller: what surely misses for textbook
+    /// code does so for both.
+    ///
+    /// The robust bound `2 r δl + δl²` holds at the rim. Four times this bound beyond it, `|l|` is
+    /// more than `r + 2 δl`: one `δl` for this computation, one for the kernel.
+    pub(super) fn surely_misses(&self, kernel: KernelClass) -> bool {
+        let (d, bounds) = match kernel {
+            KernelClass::Textbook => (self.b * self.b - self.a * (self.ff - self.rr), 2.0),
+            KernelClass::Robust => (self.a * (self.rr - self.ll), 4.0),
+        };
+        self.fits_f64 && d < -bounds * self.discriminant(kernel)
     }
 
     /// Bounds the error of `√D`: `δD / √D`, but at most `√δD`.

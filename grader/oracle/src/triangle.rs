@@ -129,7 +129,7 @@ pub fn triangle(tri: &Triangle, ray: &Ray) -> TriangleVerdict {
         return TriangleVerdict::miss(why);
     }
     let error_bounds = TriangleErrorBounds::new(tri, ray);
-    if error_bounds.surely_misses() {
+    if error_bounds.surely_misses(KernelClass::Textbook) {
         return TriangleVerdict::miss(Miss::LineMisses);
     }
     let exact = ExactTriangle::new(tri, ray);

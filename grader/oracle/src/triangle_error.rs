@@ -96,25 +96,38 @@ impl TriangleErrorBounds {
     }
 
     /// Whether two edge functions certainly have opposite signs, in exact arithmetic and for every
-    /// correct kernel. This is the filter: most rays miss, and need no integers.
+    /// correct kernel of this class. This is the filter: most rays miss, and need no integers.
     ///
     /// A triple product in `f64` has an error of at most `γ_7` times the sum of its absolute
     /// products, which is at most `2 |d| extent²`: less than half the textbook bound, so twice that
     /// bound is enough. Robust bounds are smaller than textbook bounds (doubled,
-    /// `20 U · |d_z| · 4 extent²` at most).
-    pub(super) fn surely_misses(&self) -> bool {
-        let is_settled = self.thinness(self.normal) < THIN && self.fits_f64;
-        if !is_settled {
+    /// `20 U · |d_z| · 4 extent²` at most): what surely misses for textbook code does so for both.
+    ///
+    /// For a robust kernel the edge functions are computed as it does. Their own error is half the
+    /// bound, which is doubled: twice the bound is enough here, too.
+    pub(super) fn surely_misses(&self, kernel: KernelClass) -> bool {
+        let differ = |e: [f64; 3], bounds: [f64; 3]| {
+            let is_beyond = |sign: f64| (0..3).any(|i| sign * e[i] > 2.0 * bounds[i]);
+            is_beyond(1.0) && is_beyond(-1.0)
+        };
+        if !self.fits_f64 {
             return false;
         }
-        let bound = 2.0 * self.textbook_edge(self.normal);
-        let [a, b, c] = self.relative;
-        let e = [
-            self.d.dot(b.cross(c)),
-            self.d.dot(c.cross(a)),
-            self.d.dot(a.cross(b)),
-        ];
-        e.iter().any(|e| *e > bound) && e.iter().any(|e| *e < -bound)
+        match kernel {
+            KernelClass::Textbook if self.thinness(self.normal) < THIN => {
+                let [a, b, c] = self.relative;
+                let e = [b.cross(c), c.cross(a), a.cross(b)].map(|normal| self.d.dot(normal));
+                differ(e, [self.textbook_edge(self.normal); 3])
+            }
+            KernelClass::Textbook => false,
+            KernelClass::Robust => {
+                let [a, b, c] = self.sheared();
+                let edges = [(&b, &c), (&c, &a), (&a, &b)];
+                let d_z = max_abs(self.d);
+                let e = edges.map(|(p, q)| d_z * (p.x * q.y - p.y * q.x));
+                differ(e, edges.map(|(p, q)| DOUBLED * d_z * p.cross_error(q)))
+            }
+        }
     }
 
     /// Bounds the error of textbook code in `t`.
@@ -135,26 +148,33 @@ impl TriangleErrorBounds {
         2.0 * self.textbook_edge(normal) / det.abs() + TEXTBOOK_T
     }
 
-    /// Returns the error bounds of a robust kernel: see [`RobustBounds`].
-    pub(super) fn robust(&self) -> RobustBounds {
+    /// The vertices after the shear that maps the ray to the z axis.
+    fn sheared(&self) -> [Sheared; 3] {
         let z = self.d.abs().max_position();
         let (x, y) = ((z + 1) % 3, (z + 2) % 3);
         let d = self.d.to_array();
         let (shear_x, shear_y) = (d[x] / d[z], d[y] / d[z]);
-        let sheared = self.relative.map(|v| {
+        self.relative.map(|v| {
             let v = v.to_array();
             let error = |i: usize, shear: f64| gamma(SHEARED) * (v[i].abs() + (shear * v[z]).abs());
             Sheared {
-                x: (v[x] - shear_x * v[z]).abs(),
-                y: (v[y] - shear_y * v[z]).abs(),
+                x: v[x] - shear_x * v[z],
+                y: v[y] - shear_y * v[z],
                 x_error: error(x, shear_x),
                 y_error: error(y, shear_y),
             }
-        });
-        let edge = |i: usize, j: usize| DOUBLED * d[z].abs() * sheared[i].cross_error(&sheared[j]);
+        })
+    }
+
+    /// Returns the error bounds of a robust kernel: see [`RobustBounds`].
+    pub(super) fn robust(&self) -> RobustBounds {
+        let z = self.d.abs().max_position();
+        let d_z = self.d.to_array()[z];
+        let sheared = self.sheared();
+        let edge = |i: usize, j: usize| DOUBLED * d_z.abs() * sheared[i].cross_error(&sheared[j]);
         RobustBounds {
             edges: [edge(1, 2), edge(2, 0), edge(0, 1)],
-            depths: self.relative.map(|v| (v.to_array()[z] / d[z]).abs()),
+            depths: self.relative.map(|v| (v.to_array()[z] / d_z).abs()),
         }
     }
 
@@ -172,7 +192,7 @@ impl TriangleErrorBounds {
     }
 }
 
-/// A vertex after the shear that maps the ray to the z axis: absolute coordinates and their errors.
+/// A vertex after the shear that maps the ray to the z axis: its coordinates and their errors.
 struct Sheared {
     x: f64,
     y: f64,
@@ -191,7 +211,8 @@ impl Sheared {
                 + x_error * y_error
                 + gamma(2.0) * (x + x_error) * (y + y_error)
         };
-        carried(a.x, a.x_error, b.y, b.y_error) + carried(b.x, b.x_error, a.y, a.y_error)
+        carried(a.x.abs(), a.x_error, b.y.abs(), b.y_error)
+            + carried(b.x.abs(), b.x_error, a.y.abs(), a.y_error)
     }
 }
 

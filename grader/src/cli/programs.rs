@@ -8,9 +8,9 @@ use super::{Format, seed_argument};
 use base::program::{path_argument, whole_number};
 use clap::{Arg, ArgAction, Command};
 
-/// What `grader cost` can compare: ray/shape tests, trees, and pictures rendered by the workspace's
-/// program.
-pub const EXPERIMENTS: [&str; 5] = ["triangle", "sphere", "box", "bvh", "picture"];
+/// What `grader cost` can compare: ray/shape tests, trees, real ray casters on hard cases, and
+/// pictures rendered by the workspace's program.
+pub const EXPERIMENTS: [&str; 6] = ["triangle", "sphere", "box", "bvh", "world", "picture"];
 
 /// The names of the meshes of `grader speedup`, the default first.
 pub const MESHES: [&str; 4] = ["terrain", "smooth", "knot", "needles"];
@@ -55,7 +55,7 @@ pub fn cost() -> Command {
         )
         .arg(
             path_argument("svg", "FILE")
-                .help("Also write one plot as an SVG file: accuracy against time of the first shape, or, for `bvh` alone, what exactness costs"),
+                .help("Also write one plot as an SVG file: accuracy against time of the first shape, or, for `bvh` alone, what exactness costs, and for `world` alone, what real ray casters answer"),
         )
         .arg(
             Arg::new("quick")
@@ -64,6 +64,24 @@ pub fn cost() -> Command {
                 .help("Use few rays: less precise, finishes in seconds"),
         )
         .arg(seed_argument())
+        .arg(
+            path_argument("cases", "DIR")
+                .help("Only write the hard cases of `world` with their exact answers, for adapters of ray casters (grader/world)"),
+        )
+        .arg(
+            path_argument("answers", "DIR")
+                .requires("cases")
+                .help("Only judge what adapters answered to the cases of --cases, and print it as a table with tabulators"),
+        )
+        .arg(
+            Arg::new("rays")
+                .long("rays")
+                .value_name("N")
+                .requires("cases")
+                .value_parser(|value: &str| whole_number(value, 64, 1_000_000_usize))
+                .default_value("20000")
+                .help("The number of rays in each case of --cases"),
+        )
 }
 
 /// The command line of `grader speedup`.

@@ -2,6 +2,7 @@
 
 use super::{cdf, convergence, exactness, heatmap, leaks, pareto, trees};
 use crate::report::{CostReport, KernelFamily, Shape};
+use crate::world;
 use pages::html::escape;
 use plots::canvas::file;
 use plots::document::Document;
@@ -27,6 +28,11 @@ pub fn page(report: &CostReport) -> String {
         }
         section.push_str(&trees::figure(trees).html());
         sections.push(("Trees".into(), section));
+    }
+    if let Some(rows) = &report.world {
+        let figure = world::plot::figure(rows);
+        let section = figure.map_or(String::new(), |figure| figure.html());
+        sections.push(("Ray casters".into(), section));
     }
     if let Some(pictures) = &report.pictures {
         let mut section = String::new();
@@ -71,7 +77,7 @@ pub fn page(report: &CostReport) -> String {
 }
 
 /// Returns a plot as an SVG file: accuracy against time of the first shape, or else what exactness
-/// costs a tree; `None` if there is neither.
+/// costs a tree, or else what real ray casters answer; `None` if there is none.
 pub fn plot(report: &CostReport) -> Option<String> {
     let family = report
         .families
@@ -80,8 +86,9 @@ pub fn plot(report: &CostReport) -> Option<String> {
     if let Some(family) = family {
         return Some(file(&pareto::figure(family).drawing));
     }
-    let plot = report.bvh.as_ref().map(exactness::svg_file);
-    plot.flatten()
+    let trees = report.bvh.as_ref().and_then(exactness::svg_file);
+    let casters = || report.world.as_ref().and_then(world::plot::svg_file);
+    trees.or_else(casters)
 }
 
 fn title(shape: Shape) -> &'static str {

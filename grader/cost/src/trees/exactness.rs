@@ -4,9 +4,10 @@
 use crate::measure_kernels::precision;
 use crate::report::Precision;
 use crate::timing::Timing;
+use crate::world::terrain;
 use judge::cases::probes::{ProbeRng, through};
-use kernels::{ClosestHit, RoundedTree};
-use kit::{Ray, Triangle};
+use kernels::{ClosestHit, RoundedTree, brute_force};
+use kit::{Ray, Triangle, Vec3};
 use serde::{Deserialize, Serialize};
 
 /// Results for one tree, with one pair of tests in one precision.
@@ -31,6 +32,10 @@ pub struct ExactnessRow {
     pub missed: usize,
     /// Rays with a hit where there is none, or nearer than the closest.
     pub wrong: usize,
+    /// Rays that were aimed exactly at vertices, edges and diagonals of an integer terrain.
+    pub grid_rays: usize,
+    /// Those of them whose hit is not that of brute force.
+    pub grid_lost: usize,
 }
 
 impl ExactnessRow {
@@ -46,12 +51,19 @@ impl ExactnessRow {
             rays: 0,
             missed: 0,
             wrong: 0,
+            grid_rays: 0,
+            grid_lost: 0,
         }
     }
 
     /// Rays with another hit than the exact one, in a million.
     pub fn lost_per_million(&self) -> f64 {
         in_a_million(self.missed + self.wrong, self.rays)
+    }
+
+    /// Lost rays at the integer terrain, in a million.
+    pub fn grid_lost_per_million(&self) -> f64 {
+        in_a_million(self.grid_lost, self.grid_rays)
     }
 }
 
@@ -105,5 +117,50 @@ pub(super) fn count(
             (Some(_), None) => row.wrong += 1,
             (None, None) => {}
         }
+    }
+}
+
+/// Squares of the integer terrain along each axis, and rays at it.
+const GRID: usize = 32;
+const GRID_RAYS: usize = 3_000;
+
+/// A terrain with integer coordinates, and vertical rays exactly at its vertices, edges and
+/// diagonals. Nothing is rounded, and planes of bounding boxes contain the rays: 0 times infinity is
+/// NaN in a test that multiplies by the reciprocal of the direction.
+pub(super) struct Grid {
+    pub(super) triangles: Vec<Triangle>,
+    rays: Vec<(Ray, ClosestHit)>,
+}
+
+impl Grid {
+    pub(super) fn new(seed: u64) -> Grid {
+        let mut dice = ProbeRng::new("cost grid", seed);
+        let triangles = terrain(&mut dice, GRID).flat_triangles();
+        let rays = (0..GRID_RAYS).map(|i| {
+            let mut inner = || 1.0 + dice.below(GRID - 2) as f64;
+            let off = [[0.0, 0.0], [0.5, 0.0], [0.5, 0.5]][i % 3];
+            let ray = Ray::new(
+                Vec3::new(inner() + off[0], inner() + off[1], 64.0),
+                Vec3::NEG_Z,
+            );
+            (ray, brute_force(&triangles, &ray))
+        });
+        let rays = rays.collect();
+        Grid { triangles, rays }
+    }
+
+    /// Counts the lost hits of `closest`, a traversal of a tree over the terrain.
+    pub(super) fn count(
+        &self,
+        row: &mut ExactnessRow,
+        mut closest: impl FnMut(&Ray) -> ClosestHit,
+    ) {
+        let t = |hit: ClosestHit| hit.map(|(t, _)| t);
+        let lost = self
+            .rays
+            .iter()
+            .filter(|(ray, hit)| t(closest(ray)) != t(*hit));
+        row.grid_lost = lost.count();
+        row.grid_rays = self.rays.len();
     }
 }

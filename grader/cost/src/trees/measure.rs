@@ -134,6 +134,11 @@ pub(crate) fn measure(
     if let Some(exact) = rounded.first_mut() {
         truth.extend(by_tree.iter().map(|ray| (exact.closest)(ray)));
     }
+    let grid = exactness::Grid::new(seed);
+    let grid_bounds: Vec<_> = grid.triangles.iter().map(Triangle::bounds).collect();
+    let grid_tree = |builder: &Builder| (builder.build)(&grid_bounds, MAX_LEAF_SIZE);
+    let first_grid_tree = grid_tree(&builders[0]);
+    let mut on_grid = kernels::rounded_trees(&first_grid_tree, &grid.triangles);
     let mut by_precision = Vec::new();
     for (i, tree) in rounded.iter_mut().enumerate() {
         let time = rounds
@@ -141,6 +146,7 @@ pub(crate) fn measure(
             .map_err(in_process)?;
         let mut row = ExactnessRow::new(builders[0].name, tree, time);
         exactness::count(&mut row, &mut tree.closest, &aimed, &truth);
+        grid.count(&mut row, &mut on_grid[i].closest);
         by_precision.push(row);
     }
     // The other trees, with the tests of the first row.
@@ -151,6 +157,10 @@ pub(crate) fn measure(
             let mut traversal = Traversal::new(safe_slack);
             let closest = |ray: &Ray| traversal.closest(tree, &scene.triangles, ray);
             exactness::count(&mut row, closest, &aimed, &truth);
+            let grid_tree = grid_tree(&builders[i]);
+            grid.count(&mut row, |ray| {
+                traversal.closest(&grid_tree, &grid.triangles, ray)
+            });
             by_precision.push(row);
         }
     }

@@ -11,7 +11,8 @@ Times are medians of interleaved rounds, each pass after an untimed one with the
 ~ marks a tie. Wrong: hits that differ from brute force, for some of the timed rays and for crafted rays, which are aimed at\n\
 triangles that overlap in one plane. Break-even: rays after which the tracing time saved equals the additional build time,\n\
 against the first tree; in brackets for the quartiles of both times. Missed and wrong in a million: rays at random triangles\n\
-and edges that pass through the surface, or hit where nothing is; the first row is exact, and is compared with brute force for some.\n";
+and edges that pass through the surface, or hit where nothing is; the first row is exact, and is compared with brute force for some.\n\
+Lost on a grid: of a million rays exactly at vertices, edges and diagonals of an integer terrain, compared with brute force.\n";
 
 /// Formats both tables.
 pub(crate) fn show(trees: &TreeReport) -> String {
@@ -88,6 +89,7 @@ fn by_precision(trees: &TreeReport) -> Table {
         "vs. exact",
         "missed in\na million",
         "wrong in\na million",
+        "lost on\na grid",
     ]);
     for row in &trees.by_precision {
         let cells = [
@@ -96,6 +98,7 @@ fn by_precision(trees: &TreeReport) -> Table {
             ratio(&row.time),
             count(in_a_million(row.missed, row.rays)),
             count(in_a_million(row.wrong, row.rays)),
+            count(row.grid_lost_per_million()),
         ];
         let tests = [
             row.split.clone(),

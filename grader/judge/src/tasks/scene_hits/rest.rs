@@ -110,7 +110,7 @@ pub(super) fn needed_tests(work: &SceneWork) -> NeededTests {
         };
         let mut twice_plain = traced.fixed_order(false);
         twice_plain += traced.fixed_order(true);
-        let near = oracle::near(&shapes, &ray).into_iter();
+        let near = oracle::near(&shapes, &ray, KernelClass::Robust).into_iter();
         let closest = near.filter_map(|(id, _)| hit(id)).reduce(f64::min);
         NeededTests {
             fewest: traced.fewest(closest),

@@ -63,7 +63,7 @@ pub fn sphere(tier: Tier, prim: u32, sphere: &Sphere, ray: &Ray) -> Expected {
 /// `enclosed`, the shapes enclose the ray's origin: a miss is wrong even where rounding decides
 /// which of two adjacent shapes is hit.
 pub fn first_of(tier: Tier, shapes: &[Primitive<'_>], ray: &Ray, enclosed: bool) -> Expected {
-    let near = near(shapes, ray);
+    let near = near(shapes, ray, kernel(tier));
     let closest = closest(near.iter().map(|(_, shape)| *shape), ray);
     let answers = closest.answers.get(kernel(tier));
     let hit = |(PrimId(index), candidate): &(PrimId, Candidate)| {
@@ -281,12 +281,14 @@ mod tests {
             let o = 3.0 * vector();
             let ray = Ray::new(o, vector() - o);
             let shape = Primitive::Triangle(&triangle);
-            let expected = super::triangle(Tier::Core, 0, &triangle, &ray);
-            if !expected.hits.is_empty() {
-                hits += 1;
-                assert!(may_touch(&shape, &ray));
+            for tier in [Tier::Core, Tier::Robust] {
+                let expected = super::triangle(tier, 0, &triangle, &ray);
+                if !expected.hits.is_empty() {
+                    hits += 1;
+                    assert!(may_touch(&shape, &ray, kernel(tier)));
+                }
             }
         }
-        assert!(hits > 50);
+        assert!(hits > 100);
     }
 }

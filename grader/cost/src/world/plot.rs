@@ -1,0 +1,204 @@
+//! The plot: what each library answers wrongly, against its speed.
+
+use super::{COLUMNS, Row, WorldReport};
+use crate::precision::Precision;
+use plots::canvas::{Canvas, Label, Position, file, for_both_widths, svg};
+use plots::figure::{Figure, heads};
+use plots::labels::Labels;
+use plots::numbers::{figures, grouped};
+use plots::plot::{Axis, Plot};
+use plots::style::{self, Marker, SeriesStyle};
+
+/// Sizes in points: of the large plot with its legend, and of a small one.
+const WIDTH: f64 = 860.0;
+const LARGE: f64 = 460.0;
+const SMALL: f64 = 190.0;
+const KEY: f64 = 24.0;
+const NARROW: f64 = 300.0;
+
+/// Font size of the names beside markers.
+const NAME: f64 = 9.0;
+
+/// The columns of the small plots.
+const PANELS: [&str; 4] = ["round_edge", "needle_vertex", "grid_vertex", "small"];
+
+/// The text of the plot for screen readers.
+const LABEL: &str = "Wrong answers against speed of ray casters";
+
+/// Draws the plot with its numbers; `None` if no library was timed.
+pub(crate) fn figure(report: &WorldReport) -> Option<Figure> {
+    let rows = timed(report);
+    let finding = finding(&rows)?;
+    let drawing = for_both_widths(
+        [WIDTH, LARGE + SMALL],
+        [NARROW, LARGE],
+        LABEL,
+        |canvas, [width, _], is_narrow| {
+            large(
+                canvas,
+                [width, LARGE],
+                "wrong answers in the worst case, against speed",
+                &rows,
+            );
+            if !is_narrow {
+                small(canvas, &rows);
+            }
+        },
+    );
+    let all = report.yours.iter().chain(&report.libraries);
+    let line = |row: &Row| {
+        let start = [
+            row.name.clone(),
+            row.version.clone(),
+            row.precision.name().into(),
+        ];
+        let speed = row.million_rays.map_or("-".into(), figures);
+        let cells = row.cells.iter().map(ToString::to_string);
+        start.into_iter().chain([speed]).chain(cells).collect()
+    };
+    let names = COLUMNS.iter().map(|column| column.title.to_string());
+    Some(Figure {
+        finding,
+        drawing,
+        caption: "Each point is a library, or one of its interfaces. Further right traces more rays in a second of processor time, \
+                  further down answers fewer rays wrongly, and none below the dashed line. Filled markers are f32."
+            .into(),
+        notes: "A row counts in its worst case of those in which every wrong answer is a fault. The cells are wrong answers in a \
+                million; found hits in per cent where a range ends or a ray starts at the surface; wrong counts in per cent; and \
+                the largest error of t in units in the last place."
+            .into(),
+        head: heads(&["row", "version", "precision", "Mrays/s"]).into_iter().chain(names).collect(),
+        rows: all.map(line).collect(),
+    })
+}
+
+/// The plot alone as an SVG file, with its finding as the title; `None` if no library was timed.
+pub(crate) fn svg_file(report: &WorldReport) -> Option<String> {
+    let rows = timed(report);
+    let finding = finding(&rows)?;
+    let drawing = svg(WIDTH, LARGE + SMALL, LABEL, |canvas| {
+        large(canvas, [WIDTH, LARGE], &finding, &rows);
+        small(canvas, &rows);
+    });
+    Some(file(&drawing))
+}
+
+/// The rows with a speed and an answer.
+fn timed(report: &WorldReport) -> Vec<&Row> {
+    let rows = report.libraries.iter();
+    rows.filter(|row| row.million_rays.is_some() && row.worst().is_some())
+        .collect()
+}
+
+/// What the plot shows: how many libraries have no fault, and how the fastest of them compares.
+fn finding(rows: &[&Row]) -> Option<String> {
+    let others = || rows.iter().filter(|row| !is_ours(row));
+    let right = others().filter(|row| row.worst() == Some(0.0)).count();
+    let most = others().filter_map(|row| row.worst()).reduce(f64::max)?;
+    Some(format!(
+        "Of {} interfaces of ray casters, {right} answer every hard case; the worst loses {} of a million rays in one",
+        others().count(),
+        grouped(most)
+    ))
+}
+
+fn is_ours(row: &Row) -> bool {
+    row.library == "First Light"
+}
+
+fn style_of(row: &Row) -> SeriesStyle {
+    let is_single = row.precision != Precision::F64;
+    let (color, marker) = match (is_ours(row), is_single) {
+        (true, _) => (2, Marker::Star),
+        (false, false) => (0, Marker::Disc),
+        (false, true) => (1, Marker::Square),
+    };
+    SeriesStyle {
+        marker,
+        hollow: !is_single && !is_ours(row),
+        dashes: None,
+        ..SeriesStyle::of(color)
+    }
+}
+
+/// A plot at `corner`; `wrong` returns the height of a row.
+fn panel<'a>(
+    canvas: &'a Canvas,
+    title: &str,
+    (corner, size): (Position, [f64; 2]),
+    rows: &[&Row],
+    wrong: impl Fn(&Row) -> Option<f64>,
+) -> (Plot<'a>, Vec<(SeriesStyle, (f64, f64), String)>) {
+    let points: Vec<_> = rows
+        .iter()
+        .filter_map(|row| {
+            let name = row.name.replace('_', " ");
+            Some((style_of(row), (row.million_rays?, wrong(row)?), name))
+        })
+        .collect();
+    let x = Axis::log(
+        "millions of rays per second",
+        points.iter().map(|(_, p, _)| p.0),
+        figures,
+    );
+    // The same heights in all plots.
+    let heights = points.iter().map(|(_, p, _)| p.1).chain([10.0, 1e6]);
+    let y = Axis::log_and_zero("wrong in a million", heights, grouped);
+    (Plot::new(canvas, title, corner, size, x, y), points)
+}
+
+fn large(canvas: &Canvas, [width, height]: [f64; 2], title: &str, rows: &[&Row]) {
+    let place = ((0.0, 0.0), [width, height - KEY]);
+    let (plot, points) = panel(canvas, title, place, rows, Row::worst);
+    let mut labels = Labels::new(plot.inner());
+    for (style, (x, y), _) in &points {
+        plot.marker(*style, (*x, *y), 60.0);
+        labels.keep_free(plot.at(*x, *y), 6.0);
+    }
+    for (style, (x, y), name) in &points {
+        canvas.tip(
+            plot.at(*x, *y),
+            9.0,
+            &format!("{name}: {} of a million wrong", grouped(*y)),
+        );
+        labels.place(
+            canvas,
+            name,
+            plot.at(*x, *y),
+            Label::left(NAME).in_color(style.color),
+        );
+    }
+    let mut x = 48.0;
+    let y = height - 0.5 * KEY;
+    for (text, row) in [
+        (
+            "f32",
+            rows.iter()
+                .find(|row| !is_ours(row) && row.precision != Precision::F64),
+        ),
+        (
+            "f64",
+            rows.iter()
+                .find(|row| !is_ours(row) && row.precision == Precision::F64),
+        ),
+        ("First Light", rows.iter().find(|row| is_ours(row))),
+    ] {
+        let Some(row) = row else { continue };
+        style::marker(canvas, style_of(row), (x, y), 60.0);
+        canvas.text(text, (x + 14.0, y), Label::left(NAME));
+        x += 36.0 + Label::left(NAME).width(text);
+    }
+}
+
+fn small(canvas: &Canvas, rows: &[&Row]) {
+    let width = WIDTH / PANELS.len() as f64;
+    for (i, name) in PANELS.into_iter().enumerate() {
+        let column = COLUMNS.iter().find(|column| column.name == name);
+        let title = column.map_or(name, |column| column.title);
+        let place = ((i as f64 * width, LARGE), [width, SMALL]);
+        let (plot, points) = panel(canvas, title, place, rows, |row| row.value(name));
+        for (style, point, _) in points {
+            plot.marker(style, point, 24.0);
+        }
+    }
+}

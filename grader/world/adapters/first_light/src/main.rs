@@ -1,0 +1,81 @@
+//! This project's trees: the wide one, ray by ray and in tiles, and the plain one in both precisions.
+
+#[path = "../../rust/src/lib.rs"]
+mod world_adapters;
+
+use bvh::construct_bvh;
+use kit::{Bvh, PrimId, Triangle, TriangleHit, Vec3};
+use simd_bvh::{RayTile, Subset, TestCounts, TileEnds, TileMemory, WideBvh};
+use std::cell::RefCell;
+use world_adapters::{About, Mesh, Ray, run, run_all};
+
+const MISS: [f64; 3] = [f64::INFINITY, -1.0, f64::NAN];
+
+fn triangles(mesh: &Mesh) -> Vec<Triangle> {
+    let corner = |vertex: u32| Vec3::from_array(mesh.vertices[vertex as usize]);
+    mesh.faces.iter().map(|face| face.map(corner)).map(|[a, b, c]| Triangle::flat(a, b, c)).collect()
+}
+
+fn ray([x, y, z, dx, dy, dz, min_t, max_t]: &Ray) -> kit::Ray {
+    let (o, d) = (Vec3::new(*x, *y, *z), Vec3::new(*dx, *dy, *dz));
+    kit::Ray { o, d, min_t: *min_t, max_t: *max_t }
+}
+
+fn found(hit: Option<(f64, PrimId)>) -> [f64; 3] {
+    hit.map_or(MISS, |(t, id)| [t, f64::from(id.0), f64::NAN])
+}
+
+fn exact(triangles: &[Triangle]) -> impl FnMut(PrimId, &kit::Ray) -> Option<TriangleHit> + '_ {
+    |id, ray| intersect::test_triangle(&triangles[id.0 as usize], ray)
+}
+
+fn main() {
+    let about = |interface, precision| About("First Light", "0.1.0", interface, precision);
+    let wide = |mesh: &Mesh| {
+        let triangles = triangles(mesh);
+        (WideBvh::build(&triangles, &[]), triangles)
+    };
+    run("first_light", about("WideBvh::closest", "f64"), &[], wide, |(tree, triangles), numbers| {
+        let counts = &mut TestCounts::default();
+        found(tree.closest(&ray(numbers), None, &mut exact(triangles), counts).map(|(id, hit)| (hit.t, id)))
+    });
+    // Rays that follow each other from one point are one tile.
+    run_all("first_light_tile", about("WideBvh::closest_of_tile", "f64"), &[], wide, |(tree, triangles), rays| {
+        let (mut memory, mut hits, mut answers) = (TileMemory::default(), Vec::new(), Vec::new());
+        let together = |a: &Ray, b: &Ray| a[..3] == b[..3] && a[6..] == b[6..];
+        for rays in rays.chunk_by(together) {
+            let d = [3, 4, 5].map(|axis| rays.iter().map(|ray| ray[axis]).collect::<Vec<f64>>());
+            let first = ray(&rays[0]);
+            let tile = RayTile {
+                o: first.o,
+                d: [&d[0], &d[1], &d[2]],
+                min_t: first.min_t,
+                max_t: TileEnds::All(first.max_t),
+                skips: &[],
+            };
+            let counts = &mut TestCounts::default();
+            tree.closest_of_tile(Subset::All, &tile, &mut exact(triangles), &mut memory, counts, &mut hits);
+            answers.extend(hits.iter().map(|hit| found(hit.as_ref().map(|(id, hit)| (hit.t, *id)))));
+        }
+        answers
+    });
+    // The plain tree: with exact tests, and with those of textbooks.
+    let ours = |precision| About("First Light", "0.1.0", "construct_bvh; Woop's test, Ize's slabs", precision);
+    let textbook = |precision| About("textbook code", "0.1.0", "construct_bvh; Moller-Trumbore, Williams's slabs", precision);
+    let rows = [
+        ("first_light_plain", 0, ours("f64")),
+        ("first_light_plain_f32", 3, ours("f32")),
+        ("textbook_f64", 2, textbook("f64")),
+        ("textbook_f32", 6, textbook("f32")),
+    ];
+    for (row, number, about) in rows {
+        let build = |mesh: &Mesh| {
+            let triangles = triangles(mesh);
+            let bounds: Vec<_> = triangles.iter().map(Triangle::bounds).collect();
+            // The tree lives as long as the program.
+            let tree: &'static Bvh = Box::leak(Box::new(construct_bvh(&bounds, 4)));
+            RefCell::new(kernels::rounded_trees(tree, &triangles).swap_remove(number))
+        };
+        run(row, about, &[], build, |tree, numbers| found((tree.borrow_mut().closest)(&ray(numbers))));
+    }
+}

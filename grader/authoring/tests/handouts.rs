@@ -1,11 +1,11 @@
 //! Tests of the text of this course's handouts. `grader course check` also builds, tests and grades
 //! them.
 
-use authoring::handout::Handout;
-use authoring::handout::carve::Carver;
 use base::Workspace;
 use grader::course::given::{self, GivenFiles};
 use grader::course::{Course, packed};
+use handout::Handout;
+use handout::carve::Carver;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;

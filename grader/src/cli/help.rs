@@ -14,7 +14,7 @@ pub(super) const NAME: &str = "help";
 const INSTRUCTORS: &str = "instructors";
 
 /// The programs beside the grader that students use.
-const FOR_STUDENTS: [&str; 2] = ["look", "cost"];
+const FOR_STUDENTS: [&str; 4] = ["start", "look", "cost", "speedup"];
 
 /// Whether `grader --help` lists the program `name`.
 pub(super) fn is_for_students(name: &str) -> bool {

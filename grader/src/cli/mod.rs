@@ -70,8 +70,13 @@ const SUBPROGRAMS: &[(&str, &str, &str)] = &[
         "For instructors: grades a folder of submissions; what is graded already is not graded again",
     ),
     (
+        "start",
         "handout",
-        "authoring",
+        "In the course's checkout: makes your own folder, without the solutions, with the next step to take",
+    ),
+    (
+        "handout",
+        "handout",
         "For instructors: creates the project for students, without the solutions",
     ),
     (

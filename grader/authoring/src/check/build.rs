@@ -1,8 +1,8 @@
 //! Builds a handout and runs it as a student would.
 
-use crate::handout::Handout;
 use base::{GraderError, Workspace, child_processes};
 use grader::course::Course;
+use handout::Handout;
 use judge::Tier;
 use serde_json::Value;
 use std::path::{Path, PathBuf};

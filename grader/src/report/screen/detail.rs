@@ -80,17 +80,8 @@ impl Lines {
 
 fn not_written(out: &mut Lines, task: &TaskResult, context: &Context) {
     let place = context.places.iter().find(|place| place.key == task.key);
-    let file = place.and_then(|place| place.file.as_deref());
-    let names: Vec<String> = place.map_or_else(Vec::new, |place| {
-        place.open.iter().map(|name| format!("`{name}`")).collect()
-    });
-    let what = match (file, names.join(", ")) {
-        (Some(file), names) if !names.is_empty() => format!("Open {file} and write {names}."),
-        (Some(file), _) => format!("Open {file}."),
-        (None, _) => "Its functions are still those of the handout.".into(),
-    };
     out.add(0, 3, &format!("{} {}", task.key, task.title));
-    out.add(0, SENTENCES, &format!("  {what}"));
+    out.add(0, SENTENCES, &format!("  {}", super::to_write(place)));
     let chapter = book_command(&task.key, "");
     out.add(1, 2, &format!("  Its chapter: {chapter}"));
     let run = format!(

@@ -4,12 +4,17 @@
 //! contains functions to write, and all that is needed to write and grade them. Read [`carve`] (one
 //! file) first, then `file_selection` (which files) and [`Handout::carve`]. [`readme`] writes the
 //! README.
+//!
+//! `grader start` makes the folder of somebody who learns alone, beside the checkout: a handout that
+//! uses what cargo built of the checkout ([`built`]), and a [`repository`].
 
+pub mod built;
 pub mod carve;
 mod editor_files;
 mod file_selection;
 pub mod output_folder;
 pub mod readme;
+pub mod repository;
 mod unit_tests;
 pub mod vendored;
 mod whole_solutions;
@@ -188,6 +193,17 @@ impl Handout {
         // Not all systems can rename a folder to the name of an empty one.
         let _ = std::fs::remove_dir(out);
         std::fs::rename(&complete, out).map_err(|e| GraderError::file("write", out, e))
+    }
+
+    /// The files that students do not write.
+    pub fn given(&self) -> impl Iterator<Item = &Path> {
+        let list = self.files.get(Path::new(given::LIST));
+        let list = list.map(|list| String::from_utf8_lossy(list));
+        let given = GivenFiles::parse(&list.unwrap_or_default());
+        let files = self.files.iter();
+        files
+            .filter(move |(path, contents)| given.is_original(path, contents).is_some())
+            .map(|(path, _)| path.as_path())
     }
 
     fn has_removed(&self, key: &str) -> bool {

@@ -111,11 +111,12 @@ fn items(text: &str) -> Option<Vec<Item>> {
 
 /// Whether an item that begins with these words ends with a block, and not with a semicolon.
 fn ends_with_brace(words: &[String]) -> bool {
-    let has = |word: &str| words.iter().any(|other| other == word);
-    has("fn")
-        || !["use", "const", "static", "type"]
-            .iter()
-            .any(|word| has(word))
+    let mut words = words.iter().map(String::as_str);
+    match words.find(|word| *word != "pub") {
+        Some("const") => matches!(words.next(), Some("fn" | "async" | "unsafe" | "extern")),
+        Some("use" | "static" | "type") => false,
+        _ => true,
+    }
 }
 
 /// The folder of the modules that the file `path` names without their contents.
@@ -146,6 +147,15 @@ mod tests {
         assert_eq!(without.files, [PathBuf::from("a/src/b/tests.rs")]);
         let of_root = remove(Path::new("a/src/lib.rs"), FILE).unwrap();
         assert_eq!(of_root.files, [PathBuf::from("a/src/tests.rs")]);
+    }
+
+    #[test]
+    fn blocks_inside_of_items_do_not_end_them() {
+        let given = "use a::{b, c};\n\nconst A: B = B { c: 1 };\n\nconst fn f() {}\n\n\
+                     impl<const N: usize> D<N> {}\n\npub const F: fn() = g;\n";
+        let with_test = format!("{given}\n#[cfg(test)]\nconst T: B = B {{ c: 2 }};\n");
+        let without = remove(Path::new("a.rs"), &with_test).unwrap();
+        assert_eq!(without.text, given);
     }
 
     #[test]

@@ -18,6 +18,7 @@ pub mod repository;
 mod unit_tests;
 pub mod vendored;
 mod whole_solutions;
+mod worked_examples;
 
 use base::{GraderError, Workspace, folder_of};
 use carve::Carver;
@@ -37,9 +38,6 @@ use submission::packages::{lock, manifest};
 
 /// The crate whose sources contain the text of markers, but no solution.
 const MENTIONS_MARKERS: &str = "submission";
-
-/// The test of each stage that a handout contains although it fails until the stage is written.
-const WORKED_EXAMPLE: &str = "worked_example.rs";
 
 /// A handout: the files of the course without the solutions of some parts.
 #[derive(Clone, Debug)]
@@ -295,7 +293,9 @@ impl Handout {
                 .is_some_and(|owner| selection.tests_carved_code(owner, &carved))
         };
         self.files.retain(|path, _| {
-            let is_example = path.file_name().is_some_and(|name| name == WORKED_EXAMPLE);
+            let is_example = path
+                .file_name()
+                .is_some_and(|name| name == worked_examples::FILE);
             !(selection.is_test(path) && tests_holes(path)) || is_example
         });
         for (path, contents) in &mut self.files {
@@ -346,9 +346,11 @@ impl Handout {
         Ok(())
     }
 
-    /// Makes `cargo test` test the stages that students write, and nothing else.
+    /// Makes `cargo test` test the stages that students write, and nothing else: of the worked
+    /// examples those of tasks that are written.
     fn test_only_stages(&mut self, course: &Course, part: u32) -> Result<(), GraderError> {
         let to_write = course.parts.iter().filter(|p| p.number >= part);
+        worked_examples::ignore_open(&mut self.files, to_write.clone().flat_map(|it| &it.tasks));
         let stages = stages_of(to_write.flat_map(|part| &part.tasks));
         let folders: Vec<PathBuf> = stages
             .iter()

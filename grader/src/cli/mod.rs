@@ -2,7 +2,7 @@
 //!
 //! This program does what students do all day: `grader part1` ([`grade`]; `case` for a single
 //! case), `grader watch`, `grader check`, `grader status`, `grader explain`, `grader examples`,
-//! `grader picture`, `grader book`, `grader predict`, `grader gym`. Each other command is a
+//! `grader picture`, `grader book`, `grader predict`, `grader gym`, `grader reset`. Each other command is a
 //! separate program (`subprogram`), so that a student who only grades does not have to compile it.
 //! This module contains what they all share: the [`Exit`], the exit codes ([`run_to_exit_code`])
 //! and common options.
@@ -24,6 +24,7 @@ mod options;
 pub mod picture;
 mod predict;
 pub mod programs;
+mod reset;
 mod status;
 pub mod subprogram;
 mod watch;
@@ -96,11 +97,16 @@ const SUBPROGRAMS: &[(&str, &str, &str)] = &[
     ),
 ];
 
-/// The command line of `grader`.
+/// The command line of `grader`, whose help lists the commands of a day.
 fn command() -> Command {
+    help::with_daily_commands(all_commands())
+}
+
+/// The same with all that students use in its help.
+fn all_commands() -> Command {
     let subprograms = SUBPROGRAMS.iter().map(|(name, _, about)| {
         if let Some(command) = programs::of(name) {
-            return command.hide(!help::is_for_students(name));
+            return command;
         }
         let rest = Arg::new("arguments")
             .value_parser(value_parser!(OsString))
@@ -111,7 +117,6 @@ fn command() -> Command {
         Command::new(*name)
             .about(*about)
             .disable_help_flag(true)
-            .hide(!help::is_for_students(name))
             .arg(rest)
     });
     let for_instructors = grade::submission_arguments()
@@ -131,8 +136,10 @@ fn command() -> Command {
             watch::command(),
             check::command(),
             explain::command(),
+            reset::command(),
             examples::command(),
             picture::command(),
+            hint_command(),
             book::command(),
             predict::command(),
             gym::command(),
@@ -142,6 +149,29 @@ fn command() -> Command {
         ])
         .subcommands(subprograms)
         .subcommand(help::command())
+}
+
+/// The name of the command for a hint.
+const HINT: &str = "hint";
+
+/// `grader hint` is the report at the level of the likely mistake.
+fn hint_command() -> Command {
+    Command::new(HINT)
+        .about("Grades, and also names the likely mistake: --hint 3, as a word")
+        .arg(
+            Arg::new("what")
+                .value_name("TASK")
+                .help("The task, such as `part1.task3` [default: the next open task]"),
+        )
+}
+
+/// Grades what `grader hint` names, with the likely mistake.
+fn hint(rest: &ArgMatches) -> Result<Exit, GraderError> {
+    let level = HintLevel::Mistake.number().to_string();
+    let mut line = vec!["grader".to_owned(), "--hint".into(), level];
+    line.extend(rest.get_one::<String>("what").cloned());
+    let matches = command().try_get_matches_from(line);
+    grade::run(&matches.map_err(|e| GraderError::new(e.to_string()))?)
 }
 
 /// Runs the program `grader`.
@@ -169,6 +199,8 @@ fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
                 predict::NAME => predict::run(rest),
                 gym::NAME => gym::run(rest),
                 help::NAME => help::run(rest),
+                reset::NAME => reset::run(rest),
+                HINT => hint(rest),
                 _ => explain::run(rest),
             };
         };

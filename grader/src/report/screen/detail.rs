@@ -56,7 +56,8 @@ pub(super) fn blocks(
         out.add(4, 1, &format!("  picture: {}", picture.display()));
     }
     if let Some(printed) = printed::summary(&context.printed) {
-        out.add(3, 1, &format!("  {printed}: `--long` shows them"));
+        let how = "`--long` shows them, `--case NAME --call N` those of one call";
+        out.add(3, 2, &format!("  {printed}: {how}"));
     }
     // Without text there is no blank line before it either.
     match out.blocks.len() {
@@ -248,8 +249,8 @@ fn reduced(out: &mut Lines, task: &TaskResult) {
     if let Some(why) = why {
         let cases = judge::plural(
             reduced.len(),
-            "other case is right: it",
-            "other cases are right: each",
+            "other case is right, and",
+            "other cases are right, and each",
         );
         out.add(1, NAMES, &format!("  {cases} {why}"));
     }

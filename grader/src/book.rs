@@ -1,7 +1,8 @@
 //! The rendered book: `target/first-light/book`, the site that `cargo grader book` opens.
 //!
 //! A handout contains the site in one packed file, which is unpacked once. The full checkout builds
-//! it with the program `book_site`, again if the text or its pictures changed.
+//! it with the program `book_site`, again if the text or its pictures changed. A folder that `grader
+//! start` made beside a checkout has the site of the checkout, built at its first use.
 
 use crate::build;
 use crate::course::chapter;
@@ -22,6 +23,9 @@ const SITE_CRATE: &str = "stages/book/site";
 
 /// The name of the site's folder among what the grader writes for students.
 const NAME: &str = "book";
+
+/// The file, among what the grader writes, that names the checkout beside which a folder was made.
+const CHECKOUT: &str = "made-from";
 
 /// The file in the site that says what it was made of.
 const MADE_OF: &str = ".made-of";
@@ -54,6 +58,11 @@ pub fn make_current(workspace: &Workspace) -> Result<PathBuf, GraderError> {
     if is_made_of(&folder, &made_of) {
         return Ok(folder);
     }
+    if let Some(checkout) = checkout_of(workspace) {
+        let site = make_current(&checkout)?;
+        replace(&folder, &made_of, |new| copy_site(&site, new))?;
+        return Ok(folder);
+    }
     if !workspace.root().join(SITE_CRATE).is_dir() {
         return Err(GraderError::new(format!(
             "this folder has no rendered book: {PACK} is missing. Restore it from the handout, or read the chapters in stages/book/src"
@@ -72,6 +81,35 @@ pub fn make_current(workspace: &Workspace) -> Result<PathBuf, GraderError> {
         }
     })?;
     Ok(folder)
+}
+
+/// Makes `started`, which has no site, use that of the full checkout beside which it was made.
+pub fn remember_checkout(started: &Workspace, checkout: &Workspace) -> Result<(), GraderError> {
+    let file = started.for_students(CHECKOUT)?;
+    let root = checkout.root().to_string_lossy();
+    write_whole(&file, root.as_bytes())
+}
+
+/// The checkout beside which a folder was made, if it is still there and of the same version.
+fn checkout_of(started: &Workspace) -> Option<Workspace> {
+    let root = std::fs::read_to_string(started.outputs().join(CHECKOUT)).ok()?;
+    let checkout = Workspace::above(Path::new(&root)).ok()?;
+    checkout
+        .root()
+        .join(SITE_CRATE)
+        .is_dir()
+        .then_some(checkout)
+}
+
+/// Copies a site to the folder `new`.
+fn copy_site(site: &Path, new: &Path) -> Result<(), GraderError> {
+    for file in files_below(site)? {
+        let to = new.join(file.strip_prefix(site).unwrap_or(&file));
+        let parent = to.parent().unwrap_or(new);
+        std::fs::create_dir_all(parent).map_err(|e| GraderError::file("create", parent, e))?;
+        std::fs::copy(&file, &to).map_err(|e| GraderError::file("copy", &file, e))?;
+    }
+    Ok(())
 }
 
 /// Unpacks the site of a handout if it is not current, and says nothing if there is none to unpack.

@@ -17,8 +17,8 @@
 //! themselves. [`predict`] asks what a student expects, [`gym`] which mistake a picture shows. What
 //! does not depend on the course's tasks is in the crate `base`.
 //!
-//! The tools for instructors are separate crates beside this one: `authoring` (handouts, the course
-//! check, mutants), `submission` (grading what students hand in), `review` (reviewing and accepting
+//! The tools for instructors are separate crates beside this one: `handout` (what students
+//! get), `authoring` (the course check, mutants), `submission` (grading what students hand in), `review` (reviewing and accepting
 //! goldens), `cost` (time against accuracy).
 
 pub mod book;

@@ -100,7 +100,7 @@ const MAY_DEPEND_ON: &[(&str, &[&str])] = &[
     ("formats", &["base", "grader", "judge", "submission"]),
     (
         "export",
-        &["authoring", "base", "grader", "judge", "submission"],
+        &["base", "grader", "handout", "judge", "submission"],
     ),
     (
         "review",
@@ -117,11 +117,16 @@ const MAY_DEPEND_ON: &[(&str, &[&str])] = &[
         ],
     ),
     (
+        "handout",
+        &["base", "grader", "judge", "pictures", "submission"],
+    ),
+    (
         "authoring",
         &[
             "base",
             "kit",
             "grader",
+            "handout",
             "judge",
             "pictures",
             "progress",
@@ -311,6 +316,7 @@ fn no_command_of_the_grader_compiles_the_grader_again() {
         "class",
         "export",
         "formats",
+        "handout",
         "review",
         "submission",
     ] {

@@ -1,20 +1,19 @@
-//! The program behind `grader handout`, `grader course` and `grader mutants`.
+//! The program behind `grader course` and `grader mutants`.
 
 mod cli;
 
 use base::program::{arguments_of, run_to_exit_code, subprogram_command};
 use clap::Command;
-use cli::{course, handout, mutants};
+use cli::{course, mutants};
 use std::process::ExitCode;
 
 fn command() -> Command {
-    subprogram_command([handout::command(), course::command(), mutants::command()])
+    subprogram_command([course::command(), mutants::command()])
 }
 
 fn main() -> ExitCode {
     let matches = arguments_of(command());
     run_to_exit_code(|| match matches.subcommand() {
-        Some(("handout", matches)) => handout::run(matches),
         Some(("course", matches)) => course::run(matches),
         Some((_, matches)) => mutants::run(matches),
         None => unreachable!("clap requires a command"),
@@ -32,32 +31,11 @@ mod tests {
     }
 
     #[test]
-    fn usage_names_the_command_that_was_typed() {
-        let error = command().try_get_matches_from(["target/release/authoring", "handout"]);
-        let message = error.expect_err("options are missing").to_string();
-        assert!(message.contains("Usage: grader handout "), "{message}");
-    }
-
-    #[test]
     fn errors_about_numbers_name_the_accepted_values() {
-        for (line, expected) in [
-            (
-                "grader mutants --seeds 0",
-                "expected a whole number from 1 to",
-            ),
-            (
-                "grader handout --part x --out a",
-                "a part's number, such as 1",
-            ),
-            (
-                "grader handout --part -1 --out a",
-                "a part's number, such as 1",
-            ),
-            (
-                "grader handout --part 99999999999 --out a",
-                "a part's number",
-            ),
-        ] {
+        for (line, expected) in [(
+            "grader mutants --seeds 0",
+            "expected a whole number from 1 to",
+        )] {
             let error = command().try_get_matches_from(line.split(' ')).err();
             let message = error.expect("the command line must be refused").to_string();
             assert!(message.contains(expected), "`{line}`:\n{message}");

@@ -1,14 +1,15 @@
 //! Tests of the text of this course's handouts. `grader course check` also builds, tests and grades
 //! them.
 
-use authoring::handout::Handout;
-use authoring::handout::carve::Carver;
 use base::Workspace;
 use grader::course::given::{self, GivenFiles};
 use grader::course::{Course, packed};
+use handout::Handout;
+use handout::carve::Carver;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
+use submission::packages::members;
 
 fn workspace() -> Workspace {
     Workspace::above(Path::new(env!("CARGO_MANIFEST_DIR"))).expect("the grader is in the course")
@@ -92,6 +93,8 @@ fn every_stage_has_its_worked_example() {
         for task in course.tasks().filter(|task| task.stage == stage) {
             let name = format!("fn {}_", task.key.replace('.', "_"));
             assert!(example.contains(&name), "no {name} in {path}");
+            let ignored = format!("ignore = \"{} is not written yet\"", task.key);
+            assert!(example.contains(&ignored), "no {ignored} in {path}");
         }
         assert!(!given.decides(Path::new(&path)), "{path}");
         let manifest = text(handout, &format!("stages/{stage}/Cargo.toml"));
@@ -291,6 +294,26 @@ fn nothing_else_of_crates_with_whole_solutions_is_handed_out() {
         .filter(|path| !path.ends_with("Cargo.toml"));
     let found: Vec<&Path> = of_crates.map(|path| path.as_path()).collect();
     assert_eq!(found, BESIDE_SOLUTIONS.map(Path::new));
+}
+
+/// `grader start` copies what cargo built of the grader. A solution in a crate of it would change
+/// what this crate exports, or which files cargo misses. The formulas of the judge have a table.
+#[test]
+fn the_grader_of_a_handout_is_that_of_the_checkout() {
+    let root = workspace().root().to_path_buf();
+    let members = members::read(&root).expect("cargo lists them");
+    let linked = members::with_tests_of(&members, &["grader"], |_| false);
+    for removed in &handout(1).removed {
+        let owner = members::containing_member(&members, &removed.path);
+        let name = owner.map_or("", |owner| owner.name.as_str());
+        let has_table = name == "judge" && handout(1).files.contains_key(&removed.path);
+        let path = removed.path.display();
+        assert!(
+            !linked.contains(name) || has_table,
+            "{}: {path}",
+            removed.key
+        );
+    }
 }
 
 #[test]

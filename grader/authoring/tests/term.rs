@@ -1,7 +1,6 @@
 //! The folder of a term: what its files change, and what an update changes in it.
 
 use authoring::check::book;
-use authoring::handout::Handout;
 use authoring::term::build::build;
 use authoring::term::new::new;
 use authoring::term::update::Update;
@@ -10,6 +9,7 @@ use base::Workspace;
 use base::term::COPY;
 use grader::course::{Course, consistency};
 use grader::diagnosis;
+use handout::Handout;
 use judge::{Tier, own_cases};
 use std::fs;
 use std::path::{Path, PathBuf};

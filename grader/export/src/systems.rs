@@ -3,9 +3,9 @@
 use crate::choices::Choices;
 use crate::course_files;
 use crate::templates::{self, Template};
-use authoring::handout::Handout;
 use base::{GraderError, Workspace};
 use grader::course::Course;
+use handout::Handout;
 use std::path::PathBuf;
 use std::process::Command;
 

@@ -230,7 +230,8 @@ impl Message {
         let text = with_true_advice(diagnostic.get("rendered")?.as_str()?);
         let of_crate = message.get("target")?.get("name")?.as_str()?.to_string();
         if !level.starts_with("error") {
-            return Some(Message::Warning { of_crate });
+            let lint = diagnostic["code"]["code"].as_str();
+            return (lint != Some(ABOUT_DOCS)).then_some(Message::Warning { of_crate });
         }
         let says = diagnostic.get("message")?.as_str()?.to_string();
         let places = diagnostic.get("spans").and_then(|spans| spans.as_array());
@@ -242,6 +243,9 @@ impl Message {
         })
     }
 }
+
+/// The lint that asks for documentation, which the functions that a student adds need not have.
+const ABOUT_DOCS: &str = "missing_docs";
 
 /// What the compiler's advice about crates that are not there begins and goes on with.
 const ADVICE: [&str; 2] = ["if you wanted to use a crate named", "`cargo add "];
@@ -292,6 +296,19 @@ mod tests {
             }) => (text, of_crate, has_place),
             _ => panic!("it is an error"),
         }
+    }
+
+    #[test]
+    fn documentation_that_is_missing_is_no_warning_of_a_students_code() {
+        let is_counted = |lint: &str| {
+            let line = serde_json::json!({
+                "target": { "name": "bvh" },
+                "message": { "level": "warning", "message": "it", "rendered": "it", "code": { "code": lint } },
+            });
+            Message::read(&line.to_string()).is_some()
+        };
+        assert!(is_counted("unused_variables"));
+        assert!(!is_counted("missing_docs"));
     }
 
     #[test]

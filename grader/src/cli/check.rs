@@ -127,7 +127,13 @@ fn report(
     };
     // What a handout contains the solution of is right.
     let is_given = |task: &Task| next_task::is_given(&known, task.part_key());
-    let shown = tasks.iter().copied().filter(|task| !is_given(task));
+    // Gaps of all parts on the first day would be noise, unless somebody asks for their part.
+    let is_for_later =
+        |task: &Task| tasks.len() == known.len() && next_task::is_for_later(&known, task);
+    let shown = tasks
+        .iter()
+        .copied()
+        .filter(|task| !is_given(task) && !is_for_later(task));
     let asked: Vec<Asked<'_>> = shown
         .map(|task| Asked {
             task,

@@ -203,16 +203,33 @@ fn libraries(workspace: &Workspace) -> Finding {
     }
 }
 
+/// Browsers that are looked for where no page can be opened.
+const BROWSERS: [&str; 5] = [
+    "chromium",
+    "chromium-browser",
+    "google-chrome",
+    "firefox",
+    "epiphany",
+];
+
 fn browser() -> Finding {
-    match browser::is_there() {
-        true => Finding::new("browser", State::Good, "pages and pictures are opened"),
-        false => Finding::new(
-            "browser",
-            State::Optional,
-            "none is found here: open the pages yourself whose paths `cargo grader look` prints; \
-             `cargo grader picture` draws in the terminal",
-        ),
+    if browser::is_there() {
+        return Finding::new("browser", State::Good, "pages and pictures are opened");
     }
+    let folders: Vec<_> =
+        std::env::split_paths(&std::env::var_os("PATH").unwrap_or_default()).collect();
+    let is_there = |name: &&&str| folders.iter().any(|folder| folder.join(name).is_file());
+    let found = match BROWSERS.iter().find(is_there) {
+        Some(name) => format!(
+            "{name} is installed, but this session has no screen or no `xdg-open` to open pages with"
+        ),
+        None => "none is found here".into(),
+    };
+    let says = format!(
+        "{found}: open the pages yourself whose paths `cargo grader look` prints; \
+         `cargo grader picture` draws in the terminal"
+    );
+    Finding::new("browser", State::Optional, says)
 }
 
 /// Files that set up an editor, and the editor.

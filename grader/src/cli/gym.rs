@@ -76,6 +76,7 @@ pub(super) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
         print: &mut |text| out!("{text}"),
         echoes: !input.is_terminal,
         width: page.width,
+        has_quit: false,
     };
     let outcome = round::run(&mut session, exercises, &mut show, seed)?;
     let mut missed = before;

@@ -1,4 +1,5 @@
-//! `grader --help` lists what students use, `grader help instructors` the rest.
+//! `grader --help` lists the commands of a day, `grader help more` what else students use, `grader
+//! help instructors` the rest.
 
 use super::{Format, SUBPROGRAMS, course_systems, grade, programs, subprogram};
 use crate::report::terminal::stdout_has_colours;
@@ -10,30 +11,50 @@ use std::ffi::OsString;
 /// The name of the command.
 pub(super) const NAME: &str = "help";
 
-/// The topic that is not a command.
+/// The topics that are not commands.
+const MORE: &str = "more";
 const INSTRUCTORS: &str = "instructors";
 
 /// The programs beside the grader that students use.
-const FOR_STUDENTS: [&str; 2] = ["look", "cost"];
+const FOR_STUDENTS: [&str; 4] = ["start", "look", "cost", "speedup"];
 
-/// Whether `grader --help` lists the program `name`.
-pub(super) fn is_for_students(name: &str) -> bool {
+/// The commands of a day, beside grading.
+const DAILY: [&str; 5] = ["watch", "look", "hint", "book", "status"];
+
+/// The options of a day.
+const DAILY_OPTIONS: [&str; 5] = ["hint", "long", "extra", "case", "call"];
+
+fn is_for_students(name: &str) -> bool {
     FOR_STUDENTS.contains(&name)
+}
+
+/// `whole` without what is not of a day.
+pub(super) fn with_daily_commands(whole: Command) -> Command {
+    let whole = whole.mut_subcommands(|command| {
+        let is_daily = DAILY.contains(&command.get_name());
+        command.hide(!is_daily)
+    });
+    whole.mut_args(|argument| {
+        let is_daily =
+            argument.is_positional() || DAILY_OPTIONS.contains(&argument.get_id().as_str());
+        let is_hidden = argument.is_hide_set();
+        argument.hide(is_hidden || !is_daily)
+    })
 }
 
 /// The last lines of `grader --help`.
 pub(super) fn after() -> String {
-    format!("{EXIT_CODES}\n\nFor instructors: grader help instructors")
+    format!(
+        "{EXIT_CODES}\n\nMore commands and options: grader help more. For instructors: grader help instructors"
+    )
 }
 
 pub(super) fn command() -> Command {
     Command::new(NAME)
         .about("Prints this message, or the help of a command")
-        .arg(
-            Arg::new("topic")
-                .value_name("COMMAND")
-                .help("A command, or `instructors` for the commands that they use"),
-        )
+        .arg(Arg::new("topic").value_name("COMMAND").help(
+            "A command, `more` for the other commands, or `instructors` for those that they use",
+        ))
 }
 
 /// The command that `word` is a misspelling of. Parts and tasks are not commands.
@@ -54,6 +75,7 @@ pub(super) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     let mut whole = super::command();
     let mut named = match matches.get_one::<String>("topic").map(String::as_str) {
         None => whole,
+        Some(MORE) => more(),
         Some(INSTRUCTORS) => for_instructors(),
         Some(name) => {
             let mut others = SUBPROGRAMS
@@ -76,6 +98,32 @@ pub(super) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
         false => out!("{help}"),
     }
     Ok(Exit::Passed)
+}
+
+/// The commands and options of students that are not of a day.
+fn more() -> Command {
+    let whole = super::all_commands();
+    let is_more = |command: &&Command| {
+        let name = command.get_name();
+        let is_of_others =
+            SUBPROGRAMS.iter().any(|(other, ..)| *other == name) && !is_for_students(name);
+        !DAILY.contains(&name) && !is_of_others
+    };
+    let commands: Vec<Command> = whole.get_subcommands().filter(is_more).cloned().collect();
+    let options = whole.get_arguments().filter(|argument| {
+        !argument.is_positional()
+            && !argument.is_hide_set()
+            && !DAILY_OPTIONS.contains(&argument.get_id().as_str())
+    });
+    let options: Vec<Arg> = options.cloned().collect();
+    Command::new("grader")
+        .bin_name("grader")
+        .about("What students use besides the commands of a day. `grader help COMMAND` has more about a command")
+        .override_usage("grader <COMMAND>\n       grader [WHAT] [OPTIONS]")
+        .disable_help_flag(true)
+        .disable_help_subcommand(true)
+        .args(options)
+        .subcommands(commands.into_iter().map(|command| command.hide(false)))
 }
 
 /// The commands and options that students do not need.
@@ -108,12 +156,24 @@ mod tests {
     #[test]
     fn students_see_what_is_theirs_and_where_the_rest_is() {
         let help = text(crate::cli::command());
-        for theirs in [
-            "status", "watch", "explain", "picture", "book", "predict", "gym", "look", "cost",
-            "--hint",
-        ] {
+        let more = text(more());
+        for theirs in ["watch", "look", "hint", "book", "status", "--hint"] {
             assert!(help.contains(&format!("  {theirs} ")), "{theirs}:\n{help}");
+            assert!(
+                !more.contains(&format!("\n  {theirs} ")),
+                "{theirs}:\n{more}"
+            );
         }
+        for theirs in [
+            "start", "explain", "picture", "predict", "gym", "cost", "speedup", "check",
+        ] {
+            assert!(more.contains(&format!("  {theirs} ")), "{theirs}:\n{more}");
+            assert!(
+                !help.contains(&format!("\n  {theirs} ")),
+                "{theirs}:\n{help}"
+            );
+        }
+        assert!(help.lines().count() < 40, "{help}");
         assert!(!help.contains("For instructors: c"), "{help}");
         for other in [
             "mutants",
@@ -124,15 +184,25 @@ mod tests {
             "--write",
             "gradescope",
         ] {
-            assert!(!help.contains(other), "{other}:\n{help}");
+            assert!(
+                !help.contains(other) && !more.contains(other),
+                "{other}:\n{help}{more}"
+            );
         }
-        assert!(help.contains("grader help instructors"), "{help}");
+        assert!(
+            help.contains("grader help instructors") && help.contains("grader help more"),
+            "{help}"
+        );
     }
 
     #[test]
     fn every_command_and_option_is_in_one_of_the_two() {
         let instructors = text(for_instructors());
-        let both = format!("{}{instructors}", text(crate::cli::command()));
+        let both = format!(
+            "{}{}{instructors}",
+            text(crate::cli::command()),
+            text(more())
+        );
         for command in crate::cli::command().get_subcommands() {
             let name = command.get_name();
             assert!(both.contains(&format!("  {name} ")), "{name}:\n{both}");

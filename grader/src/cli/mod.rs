@@ -2,7 +2,7 @@
 //!
 //! This program does what students do all day: `grader part1` ([`grade`]; `case` for a single
 //! case), `grader watch`, `grader check`, `grader status`, `grader explain`, `grader examples`,
-//! `grader picture`, `grader book`, `grader predict`, `grader gym`. Each other command is a
+//! `grader picture`, `grader book`, `grader predict`, `grader gym`, `grader reset`. Each other command is a
 //! separate program (`subprogram`), so that a student who only grades does not have to compile it.
 //! This module contains what they all share: the [`Exit`], the exit codes ([`run_to_exit_code`])
 //! and common options.
@@ -24,6 +24,7 @@ mod options;
 pub mod picture;
 mod predict;
 pub mod programs;
+mod reset;
 mod status;
 pub mod subprogram;
 mod watch;
@@ -41,13 +42,15 @@ use std::process::ExitCode;
 type Run = fn(&ArgMatches) -> Result<Exit, GraderError>;
 
 /// The commands of this program, in the order of `--help`, where `help` is the last of all.
-const COMMANDS: [(fn() -> Command, Run); 13] = [
+const COMMANDS: [(fn() -> Command, Run); 15] = [
     (status::command, |_| status::run()),
     (watch::command, watch::run),
     (check::command, check::run),
     (explain::command, explain::run),
+    (reset::command, reset::run),
     (examples::command, examples::run),
     (picture::command, picture::run),
+    (hint_command, hint),
     (book::command, book::run),
     (predict::command, predict::run),
     (gym::command, gym::run),
@@ -90,8 +93,13 @@ const SUBPROGRAMS: &[(&str, &str, &str)] = &[
         "For instructors: grades a folder of submissions; what is graded already is not graded again",
     ),
     (
+        "start",
         "handout",
-        "authoring",
+        "In the course's checkout: makes your own folder, without the solutions, with the next step to take",
+    ),
+    (
+        "handout",
+        "handout",
         "For instructors: creates the project for students, without the solutions",
     ),
     (
@@ -111,11 +119,16 @@ const SUBPROGRAMS: &[(&str, &str, &str)] = &[
     ),
 ];
 
-/// The command line of `grader`.
+/// The command line of `grader`, whose help lists the commands of a day.
 fn command() -> Command {
+    help::with_daily_commands(all_commands())
+}
+
+/// The same with all that students use in its help.
+fn all_commands() -> Command {
     let subprograms = SUBPROGRAMS.iter().map(|(name, _, about)| {
         if let Some(command) = programs::of(name) {
-            return command.hide(!help::is_for_students(name));
+            return command;
         }
         let rest = Arg::new("arguments")
             .value_parser(value_parser!(OsString))
@@ -126,7 +139,6 @@ fn command() -> Command {
         Command::new(*name)
             .about(*about)
             .disable_help_flag(true)
-            .hide(!help::is_for_students(name))
             .arg(rest)
     });
     let for_instructors = grade::submission_arguments()
@@ -145,6 +157,29 @@ fn command() -> Command {
         .subcommands(commands.iter().map(|(command, _)| command()))
         .subcommands(subprograms)
         .subcommand(help())
+}
+
+/// The name of the command for a hint.
+const HINT: &str = "hint";
+
+/// `grader hint` is the report at the level of the likely mistake.
+fn hint_command() -> Command {
+    Command::new(HINT)
+        .about("Grades, and also names the likely mistake: --hint 3, as a word")
+        .arg(
+            Arg::new("what")
+                .value_name("TASK")
+                .help("The task, such as `part1.task3` [default: the next open task]"),
+        )
+}
+
+/// Grades what `grader hint` names, with the likely mistake.
+fn hint(rest: &ArgMatches) -> Result<Exit, GraderError> {
+    let level = HintLevel::Mistake.number().to_string();
+    let mut line = vec!["grader".to_owned(), "--hint".into(), level];
+    line.extend(rest.get_one::<String>("what").cloned());
+    let matches = command().try_get_matches_from(line);
+    grade::run(&matches.map_err(|e| GraderError::new(e.to_string()))?)
 }
 
 /// Runs the program `grader`.

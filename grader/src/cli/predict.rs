@@ -52,14 +52,20 @@ pub(super) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
         "{key}, {}: what do you expect? An empty line skips a question, `q` ends. Nothing here gives points.",
         task.title
     );
-    let answers = Session {
+    let mut session = Session {
         input: &mut input.lines,
         print: &mut |text| out!("{text}"),
         echoes: !input.is_terminal,
         width: Page::of_stdout().width,
-    }
-    .run(&asked, example.as_ref(), seed)?;
+        has_quit: false,
+    };
+    let answers = session.run(&asked, example.as_ref(), seed)?;
+    let has_quit = session.has_quit;
     let all = asked.len() + example.as_ref().map_or(0, |example| example.asked.len());
+    if answers.is_empty() && has_quit {
+        outln!("\nNo question is answered: nothing is stored.");
+        return Ok(Exit::Passed);
+    }
     if answers.is_empty() {
         return Err(no_answer(key, "the input ended"));
     }
@@ -69,7 +75,8 @@ pub(super) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     outln!(
         "{right} of {all} predicted rightly.{}",
         if given < all {
-            format!(" The input ended after {given}.")
+            let how = if has_quit { "You" } else { "The input" };
+            format!(" {how} ended after {given}.")
         } else {
             String::new()
         }

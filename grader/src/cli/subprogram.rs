@@ -13,6 +13,9 @@ use std::process::Command;
 /// others.
 const LOOK: &str = "look";
 
+/// The commands whose programs are built in seconds.
+const SMALL: [&str; 3] = [LOOK, "start", "handout"];
+
 /// Prints the help of the command that `arguments` name, if they ask for it, without building its
 /// program. Returns whether they do.
 fn print_help(manifest: &Path, arguments: &[OsString]) -> bool {
@@ -46,9 +49,12 @@ pub fn run(package: &str, arguments: Vec<OsString>) -> Result<Exit, GraderError>
     if print_help(&manifest, &arguments) {
         return Ok(Exit::Passed);
     }
-    let is_look = arguments.first().is_some_and(|command| command == LOOK);
+    let is_one_of = |names: &[&str]| {
+        let mut names = names.iter();
+        names.any(|name| arguments.first().is_some_and(|command| command == name))
+    };
     if !is_built(package) {
-        let how_long = match is_look {
+        let how_long = match is_one_of(&SMALL) {
             true => "some ten seconds",
             false => "about a minute",
         };
@@ -57,7 +63,7 @@ pub fn run(package: &str, arguments: Vec<OsString>) -> Result<Exit, GraderError>
              time. After that it starts at once."
         );
     }
-    let build = match is_look {
+    let build = match is_one_of(&[LOOK]) {
         true => build::build_small_program,
         false => build::build_program,
     };

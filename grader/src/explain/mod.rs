@@ -30,8 +30,12 @@ pub fn task(task: &Task, specs: &[Spec], page: Page) -> String {
         let spec = specs.iter().find(|spec| spec.is(&task.key, &entry.name));
         let about = spec.map_or("", |spec| checked(spec.about));
         let name = format!("{}{}", entry.name, " ".repeat(width - columns(&entry.name)));
-        let line = format!("  {name} {:>5}  {about}", points(entry));
-        let _ = writeln!(text, "{}", one_line_keeping_margin(&line, page.width));
+        let before = format!("  {name} {:>5}  ", points(entry));
+        let indent = columns(&before);
+        // Wrapping joins the columns of a table: the lines come without their margin.
+        let room = page.width.saturating_sub(indent).max(MOST_NARROW);
+        let lines = wrap(about, 0, room).join(&format!("\n{}", " ".repeat(indent)));
+        let _ = writeln!(text, "{}", format!("{before}{lines}").trim_end());
     }
     let _ = writeln!(
         text,
@@ -42,16 +46,8 @@ pub fn task(task: &Task, specs: &[Spec], page: Page) -> String {
     text
 }
 
-/// As [`one_line`], without joining the columns of a table.
-fn one_line_keeping_margin(line: &str, width: usize) -> String {
-    match columns(line) <= width {
-        true => line.to_owned(),
-        false => {
-            let kept: String = line.chars().take(width.saturating_sub(1)).collect();
-            format!("{}…", kept.trim_end())
-        }
-    }
-}
+/// Columns of a description, however narrow the page is.
+const MOST_NARROW: usize = 24;
 
 /// The points of a case, with a `+` for extra credit.
 fn points(entry: &CaseEntry) -> String {

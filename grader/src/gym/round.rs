@@ -144,6 +144,7 @@ mod tests {
         let mut shown = 0;
         let mut input = input.as_slice();
         let mut session = Session {
+            has_quit: false,
             input: &mut input,
             print: &mut |more| text.push_str(more),
             echoes: false,

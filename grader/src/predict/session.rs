@@ -25,6 +25,8 @@ pub struct Session<'a> {
     pub echoes: bool,
     /// The width of the text in columns.
     pub width: usize,
+    /// Whether [`QUIT`] was typed.
+    pub has_quit: bool,
 }
 
 impl Session<'_> {
@@ -121,7 +123,8 @@ impl Session<'_> {
         if self.echoes {
             (self.print)(&format!("{typed}\n"));
         }
-        Ok((typed != QUIT).then_some(typed))
+        self.has_quit = typed == QUIT;
+        Ok((!self.has_quit).then_some(typed))
     }
 
     /// Prints a paragraph.
@@ -218,6 +221,7 @@ mod tests {
             print: &mut |more| text.push_str(more),
             echoes: false,
             width: 200,
+            has_quit: false,
         };
         let answers = session
             .run(&[question()], example, 3)

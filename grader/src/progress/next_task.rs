@@ -80,6 +80,18 @@ pub fn or_last<'a>(workspace: &Workspace, course: &'a Course) -> Result<&'a Task
         .ok_or_else(|| GraderError::new("the course has no tasks"))
 }
 
+/// Whether `task` is for later: nothing of it is written, and it is of another part than the next
+/// open task.
+pub fn is_for_later(known: &[Known], task: &Task) -> bool {
+    let of = |key: &str| known.iter().find(|known| known.place.key == key);
+    let Some((task_known, next)) = of(&task.key).zip(first_open(known, &[])) else {
+        return false;
+    };
+    let is_of_next_part =
+        of(&next.key).is_some_and(|next| next.part_key() == task_known.part_key());
+    !is_of_next_part && task_known.last.is_none() && task_known.place.open.len() == task.holes.len()
+}
+
 /// Whether the handout contains the course's own solution of a part: none of the part's tasks has a
 /// hole or was ever graded, and a task of a later part has a hole. In the full course no task has
 /// one, so none of its parts is given.
@@ -123,6 +135,27 @@ mod tests {
         ] {
             assert_eq!(first(&[full(), open]).as_deref(), Some("b"));
         }
+    }
+
+    #[test]
+    fn what_nobody_began_of_other_parts_is_for_later() {
+        let (_, course) = crate::course::of_this_checkout();
+        let task = |key: &str| course.tasks().find(|task| task.key == key).expect("a task");
+        let open = |key: &str| {
+            let mut open = known(key, -1.0, false);
+            open.place.open = task(key).holes.clone();
+            open.place.has_hole = true;
+            open
+        };
+        let mut all = ["part1.task3", "part1.task4", "part2.task2"].map(open);
+        let later = |all: &[Known]| {
+            let keys = all.iter().map(|known| known.place.key.clone());
+            keys.filter(|key| is_for_later(all, task(key)))
+                .collect::<Vec<_>>()
+        };
+        assert_eq!(later(&all), ["part2.task2"]);
+        all[2].place.open.clear();
+        assert_eq!(later(&all), [""; 0]);
     }
 
     #[test]

@@ -384,6 +384,20 @@ fn speedup(report: &Report) -> Option<String> {
     ))
 }
 
+/// What to write of a task that is at this place: "Open stages/raygen/src/pixel.rs and write
+/// `raytrace_pixel`."
+pub fn to_write(place: Option<&Place>) -> String {
+    let file = place.and_then(|place| place.file.as_deref());
+    let names: Vec<String> = place.map_or_else(Vec::new, |place| {
+        place.open.iter().map(|name| format!("`{name}`")).collect()
+    });
+    match (file, names.join(", ")) {
+        (Some(file), names) if !names.is_empty() => format!("Open {file} and write {names}."),
+        (Some(file), _) => format!("Open {file}."),
+        (None, _) => "Its functions are still those of the handout.".into(),
+    }
+}
+
 /// A task with its file: "part2.task1 Constructing the BVH, in stages/bvh/src/construct.rs".
 pub fn heading(place: &Place) -> String {
     let mut text = format!("{} {}", place.key, place.title);

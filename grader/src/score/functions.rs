@@ -145,8 +145,8 @@ pub(super) fn require_idea(task: &Task, cases: &mut [CaseResult]) {
             continue;
         };
         let what = format!(
-            "counts a quarter, because of {}",
-            why_lacking(idea, &answered)
+            "counts a quarter until {}",
+            what_is_missing(idea, &answered)
         );
         let fractions = case.shares.iter().map(|share| match lacks(share) {
             Some(_) => WITHOUT_IDEA * share.fraction,
@@ -160,12 +160,12 @@ pub(super) fn require_idea(task: &Task, cases: &mut [CaseResult]) {
     }
 }
 
-/// What costs the points, to end the sentence "counts a quarter, because of ...".
-fn why_lacking(idea: &Idea, answered: &BTreeSet<String>) -> String {
+/// What would give the points, to end the sentence "counts a quarter until ...".
+fn what_is_missing(idea: &Idea, answered: &BTreeSet<String>) -> String {
     let Idea { case, aspect, .. } = idea;
     match answered.contains(case) {
-        true => format!("what is wrong in the case {case}: {}", aspect.label()),
-        false => format!("the case {case}, which has no answers: {}", aspect.label()),
+        true => format!("the case {case} is right, too ({})", aspect.label()),
+        false => format!("the case {case} has answers ({})", aspect.label()),
     }
 }
 
@@ -478,7 +478,7 @@ cases = [
         assert_eq!(edges.status, Status::Failed);
         assert_eq!(
             edges.reductions,
-            ["counts a quarter, because of what is wrong in the case shows: hit or miss"]
+            ["counts a quarter until the case shows is right, too (hit or miss)"]
         );
         assert_eq!(
             hard.reductions.last().map(String::as_str),

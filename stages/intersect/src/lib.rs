@@ -11,6 +11,7 @@
 
 // BEGIN SOLUTION(part1.task3)
 mod exact;
+pub mod rounding;
 // END SOLUTION(part1.task3)
 
 pub mod sphere;

@@ -2,7 +2,7 @@
 
 // BEGIN SOLUTION(part1.task4)
 use crate::exact::{DoubleDouble, Scale};
-use kit::rounding::{CANCELLATION, FARTHEST2, LARGEST_SQUARE, SMALLEST_SQUARE};
+use crate::rounding::{CANCELLATION, FARTHEST2, LARGEST_SQUARE, SMALLEST_SQUARE};
 use kit::{Vec2, Vec3};
 // END SOLUTION(part1.task4)
 

@@ -2,7 +2,7 @@
 
 // BEGIN SOLUTION(part1.task3)
 use crate::exact::{Scale, accurate_cross, difference_of_products};
-use kit::rounding::{CANCELLATION, CANCELLED_NORMAL, SMALLEST_PRODUCT};
+use crate::rounding::{CANCELLATION, CANCELLED_NORMAL, SMALLEST_PRODUCT};
 use kit::{Vec2, Vec3};
 // END SOLUTION(part1.task3)
 

@@ -36,9 +36,6 @@ pub mod lit;
 pub mod material;
 pub mod math;
 pub mod ray;
-// BEGIN SOLUTION(part1.task3)
-pub mod rounding;
-// END SOLUTION(part1.task3)
 pub mod sampler;
 pub mod scene;
 pub mod shapes;

@@ -2,10 +2,10 @@
 //! record them.
 
 use crate::real::Real;
+use crate::rounding::{CANCELLATION, CANCELLED_NORMAL};
 use crate::shapes::{Ray, Sphere};
 use crate::triangle::is_ordinary;
 use crate::vec3::Vec3;
-use kit::rounding::{CANCELLATION, CANCELLED_NORMAL};
 
 /// The unit geometric normal of a triangle with the edges `e1` and `e2` from its first vertex, and
 /// whether it is accurate: else `intersect::record_triangle` computes it with more care.

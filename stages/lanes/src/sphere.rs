@@ -2,9 +2,9 @@
 //! Intersection", Ray Tracing Gems, 2019, chapter 7), in the steps of `intersect::test_sphere`.
 
 use crate::real::{Mask, Real};
+use crate::rounding::{CANCELLATION, FARTHEST2, LARGEST_SQUARE, SMALLEST_SQUARE};
 use crate::shapes::{Ray, Sphere};
 use crate::vec3::Vec3;
-use kit::rounding::{CANCELLATION, FARTHEST2, LARGEST_SQUARE, SMALLEST_SQUARE};
 
 /// The equation `a·t² - 2·b·t + c = 0` of the points where a line crosses a sphere.
 ///

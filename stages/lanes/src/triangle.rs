@@ -5,8 +5,8 @@
 //! asks that function.
 
 use crate::real::{Mask, Real};
+use crate::rounding::{CANCELLATION, SMALLEST_PRODUCT};
 use crate::vec3::Vec3;
-use kit::rounding::{CANCELLATION, SMALLEST_PRODUCT};
 
 /// A cyclic permutation of the axes, such that z is the axis of the largest coordinate of a
 /// direction.

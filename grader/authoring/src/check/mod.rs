@@ -12,7 +12,6 @@ pub mod book;
 pub mod build;
 pub mod solution_copies;
 
-use crate::handout::Handout;
 use base::{GraderError, Workspace};
 use build::Tests;
 use grader::course::consistency;
@@ -21,6 +20,7 @@ use grader::course::{Course, Part};
 use grader::grade::{self, GradeRequest};
 use grader::report::Report;
 use grader::score::TaskResult;
+use handout::Handout;
 use judge::cases;
 use std::collections::BTreeSet;
 

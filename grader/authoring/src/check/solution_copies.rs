@@ -4,7 +4,7 @@
 //! sequences of `LENGTH_IN_BOOK`. So a copy is found even if its formatting was changed or if it was
 //! moved into a comment.
 
-use crate::handout::Handout;
+use handout::Handout;
 use std::collections::HashMap;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::Path;
@@ -192,7 +192,7 @@ fn without_comments(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::handout::RemovedSolution;
+    use handout::RemovedSolution;
     use std::collections::BTreeSet;
     use submission::file_tree::Files;
 

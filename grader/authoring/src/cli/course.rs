@@ -2,7 +2,6 @@
 //! course diff`, which compares it with another version, and those for the folder of a term:
 //! `grader course new`, `case`, `build` and `update`.
 
-use authoring::handout::output_folder;
 use authoring::term::update::Update;
 use authoring::term::{self, build, new, own_case, own_mistakes};
 use authoring::{check, diff};
@@ -11,6 +10,7 @@ use base::{GraderError, VERSION, Workspace, errln, out, outln};
 use clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
 use grader::cli::subprogram;
 use grader::course::Course;
+use handout::output_folder;
 use judge::{cases, own_cases};
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::{self, RecvTimeoutError, Sender};

@@ -1,5 +1,4 @@
 //! The commands: their arguments, and the functions that run them.
 
 pub(crate) mod course;
-pub(crate) mod handout;
 pub(crate) mod mutants;

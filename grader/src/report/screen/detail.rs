@@ -56,7 +56,8 @@ pub(super) fn blocks(
         out.add(4, 1, &format!("  picture: {}", picture.display()));
     }
     if let Some(printed) = printed::summary(&context.printed) {
-        out.add(3, 1, &format!("  {printed}: `--long` shows them"));
+        let how = "`--long` shows them, `--case NAME --call N` those of one call";
+        out.add(3, 2, &format!("  {printed}: {how}"));
     }
     // Without text there is no blank line before it either.
     match out.blocks.len() {
@@ -80,17 +81,8 @@ impl Lines {
 
 fn not_written(out: &mut Lines, task: &TaskResult, context: &Context) {
     let place = context.places.iter().find(|place| place.key == task.key);
-    let file = place.and_then(|place| place.file.as_deref());
-    let names: Vec<String> = place.map_or_else(Vec::new, |place| {
-        place.open.iter().map(|name| format!("`{name}`")).collect()
-    });
-    let what = match (file, names.join(", ")) {
-        (Some(file), names) if !names.is_empty() => format!("Open {file} and write {names}."),
-        (Some(file), _) => format!("Open {file}."),
-        (None, _) => "Its functions are still those of the handout.".into(),
-    };
     out.add(0, 3, &format!("{} {}", task.key, task.title));
-    out.add(0, SENTENCES, &format!("  {what}"));
+    out.add(0, SENTENCES, &format!("  {}", super::to_write(place)));
     let chapter = book_command(&task.key, "");
     out.add(1, 2, &format!("  Its chapter: {chapter}"));
     let run = format!(
@@ -257,8 +249,8 @@ fn reduced(out: &mut Lines, task: &TaskResult) {
     if let Some(why) = why {
         let cases = judge::plural(
             reduced.len(),
-            "other case is right: it",
-            "other cases are right: each",
+            "other case is right, and",
+            "other cases are right, and each",
         );
         out.add(1, NAMES, &format!("  {cases} {why}"));
     }

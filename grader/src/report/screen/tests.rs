@@ -509,7 +509,7 @@ fn only_the_status_is_coloured() {
 fn missing_ideas_are_told_at_any_width() {
     let mut findings = Findings::default();
     findings.judge(Aspect::Placement, 0, true, 0.0, String::new);
-    let why = "counts a quarter, because of what is wrong in the case middle: sample positions";
+    let why = "counts a quarter until the case middle is right, too (sample positions)";
     let right = |name: &str| CaseResult {
         tier: Tier::Core,
         status: Status::Failed,
@@ -539,7 +539,7 @@ fn missing_ideas_are_told_at_any_width() {
     );
     let narrow = lines(80);
     assert!(narrow[0].ends_with("  1 case fails"), "{narrow:?}");
-    let told = format!("  2 other cases are right: each {why}");
+    let told = format!("  2 other cases are right, and each {why}");
     for lines in [wide, narrow] {
         let text: Vec<&str> = lines.iter().map(|line| line.trim()).collect();
         assert!(text.join(" ").contains(told.trim()), "{lines:?}");

@@ -1,11 +1,12 @@
 //! The command `grader handout --part N --out DIR`: creates the project for students.
 
-use authoring::handout::{Handout, output_folder, vendored};
+use super::part_number;
 use base::program::{Exit, path_argument};
 use base::{GraderError, Workspace, outln};
 use clap::{Arg, ArgAction, ArgMatches, Command};
 use grader::book;
 use grader::course::Course;
+use handout::{Handout, output_folder, vendored};
 use std::path::{Path, PathBuf};
 
 pub(crate) fn command() -> Command {
@@ -31,11 +32,6 @@ pub(crate) fn command() -> Command {
                 .action(ArgAction::SetTrue)
                 .help("Put the sources of all libraries into the handout, so that it builds without a network"),
         )
-}
-
-fn part_number(value: &str) -> Result<u32, String> {
-    base::program::whole_number(value, 1, u32::MAX)
-        .map_err(|_| "expected a part's number, such as 1".to_owned())
 }
 
 /// What students of the handout of `part` write: "To write: 11 functions of 4 tasks in Part 1".

@@ -1,3 +1,4 @@
+// BEGIN SOLUTION(part1.task3)
 //! The bounds at which kernels stop to trust plain arithmetic.
 //!
 //! The reference kernels compute such cases again, with more care. Every version of a kernel must
@@ -26,3 +27,4 @@ pub const SMALLEST_SQUARE: f64 = 1e-100;
 
 /// See [`SMALLEST_SQUARE`].
 pub const LARGEST_SQUARE: f64 = 1e100;
+// END SOLUTION(part1.task3)

@@ -4,15 +4,21 @@
 //! contains functions to write, and all that is needed to write and grade them. Read [`carve`] (one
 //! file) first, then `file_selection` (which files) and [`Handout::carve`]. [`readme`] writes the
 //! README.
+//!
+//! `grader start` makes the folder of somebody who learns alone, beside the checkout: a handout that
+//! uses what cargo built of the checkout ([`built`]), and a [`repository`].
 
+pub mod built;
 pub mod carve;
 mod editor_files;
 mod file_selection;
 pub mod output_folder;
 pub mod readme;
+pub mod repository;
 mod unit_tests;
 pub mod vendored;
 mod whole_solutions;
+mod worked_examples;
 
 use base::{GraderError, Workspace, folder_of};
 use carve::Carver;
@@ -32,9 +38,6 @@ use submission::packages::{lock, manifest};
 
 /// The crate whose sources contain the text of markers, but no solution.
 const MENTIONS_MARKERS: &str = "submission";
-
-/// The test of each stage that a handout contains although it fails until the stage is written.
-const WORKED_EXAMPLE: &str = "worked_example.rs";
 
 /// A handout: the files of the course without the solutions of some parts.
 #[derive(Clone, Debug)]
@@ -190,6 +193,17 @@ impl Handout {
         std::fs::rename(&complete, out).map_err(|e| GraderError::file("write", out, e))
     }
 
+    /// The files that students do not write.
+    pub fn given(&self) -> impl Iterator<Item = &Path> {
+        let list = self.files.get(Path::new(given::LIST));
+        let list = list.map(|list| String::from_utf8_lossy(list));
+        let given = GivenFiles::parse(&list.unwrap_or_default());
+        let files = self.files.iter();
+        files
+            .filter(move |(path, contents)| given.is_original(path, contents).is_some())
+            .map(|(path, _)| path.as_path())
+    }
+
     fn has_removed(&self, key: &str) -> bool {
         self.removed.iter().any(|removed| removed.key == key)
     }
@@ -279,7 +293,9 @@ impl Handout {
                 .is_some_and(|owner| selection.tests_carved_code(owner, &carved))
         };
         self.files.retain(|path, _| {
-            let is_example = path.file_name().is_some_and(|name| name == WORKED_EXAMPLE);
+            let is_example = path
+                .file_name()
+                .is_some_and(|name| name == worked_examples::FILE);
             !(selection.is_test(path) && tests_holes(path)) || is_example
         });
         for (path, contents) in &mut self.files {
@@ -330,9 +346,11 @@ impl Handout {
         Ok(())
     }
 
-    /// Makes `cargo test` test the stages that students write, and nothing else.
+    /// Makes `cargo test` test the stages that students write, and nothing else: of the worked
+    /// examples those of tasks that are written.
     fn test_only_stages(&mut self, course: &Course, part: u32) -> Result<(), GraderError> {
         let to_write = course.parts.iter().filter(|p| p.number >= part);
+        worked_examples::ignore_open(&mut self.files, to_write.clone().flat_map(|it| &it.tasks));
         let stages = stages_of(to_write.flat_map(|part| &part.tasks));
         let folders: Vec<PathBuf> = stages
             .iter()

@@ -1,9 +1,9 @@
 //! Scene files and camera files.
 //!
-//! - [`load`] reads a COLLADA file into a [`kit::Scene`] in world space, and returns warnings about
-//!   everything that it repaired or ignored. [`parse`] reads the same from a string. [`collada`]
-//!   documents the supported elements. The course's own scenes are in the folder `dae` of this
-//!   crate.
+//! - [`load`] reads a scene file into a [`kit::Scene`] in world space, and returns warnings about
+//!   everything that it repaired or ignored: a COLLADA file, or by its extension a glTF, OBJ or PLY
+//!   file ([`model`]). [`parse`] reads COLLADA from a string. [`collada`] documents the supported
+//!   elements. The course's own scenes are in the folder `dae` of this crate.
 //! - [`save`] writes a scene as COLLADA.
 //! - [`placement`] computes the default view of a scene; [`camera_file`] reads and writes camera
 //!   files.
@@ -12,13 +12,37 @@
 pub mod camera_file;
 pub mod collada;
 pub mod diagnostic;
+pub mod model;
 pub mod placement;
 pub mod save;
 mod text_file;
 
 pub use camera_file::CameraFile;
-pub use collada::{Loaded, load, parse};
+pub use collada::parse;
 pub use diagnostic::{SceneError, Warning};
 /// Generators of large meshes, for programs outside this workspace.
 pub use meshes as generate;
 pub use save::SceneFile;
+
+use std::path::Path;
+
+/// A scene, and what is to be said about its file.
+#[derive(Clone, Debug)]
+pub struct Loaded {
+    /// The scene. Its camera is that of the file, with the frame of the file: see [`placement`] for
+    /// the default view.
+    pub scene: kit::Scene,
+    /// What was repaired or ignored, in the order of the file's scene.
+    pub warnings: Vec<Warning>,
+    /// The names of meshes without normals that look rounded: the normals of their triangles are
+    /// smoothed over edges of the mesh.
+    pub smoothed: Vec<String>,
+    /// Whether the file has no light, and a sky and a sun were added.
+    pub added_light: bool,
+}
+
+/// Reads a scene file: COLLADA, unless its extension is that of another format.
+pub fn load(path: impl AsRef<Path>) -> Result<Loaded, SceneError> {
+    let path = path.as_ref();
+    model::load(path).unwrap_or_else(|| collada::load(path))
+}

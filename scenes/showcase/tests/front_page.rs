@@ -90,10 +90,11 @@ fn pixels(flags: &[String], made: &Path, cell: Cell) -> (Pixels, Option<Pixels>)
     let args = Args::try_parse_from(words).unwrap_or_else(|why| panic!("{flags:?}: {why}"));
     let loaded = scenes::load(&args.scene).unwrap_or_else(|why| panic!("{why}"));
     let (view, film) = args.view(&loaded.scene).expect("a view");
-    let environment = args
-        .environment
-        .as_ref()
-        .map(|map| pathtracer::load_environment(map).unwrap_or_else(|why| panic!("{why}")));
+    let environment = args.environment.as_ref().map(|map| {
+        pathtracer::load_environment(map)
+            .unwrap_or_else(|why| panic!("{why}"))
+            .0
+    });
     let picture = Picture::new(args.shade, loaded.scene, environment);
     let (textures, missing) =
         Textures::load(picture.scene(), args.scene.parent().expect("a folder"));

@@ -12,14 +12,14 @@ const SIMILARITY_TOLERANCE: f64 = 1e-5;
 ///
 /// A mirroring transform would reverse the winding order relative to the normals, so `p1` and `p2`
 /// are swapped. A triangle without area after the transform is kept: no ray hits it.
-pub(super) struct TriangleTransform {
+pub(crate) struct TriangleTransform {
     to_world: Affine,
     normals: kit::Mat3,
     mirrors: bool,
 }
 
 impl TriangleTransform {
-    pub(super) fn new(to_world: Affine) -> TriangleTransform {
+    pub(crate) fn new(to_world: Affine) -> TriangleTransform {
         TriangleTransform {
             normals: to_world.for_normals(),
             mirrors: to_world.mirrors(),
@@ -28,7 +28,7 @@ impl TriangleTransform {
     }
 
     /// The triangle in world space; `None` if a coordinate is too large.
-    pub(super) fn triangle(&self, local: &Triangle) -> Option<Triangle> {
+    pub(crate) fn triangle(&self, local: &Triangle) -> Option<Triangle> {
         let [p0, mut p1, mut p2] = [local.p0, local.p1, local.p2].map(|p| self.to_world.point(p));
         if ![p0, p1, p2].into_iter().all(in_world) {
             return None;
@@ -53,7 +53,7 @@ impl TriangleTransform {
 
 impl TriangleTransform {
     /// Reorders the texture coordinates of a triangle like its vertices.
-    pub(super) fn tex_coords(&self, [a, b, c]: [Vec2; 3]) -> [Vec2; 3] {
+    pub(crate) fn tex_coords(&self, [a, b, c]: [Vec2; 3]) -> [Vec2; 3] {
         if self.mirrors { [a, c, b] } else { [a, b, c] }
     }
 }

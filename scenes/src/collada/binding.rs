@@ -4,18 +4,29 @@ use super::document::{Document, Element, children, descendant, describe, name_of
 use super::geometry::Shape;
 use super::limits::MAX_INSTANCES;
 use super::material::{self, TexturedMaterial};
+use super::mesh::TexCoordSet;
+use super::numbers::integer_attribute;
+use super::texture::TextureImage;
 use crate::diagnostic::SceneError;
 use kit::scene::NamedMaterial;
 use kit::texture::TextureMap;
 use roxmltree::NodeId;
 use std::collections::HashMap;
 
+/// What an instance binds to a part of its shape.
+pub(super) struct BoundMaterial {
+    /// The index of the material in the scene.
+    pub(super) material: u32,
+    /// The index of the part's set of texture coordinates that the texture uses.
+    pub(super) tex_coords: usize,
+}
+
 /// The materials of the scene. Each is read once.
 pub(super) struct Materials<'r, 'a> {
     doc: &'r Document<'a>,
     list: Vec<NamedMaterial>,
-    /// For each material, the image file of its texture.
-    textures: Vec<Option<String>>,
+    /// For each material, the image of its texture.
+    textures: Vec<Option<TextureImage<'a>>>,
     /// Index in the list by the node id of the `<material>`. The key of the default grey is `None`.
     by_element: HashMap<Option<NodeId>, u32>,
     /// Number of bindings so far, to detect a file with far too many.
@@ -36,8 +47,8 @@ impl<'r, 'a> Materials<'r, 'a> {
     /// The materials and their textures. The caller adds the texture coordinates.
     pub(super) fn into_list(self) -> (Vec<NamedMaterial>, TextureMap) {
         let mut textures = TextureMap::default();
-        for file in self.textures {
-            textures.add_material(file);
+        for image in self.textures {
+            textures.add_material(image.map(|image| image.file));
         }
         (self.list, textures)
     }
@@ -48,13 +59,16 @@ impl<'r, 'a> Materials<'r, 'a> {
         &mut self,
         instance: Element<'a>,
         shape: &Shape<'a>,
-    ) -> Result<Vec<u32>, SceneError> {
-        let symbols: Vec<Option<&str>> = match shape {
-            Shape::Mesh(parts) => parts.iter().map(|part| part.symbol).collect(),
-            Shape::Sphere { .. } => vec![None],
+    ) -> Result<Vec<BoundMaterial>, SceneError> {
+        let parts: Vec<(Option<&str>, &[TexCoordSet])> = match shape {
+            Shape::Mesh(parts) => parts
+                .iter()
+                .map(|part| (part.symbol, &part.tex_coords[..]))
+                .collect(),
+            Shape::Sphere { .. } => vec![(None, &[])],
             Shape::Nothing => Vec::new(),
         };
-        self.bound += symbols.len();
+        self.bound += parts.len();
         if self.bound > MAX_INSTANCES {
             let title = format!("the scene has more than {MAX_INSTANCES} material bindings");
             let diagnostic = self
@@ -65,10 +79,54 @@ impl<'r, 'a> Materials<'r, 'a> {
                 .into());
         }
         let bindings = Bindings::read(instance);
-        symbols
+        parts
             .into_iter()
-            .map(|symbol| self.bind_part(instance, &bindings, symbol))
+            .map(|(symbol, sets)| {
+                let material = self.bind_part(instance, &bindings, symbol)?;
+                let binding = bindings.element_of(symbol).unwrap_or(instance);
+                let tex_coords = self.choose_set(binding, material, sets)?;
+                Ok(BoundMaterial {
+                    material,
+                    tex_coords,
+                })
+            })
             .collect()
+    }
+
+    /// The index of the set of texture coordinates that a `<bind_vertex_input>` of `binding` chooses
+    /// for the texture of `material`. Without one, the set whose number ends the name that the
+    /// texture has for its coordinates, such as `CHANNEL1`. The first if there is no such set.
+    fn choose_set(
+        &self,
+        binding: Element<'a>,
+        material: u32,
+        sets: &[TexCoordSet],
+    ) -> Result<usize, SceneError> {
+        let doc = self.doc;
+        let Some(image) = &self.textures[material as usize] else {
+            return Ok(0);
+        };
+        let vertex_input = children(binding).find(|input| {
+            tag(*input) == "bind_vertex_input" && input.attribute("semantic") == image.texcoord
+        });
+        let Some(input) = vertex_input else {
+            let named = image.texcoord.and_then(number_at_end);
+            let chosen = sets.iter().position(|set| Some(set.number) == named);
+            if sets.len() > 1 && chosen.is_none() {
+                let title = format!("the mesh has {} sets of texture coordinates", sets.len());
+                let label = "expected a <bind_vertex_input> that chooses one; using the first";
+                doc.on(binding, title, label).warn();
+            }
+            return Ok(chosen.unwrap_or(0));
+        };
+        let number = integer_attribute(doc, input, "input_set")?.unwrap_or(0);
+        let chosen = sets.iter().position(|set| set.number == number);
+        if chosen.is_none() && !sets.is_empty() {
+            let title = format!("the mesh has no set {number} of texture coordinates");
+            let label = format!("expected set {}; using it", sets[0].number);
+            doc.on_attribute(input, "input_set", title, label).warn();
+        }
+        Ok(chosen.unwrap_or(0))
     }
 
     /// The material of the part with this symbol. An unbound symbol that is the id of a material
@@ -127,7 +185,7 @@ impl<'r, 'a> Materials<'r, 'a> {
         &mut self,
         key: Option<NodeId>,
         name: String,
-        textured: TexturedMaterial,
+        textured: TexturedMaterial<'a>,
     ) -> u32 {
         let index = self.list.len() as u32;
         let material = textured.material;
@@ -136,6 +194,12 @@ impl<'r, 'a> Materials<'r, 'a> {
         self.by_element.insert(key, index);
         index
     }
+}
+
+/// The number at the end of a name, such as 1 of `CHANNEL1`.
+fn number_at_end(name: &str) -> Option<u64> {
+    let letters = name.trim_end_matches(|c: char| c.is_ascii_digit());
+    name[letters.len()..].parse().ok()
 }
 
 /// The `<instance_material>` elements of one instance.

@@ -3,7 +3,9 @@
 use super::finding::Finding;
 use super::references::Ids;
 use super::warnings::WarningList;
-use crate::diagnostic::{Diagnostic, SceneError, Warning};
+use crate::Loaded;
+use crate::diagnostic::{Diagnostic, SceneError};
+use kit::Scene;
 use std::cell::RefCell;
 use std::ops::Range;
 
@@ -20,6 +22,7 @@ pub(super) struct Document<'a> {
     ids: Ids<'a>,
     has_textures: bool,
     warnings: RefCell<WarningList>,
+    smoothed: RefCell<Vec<String>>,
 }
 
 impl<'a> Document<'a> {
@@ -31,6 +34,7 @@ impl<'a> Document<'a> {
             ids: Ids::of(xml),
             has_textures: elements.any(|element| tag(element) == "texture"),
             warnings: RefCell::default(),
+            smoothed: RefCell::default(),
         }
     }
 
@@ -112,9 +116,20 @@ impl<'a> Document<'a> {
         self.add_warning(&title, start, || diagnostic.help(result));
     }
 
-    pub(super) fn into_warnings(self) -> Vec<Warning> {
+    /// Adds a mesh without normals whose edges are smoothed.
+    pub(super) fn add_smoothed(&self, mesh: String) {
+        self.smoothed.borrow_mut().push(mesh);
+    }
+
+    /// The scene and what is to be said about it.
+    pub(super) fn into_loaded(self, scene: Scene) -> Loaded {
         let source = self.source();
-        self.warnings.into_inner().into_warnings(self.file, source)
+        Loaded {
+            scene,
+            warnings: self.warnings.into_inner().into_warnings(self.file, source),
+            smoothed: self.smoothed.into_inner(),
+            added_light: false,
+        }
     }
 
     /// The first child with the tag `name`; an error if there is none.

@@ -1,6 +1,6 @@
 //! The contents of nodes. Each element is read only once, even if it has many instances.
 
-use super::binding::Materials;
+use super::binding::{BoundMaterial, Materials};
 use super::controller;
 use super::document::{Document, Element, children, name_of, tag};
 use super::geometry::{self, Shape};
@@ -45,8 +45,8 @@ pub(super) struct ShapeInstance<'a> {
     /// Name of the node.
     pub(super) name: String,
     pub(super) shape: Rc<Shape<'a>>,
-    /// For each part of the shape, the index of its material in the scene.
-    pub(super) materials: Vec<u32>,
+    /// For each part of the shape.
+    pub(super) materials: Vec<BoundMaterial>,
     /// For a skin: the transform to the coordinates of the visual scene, in place of the node's.
     pub(super) bind_shape: Option<Affine>,
     pub(super) instance: Element<'a>,

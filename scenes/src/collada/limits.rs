@@ -13,13 +13,13 @@ pub(super) const MAX_ATTRIBUTES: usize = 1000;
 pub(super) const MAX_NAMESPACES: usize = 100;
 
 /// Levels of nested nodes.
-pub(super) const MAX_DEPTH: usize = 256;
+pub(crate) const MAX_DEPTH: usize = 256;
 
 /// Instances of nodes, meshes, spheres, lights and cameras together.
-pub(super) const MAX_INSTANCES: usize = 1 << 20;
+pub(crate) const MAX_INSTANCES: usize = 1 << 20;
 
 /// Triangles and spheres in world space, over all instances: about 2.4 GB.
-pub(super) const MAX_PRIMITIVES: usize = 1 << 24;
+pub(crate) const MAX_PRIMITIVES: usize = 1 << 24;
 
 /// Largest coordinate in world space. Sums of a few squared lengths must stay finite.
 pub(crate) const MAX_COORDINATE: f64 = 1e150;

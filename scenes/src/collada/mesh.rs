@@ -1,8 +1,8 @@
 //! `<mesh>`: converts sources and primitive elements to triangles in local space.
 
-use super::document::{Document, Element, children, tag};
+use super::document::{Document, Element, children, name_of, tag};
 use super::mesh_part::{Corners, PartReader};
-use super::normals::{SmoothNormals, face_normal};
+use super::normals::{SmoothNormals, face_normal, looks_round};
 use super::polygon::TestCounter;
 use super::vertices::{Sources, Vertices};
 use crate::diagnostic::SceneError;
@@ -15,8 +15,17 @@ pub(super) struct MeshPart<'a> {
     pub(super) symbol: Option<&'a str>,
     /// In local space.
     pub(super) triangles: Vec<Triangle>,
-    /// For each triangle, the texture coordinates of its vertices; empty if the file has none.
-    pub(super) tex_coords: Vec<[Vec2; 3]>,
+    /// The sets of texture coordinates, if the file has textures.
+    pub(super) tex_coords: Vec<TexCoordSet>,
+}
+
+/// A set of texture coordinates.
+#[derive(Debug)]
+pub(super) struct TexCoordSet {
+    /// The number of the set in the file.
+    pub(super) number: u64,
+    /// For each triangle of the part, those of its vertices.
+    pub(super) coordinates: Vec<[Vec2; 3]>,
 }
 
 /// State that the meshes of a file share.
@@ -52,39 +61,43 @@ impl<'a> MeshReader<'a> {
             return Ok(Vec::new());
         }
         let vertices = Vertices::read(doc, doc.child(mesh, "vertices")?, &mut self.sources)?;
-        let mut parts: Vec<(Option<&'a str>, Vec<Corners>)> = Vec::new();
+        let mut parts = Vec::new();
         for element in primitives {
             // An empty element needs no material.
             if let Some(reader) = PartReader::new(doc, element, &vertices, &mut self.sources)? {
                 let corners = reader.corners(&mut self.counter)?;
-                parts.push((element.attribute("material"), corners));
+                parts.push((element.attribute("material"), reader, corners));
             }
         }
         let positions = &vertices.positions.values;
         let mut smooth = SmoothNormals::default();
-        for corners in parts.iter().flat_map(|(_, corners)| corners) {
+        for corners in parts.iter().flat_map(|(.., corners)| corners) {
             if corners.normals.is_none() {
                 smooth.add(positions, corners.positions);
             }
         }
+        let mut is_smoothed = false;
         let mut flat = 0_usize;
         let mut finished = Vec::with_capacity(parts.len());
-        for (symbol, corners) in parts {
-            let mut part = MeshPart {
+        for (symbol, reader, mut corners) in parts {
+            let count = corners.len();
+            let mut triangles = Vec::with_capacity(count);
+            corners.retain(|corners| {
+                let triangle = finish(corners, positions, &smooth);
+                is_smoothed |=
+                    corners.normals.is_none() && triangle.as_ref().is_some_and(looks_round);
+                triangles.extend(triangle);
+                triangle.is_some()
+            });
+            flat += count - corners.len();
+            finished.push(MeshPart {
                 symbol,
-                triangles: Vec::with_capacity(corners.len()),
-                tex_coords: Vec::new(),
-            };
-            for corners in &corners {
-                match finish(corners, positions, &smooth) {
-                    Some(triangle) => {
-                        part.triangles.push(triangle);
-                        part.tex_coords.extend(corners.tex_coords);
-                    }
-                    None => flat += 1,
-                }
-            }
-            finished.push(part);
+                triangles,
+                tex_coords: reader.tex_coords(&corners),
+            });
+        }
+        if is_smoothed {
+            doc.add_smoothed(name_of(mesh.parent_element().unwrap_or(mesh)));
         }
         if flat > 0 {
             let title = format!("triangles without area: {flat}");

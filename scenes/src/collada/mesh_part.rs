@@ -3,18 +3,19 @@
 use super::document::{Document, Element, describe};
 use super::holes;
 use super::index_into::{Found, IndexInto};
+use super::mesh::TexCoordSet;
 use super::polygon::{TestCounter, TooComplex, triangulate};
 use super::primitives::{Polygon, Polygons};
 use super::vertices::{Sources, Vertices};
 use crate::diagnostic::SceneError;
 use kit::{Vec2, Vec3};
 
-/// A triangle whose vertices are indices of positions, with the normals and texture coordinates of
-/// the file, if any.
+/// A triangle whose vertices are indices of positions, with the normals of the file, if any.
 pub(super) struct Corners {
     pub(super) positions: [usize; 3],
     pub(super) normals: Option<[Vec3; 3]>,
-    pub(super) tex_coords: Option<[Vec2; 3]>,
+    /// The groups of the corners in the index lists.
+    groups: [usize; 3],
 }
 
 /// Converts the index lists of a primitive element to triangles.
@@ -25,8 +26,8 @@ pub(super) struct PartReader<'r, 'a> {
     positions: IndexInto<'a>,
     /// From a separate input, or from `<vertices>` with the index of the positions.
     normals: Option<IndexInto<'a>>,
-    /// The first set of texture coordinates, if the file has textures.
-    tex_coords: Option<IndexInto<'a, Vec2>>,
+    /// The sets of texture coordinates with their numbers, if the file has textures.
+    tex_coords: Vec<(u64, IndexInto<'a, Vec2>)>,
 }
 
 impl<'r, 'a> PartReader<'r, 'a> {
@@ -43,7 +44,7 @@ impl<'r, 'a> PartReader<'r, 'a> {
         }
         let mut vertex_offset = None;
         let mut normals = None;
-        let mut tex_coords = None;
+        let mut tex_coords = Vec::new();
         for input in &polygons.lists.inputs {
             let offset = input.offset;
             match doc.attribute(input.element, "semantic")? {
@@ -55,9 +56,18 @@ impl<'r, 'a> PartReader<'r, 'a> {
                     let vectors = sources.normals(doc, input.element);
                     normals = vectors.map(|vectors| IndexInto { offset, vectors });
                 }
-                "TEXCOORD" if tex_coords.is_none() => {
-                    let vectors = sources.tex_coords(doc, input.element);
-                    tex_coords = vectors.map(|vectors| IndexInto { offset, vectors });
+                "TEXCOORD" => {
+                    let set = sources.tex_coords(doc, input.element)?;
+                    tex_coords.extend(set.map(|(n, vectors)| (n, IndexInto { offset, vectors })));
+                }
+                "COLOR" => {
+                    let title = "the colours of vertices are ignored";
+                    doc.on(
+                        input.element,
+                        title,
+                        "the material alone gives a surface its colour",
+                    )
+                    .warn();
                 }
                 _ => {}
             }
@@ -72,6 +82,10 @@ impl<'r, 'a> PartReader<'r, 'a> {
                 .help("refer to the <vertices> of the mesh")
                 .into());
         };
+        if tex_coords.is_empty() {
+            let sets = vertices.tex_coords.iter();
+            tex_coords.extend(sets.map(|(n, uv)| (*n, IndexInto::new(offset, uv))));
+        }
         polygons.check_count(doc, element);
         Ok(Some(PartReader {
             doc,
@@ -80,12 +94,7 @@ impl<'r, 'a> PartReader<'r, 'a> {
             positions: IndexInto::new(offset, &vertices.positions),
             normals: normals
                 .or_else(|| vertices.normals.as_ref().map(|n| IndexInto::new(offset, n))),
-            tex_coords: tex_coords.or_else(|| {
-                vertices
-                    .tex_coords
-                    .as_ref()
-                    .map(|uv| IndexInto::new(offset, uv))
-            }),
+            tex_coords,
         }))
     }
 
@@ -102,13 +111,9 @@ impl<'r, 'a> PartReader<'r, 'a> {
                 } else {
                     [a, b, c]
                 };
-                let tex_coords = |into: &IndexInto<'a, Vec2>| {
-                    let coordinates = into.values(lists, groups, &mut problems.tex_coords);
-                    coordinates.unwrap_or([Vec2::ZERO; 3])
-                };
                 corners.push(Corners {
                     positions: groups.map(|group| lists.index(group, self.positions.offset)),
-                    tex_coords: self.tex_coords.as_ref().map(tex_coords),
+                    groups,
                     normals: self
                         .normals
                         .as_ref()
@@ -118,6 +123,26 @@ impl<'r, 'a> PartReader<'r, 'a> {
         }
         self.warn(&problems);
         Ok(corners)
+    }
+
+    /// The sets of texture coordinates of these triangles.
+    pub(super) fn tex_coords(&self, triangles: &[Corners]) -> Vec<TexCoordSet> {
+        let set = |(number, into): &(u64, IndexInto<'a, Vec2>)| {
+            let mut missing = Found::default();
+            let of = |corners: &Corners| {
+                let values = into.values(&self.polygons.lists, corners.groups, &mut missing);
+                values.unwrap_or([Vec2::ZERO; 3])
+            };
+            let coordinates = triangles.iter().map(of).collect();
+            let label = format!("{}; using 0 0", into.vectors.expected_index());
+            let what = "triangles with a texture coordinate out of range";
+            self.warn_of(&missing, into.offset, what, &label);
+            TexCoordSet {
+                number: *number,
+                coordinates,
+            }
+        };
+        self.tex_coords.iter().map(set).collect()
     }
 
     /// The triangles of a polygon, as the groups of their corners. None if a position is NaN.
@@ -186,20 +211,13 @@ impl<'r, 'a> PartReader<'r, 'a> {
     }
 
     fn warn(&self, problems: &Problems) {
-        let warn = |found: &Found, offset: usize, what: &str, label: &str| {
-            if let Some(group) = found.first {
-                let range = self.polygons.lists.range(self.doc, group, offset);
-                let title = format!("{what}: {}", found.count);
-                self.doc.at(range, title, label).warn();
-            }
-        };
-        warn(
+        self.warn_of(
             &problems.self_intersections,
             0,
             "polygons that intersect themselves or have no area",
             "the first one starts here; its triangles may overlap",
         );
-        warn(
+        self.warn_of(
             &problems.holes,
             0,
             "holes outside of their polygon",
@@ -210,17 +228,17 @@ impl<'r, 'a> PartReader<'r, 'a> {
                 "{}; the normals of these triangles are computed",
                 vectors.expected_index()
             );
-            warn(
-                &problems.normals,
-                *offset,
-                "triangles with a normal out of range",
-                &label,
-            );
+            let what = "triangles with a normal out of range";
+            self.warn_of(&problems.normals, *offset, what, &label);
         }
-        if let Some(IndexInto { offset, vectors }) = &self.tex_coords {
-            let label = format!("{}; using 0 0", vectors.expected_index());
-            let what = "triangles with a texture coordinate out of range";
-            warn(&problems.tex_coords, *offset, what, &label);
+    }
+
+    /// Warns of what was found, if anything, at the first index.
+    fn warn_of(&self, found: &Found, offset: usize, what: &str, label: &str) {
+        if let Some(group) = found.first {
+            let range = self.polygons.lists.range(self.doc, group, offset);
+            let title = format!("{what}: {}", found.count);
+            self.doc.at(range, title, label).warn();
         }
     }
 }
@@ -231,7 +249,6 @@ struct Problems {
     self_intersections: Found,
     holes: Found,
     normals: Found,
-    tex_coords: Found,
 }
 
 /// Checks that the input VERTEX does not refer to the vertices of another mesh. A reference to no

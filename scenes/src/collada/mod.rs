@@ -5,14 +5,15 @@
 //! - Meshes: `triangles`, `polylist`, `polygons`, `tristrips`, `trifans`. Polygons are
 //!   triangulated, also concave ones and those with holes. `NORMAL`s of the file are used,
 //!   otherwise the area-weighted mean of the face normals around each vertex. If a material has a
-//!   texture: the first set of texture coordinates.
+//!   texture: the set of texture coordinates that `<bind_vertex_input>` chooses for it.
 //! - The shapes, materials and lights of the course's extension in
 //!   `<extra><technique profile="CGL">`, or `CMU462` with the same meaning: `sphere{radius}`,
 //!   `area{color}`, `emission{radiance}`, `mirror{reflectance}`, `glossy{reflectance, shininess}`,
 //!   `glass{reflectance, transmittance, roughness, ior}`,
-//!   `refraction{transmittance, roughness, ior}`. Otherwise the diffuse colour, which may be a
-//!   parameter of the effect, or the texture (`<texture>`, an image file beside the scene), of
-//!   `phong`, `lambert` or `blinn`. The image itself is not read here.
+//!   `refraction{transmittance, roughness, ior}`. Otherwise `phong`, `lambert` or `blinn`: the
+//!   diffuse colour or texture (an image file beside the scene, which is not read here); a mirror
+//!   where `reflective` times `reflectivity` is stronger than the diffuse colour; a glossy surface
+//!   where only `specular` reflects. Colours and numbers may be parameters of the effect.
 //! - Lights: `area` (the unit square in x and y, emitting to -z), `point`, `spot`, `directional`,
 //!   and `ambient` as a uniform sky. Attenuation elements are ignored: intensity falls with the
 //!   squared distance anyway.
@@ -44,6 +45,13 @@
 //! | an unknown material of the course's extension | the common profile |
 //! | a reflectance or transmittance above 1, or a missing one | 1 |
 //! | `emission` in the common profile | no light; the `emission` of the extension is used |
+//! | `reflective`, `specular` weaker than the diffuse colour | ignored; up to 0.1, without a warning |
+//! | `transparent` in the common profile | opaque |
+//! | colours of vertices | ignored |
+//! | several sets of texture coordinates, none chosen | the first |
+//! | a texture that is a cube map, a volume or inside of the file | grey, 0.5 |
+//! | a camera with an angle in radians, from a converter | left out |
+//! | a camera that its transform mirrors | not mirrored |
 //! | polygons with fewer than 3 corners or without area, holes outside | ignored |
 //! | a polygon that intersects itself | triangles that may overlap |
 //! | a skin | its mesh in the bind pose |
@@ -71,7 +79,7 @@
 //! `material`, `parameter`, `texture`, `light` and `optics` (the contents of nodes), `transform`,
 //! `binding` and `library` (nodes), `bake` and `nodes` (the node tree in world space).
 
-mod bake;
+pub(crate) mod bake;
 mod binding;
 mod controller;
 mod document;
@@ -88,41 +96,31 @@ mod material;
 mod mesh;
 mod mesh_part;
 mod nodes;
-mod normals;
+pub(crate) mod normals;
 mod numbers;
 mod optics;
 mod parameter;
-mod polygon;
+pub(crate) mod polygon;
 mod precheck;
 mod primitives;
 mod projection;
 mod references;
 mod source;
 mod texture;
-mod transform;
-mod uri;
+pub(crate) mod transform;
+pub(crate) mod uri;
 mod vertices;
 mod warnings;
 
+use crate::Loaded;
 use crate::diagnostic::{SceneError, Warning};
 use crate::text_file;
 use document::{Document, Element, children, descendant, tag};
 use kit::Scene;
 use std::path::Path;
 
-/// A scene and the warnings of the reader.
-#[derive(Clone, Debug)]
-pub struct Loaded {
-    /// The scene. Its camera is that of the file, with the frame of the file: see
-    /// [`crate::placement`] for the default view.
-    pub scene: Scene,
-    /// What was repaired or ignored, in the order of the file's scene.
-    pub warnings: Vec<Warning>,
-}
-
 /// Reads a COLLADA file.
-pub fn load(path: impl AsRef<Path>) -> Result<Loaded, SceneError> {
-    let path = path.as_ref();
+pub fn load(path: &Path) -> Result<Loaded, SceneError> {
     let name = path.display().to_string();
     let decoded = text_file::read(path, &name)?;
     let mut loaded = parse(&name, &decoded.text)?;
@@ -142,10 +140,7 @@ pub fn parse(name: &str, text: &str) -> Result<Loaded, SceneError> {
         .map_err(|error| malformed::error(name, text, &error))?;
     let doc = Document::new(name, &xml);
     let scene = build(&doc)?;
-    Ok(Loaded {
-        scene,
-        warnings: doc.into_warnings(),
-    })
+    Ok(doc.into_loaded(scene))
 }
 
 fn build<'a>(doc: &Document<'a>) -> Result<Scene, SceneError> {

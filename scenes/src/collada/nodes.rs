@@ -163,13 +163,13 @@ impl<'r, 'a> Builder<'r, 'a> {
             Shape::Mesh(parts) => {
                 let transform = TriangleTransform::new(*to_world);
                 let first = self.scene.triangles.len();
-                for (part, material) in parts.iter().zip(&shape.materials) {
-                    let object = self.add_object(&shape.name, *material);
-                    if !part.tex_coords.is_empty() {
+                for (part, bound) in parts.iter().zip(&shape.materials) {
+                    let object = self.add_object(&shape.name, bound.material);
+                    if let Some(set) = part.tex_coords.get(bound.tex_coords) {
                         // Triangles of parts before this one may have none.
                         let first = self.scene.triangles.len();
                         self.tex_coords.resize(first, [Vec2::ZERO; 3]);
-                        let corners = part.tex_coords.iter();
+                        let corners = set.coordinates.iter();
                         self.tex_coords
                             .extend(corners.map(|corners| transform.tex_coords(*corners)));
                     }
@@ -195,7 +195,7 @@ impl<'r, 'a> Builder<'r, 'a> {
             Shape::Sphere { radius } => {
                 let sphere = bake::sphere(*radius, to_world)
                     .map_err(|error| self.sphere_error(error, shape.instance))?;
-                let object = self.add_object(&shape.name, shape.materials[0]);
+                let object = self.add_object(&shape.name, shape.materials[0].material);
                 self.scene.spheres.push(sphere);
                 self.sphere_objects.push(object);
             }
@@ -255,6 +255,11 @@ impl<'r, 'a> Builder<'r, 'a> {
             let expected =
                 "expected an invertible transform; without another camera, the scene is framed";
             self.doc.on(instance, title, expected).warn();
+        } else if to_world.mirrors() {
+            let title = "this camera is mirrored by its transform";
+            self.doc
+                .on(instance, title, "the picture is not mirrored")
+                .warn();
         }
         Ok(())
     }

@@ -1,6 +1,6 @@
 //! Normals of meshes without normals in the file.
 
-use kit::Vec3;
+use kit::{Triangle, Vec3};
 use std::collections::HashMap;
 
 /// `(p1-p0) x (p2-p0)` divided by the square of `size`, which is the largest component of the two
@@ -15,21 +15,35 @@ fn scaled_cross(p0: Vec3, p1: Vec3, p2: Vec3) -> (Vec3, f64) {
 }
 
 /// The unit geometric normal of a triangle; `None` if it has no area.
-pub(super) fn face_normal(p0: Vec3, p1: Vec3, p2: Vec3) -> Option<Vec3> {
+pub(crate) fn face_normal(p0: Vec3, p1: Vec3, p2: Vec3) -> Option<Vec3> {
     scaled_cross(p0, p1, p2).0.try_normalize()
+}
+
+/// The cosine of the largest angle between a normal of a vertex and that of the triangle at which a
+/// smoothed mesh still looks like its triangles: 30 degrees. At the corners of a cube it is 55.
+const MIN_SMOOTH_COS: f64 = 0.866;
+
+/// Whether a normal at a vertex of the triangle is so far from that of its plane that a box looks
+/// round.
+pub(crate) fn looks_round(triangle: &Triangle) -> bool {
+    let Triangle { p0, p1, p2, .. } = *triangle;
+    let face = face_normal(p0, p1, p2).unwrap_or(triangle.n0);
+    [triangle.n0, triangle.n1, triangle.n2]
+        .iter()
+        .any(|n| n.dot(face) < MIN_SMOOTH_COS)
 }
 
 /// Vertex normals: the area-weighted mean of the normals of all adjacent triangles (H. Gouraud,
 /// "Continuous shading of curved surfaces", 1971).
 #[derive(Default)]
-pub(super) struct SmoothNormals {
+pub(crate) struct SmoothNormals {
     /// For each vertex of a triangle, the sum of the weighted normals.
     sums: HashMap<usize, Vec3>,
 }
 
 impl SmoothNormals {
     /// Adds the weighted normal of a triangle to its three vertices.
-    pub(super) fn add(&mut self, positions: &[Vec3], corners: [usize; 3]) {
+    pub(crate) fn add(&mut self, positions: &[Vec3], corners: [usize; 3]) {
         let [p0, p1, p2] = corners.map(|i| positions[i]);
         let (cross, size) = scaled_cross(p0, p1, p2);
         for corner in corners {
@@ -38,7 +52,7 @@ impl SmoothNormals {
     }
 
     /// The normals at three vertices, not normalised.
-    pub(super) fn at(&self, corners: [usize; 3]) -> [Vec3; 3] {
+    pub(crate) fn at(&self, corners: [usize; 3]) -> [Vec3; 3] {
         corners.map(|corner| self.sums.get(&corner).copied().unwrap_or(Vec3::ZERO))
     }
 }

@@ -5,13 +5,15 @@
 //! 4:3 if it is missing. [`crate::placement::for_film`] fits the frame to a film of another aspect
 //! ratio.
 
-use super::document::{Document, Element, child, children, descendant, describe, tag};
+use super::document::{Document, Element, child, children, descendant, describe, tag, text};
+use super::finding::Finding;
 use super::numbers::exactly;
 use super::transform::Affine;
 use crate::diagnostic::SceneError;
 use crate::placement::FAR_AWAY;
 use kit::camera::scale_fov;
 use kit::{Camera, Mat3, Vec3};
+use std::f64::consts::PI;
 
 /// Aspect ratio (width / height) without `aspect_ratio`: that of the assignment's images.
 const DEFAULT_ASPECT: f64 = 4.0 / 3.0;
@@ -45,12 +47,16 @@ pub(super) fn read<'a>(
         let is_valid = |angle| (0.001..=179.999).contains(&angle);
         optional(doc, perspective, name, expected, is_valid)
     };
+    let angles = (degrees("xfov"), degrees("yfov"));
+    if let Some(damaged) = in_radians(doc, perspective, angles) {
+        return Err(damaged.into());
+    }
     // Outside of this range the missing angle would round to 0 or 180 degrees.
     let is_valid = |aspect| (0.001..=1000.0).contains(&aspect);
     let expected = "a number from 0.001 to 1000";
     let aspect =
         optional(doc, perspective, "aspect_ratio", expected, is_valid).unwrap_or(DEFAULT_ASPECT);
-    let (h_fov, v_fov) = match (degrees("xfov"), degrees("yfov")) {
+    let (h_fov, v_fov) = match angles {
         (Some(x), Some(y)) => (x, y),
         (Some(x), None) => (x, scale_fov(x, 1.0 / aspect)),
         (None, Some(y)) => (scale_fov(y, aspect), y),
@@ -77,6 +83,28 @@ pub(super) fn read<'a>(
         n_clip: near,
         f_clip: far.unwrap_or(FAR_AWAY),
     }))
+}
+
+/// The error for a camera that a converter has damaged: assimp 5 writes angles in radians, beside an
+/// `aspect_ratio` of 0.
+fn in_radians<'r, 'a>(
+    doc: &'r Document<'a>,
+    perspective: Element<'a>,
+    angles: (Option<f64>, Option<f64>),
+) -> Option<Finding<'r, 'a>> {
+    let aspect = child(perspective, "aspect_ratio").map(text)?;
+    let (name, angle) = match angles {
+        (Some(x), None) => ("xfov", x),
+        (None, Some(y)) => ("yfov", y),
+        _ => return None,
+    };
+    if aspect.parse() != Ok(0.0) || angle >= PI {
+        return None;
+    }
+    let title = format!("{name} is {angle} degrees, which looks like radians");
+    let expected =
+        "expected degrees; aspect_ratio is 0, too, as a converter writes for every camera";
+    Some(doc.on(child(perspective, name)?, title, expected))
 }
 
 /// The number in the child `name`, if there is one. `None`, with a warning, if it is not valid.

@@ -2,28 +2,40 @@
 
 use super::document::{Element, child, children, tag};
 
-/// The `<newparam sid="...">` of an effect.
-pub(super) fn declaration<'a>(effect: Element<'a>, sid: &str) -> Option<Element<'a>> {
-    let profile = child(effect, "profile_COMMON")?;
-    let technique = child(profile, "technique");
-    [Some(effect), Some(profile), technique]
-        .into_iter()
-        .flatten()
-        .flat_map(children)
-        .find(|param| tag(*param) == "newparam" && param.attribute("sid") == Some(sid))
+/// An effect, as a material uses it.
+#[derive(Clone, Copy)]
+pub(super) struct EffectInstance<'a> {
+    pub(super) effect: Element<'a>,
+    /// The `<instance_effect>`, which may set parameters.
+    pub(super) instance: Element<'a>,
 }
 
-/// The `<float3>` or `<float4>` of the parameter that a `<param ref="...">` refers to. The
-/// `<setparam>` of an `<instance_effect>` takes precedence over the default of the effect.
-pub(super) fn color<'a>(
-    instance: Element<'a>,
-    effect: Element<'a>,
-    param: Element<'a>,
-) -> Option<Element<'a>> {
-    let sid = param.attribute("ref")?;
-    let value = |param: Element<'a>| child(param, "float4").or(child(param, "float3"));
-    children(instance)
-        .find(|set| tag(*set) == "setparam" && set.attribute("ref") == Some(sid))
-        .and_then(value)
-        .or_else(|| declaration(effect, sid).and_then(value))
+impl<'a> EffectInstance<'a> {
+    /// The value of the parameter `sid`, an element with one of these `tags`. The `<setparam>` of
+    /// the `<instance_effect>` takes precedence over the `<newparam>` of the effect.
+    pub(super) fn parameter(&self, sid: &str, tags: &[&str]) -> Option<Element<'a>> {
+        let value = |param: Element<'a>| tags.iter().find_map(|tag| child(param, tag));
+        children(self.instance)
+            .find(|set| tag(*set) == "setparam" && set.attribute("ref") == Some(sid))
+            .and_then(value)
+            .or_else(|| self.declaration(sid).and_then(value))
+    }
+
+    /// The `<newparam sid="...">` of the effect.
+    fn declaration(&self, sid: &str) -> Option<Element<'a>> {
+        let profile = child(self.effect, "profile_COMMON")?;
+        let technique = child(profile, "technique");
+        [Some(self.effect), Some(profile), technique]
+            .into_iter()
+            .flatten()
+            .flat_map(children)
+            .find(|param| tag(*param) == "newparam" && param.attribute("sid") == Some(sid))
+    }
+
+    /// The child of `property` with one of these `tags`, or the parameter of this kind that its
+    /// `<param ref="...">` refers to.
+    pub(super) fn value(&self, property: Element<'a>, tags: &[&str]) -> Option<Element<'a>> {
+        let own = tags.iter().find_map(|tag| child(property, tag));
+        own.or_else(|| self.parameter(child(property, "param")?.attribute("ref")?, tags))
+    }
 }

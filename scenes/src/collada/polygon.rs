@@ -10,13 +10,13 @@ const MAX_TESTS: u64 = 200_000_000;
 
 /// Counts the point-in-triangle tests over all polygons of a file.
 #[derive(Debug, Default)]
-pub(super) struct TestCounter {
+pub(crate) struct TestCounter {
     tests: u64,
 }
 
 impl TestCounter {
     /// Counts `more` tests. An error if there are too many.
-    pub(super) fn count(&mut self, more: usize) -> Result<(), TooComplex> {
+    pub(crate) fn count(&mut self, more: usize) -> Result<(), TooComplex> {
         self.tests += more as u64;
         if self.tests > MAX_TESTS {
             return Err(TooComplex);
@@ -27,22 +27,22 @@ impl TestCounter {
 
 /// Error: the polygons of a file need more than [`MAX_TESTS`] tests.
 #[derive(Debug)]
-pub(super) struct TooComplex;
+pub(crate) struct TooComplex;
 
 /// The triangles of a polygon.
 #[derive(Debug, PartialEq)]
-pub(super) struct Triangulation {
+pub(crate) struct Triangulation {
     /// Three corners each, as indices in the polygon, with the winding order of the polygon.
-    pub(super) triangles: Vec<[usize; 3]>,
+    pub(crate) triangles: Vec<[usize; 3]>,
     /// False if the polygon has no area or an intersection of its edges was detected, so that
     /// triangles may overlap. Not every intersection is detected.
-    pub(super) simple: bool,
+    pub(crate) simple: bool,
 }
 
 /// Triangulates a polygon of at least 3 corners into `corners.len() - 2` triangles.
 ///
 /// The polygon need not be planar: it is projected along its mean normal (Newell's method).
-pub(super) fn triangulate(
+pub(crate) fn triangulate(
     corners: &[Vec3],
     counter: &mut TestCounter,
 ) -> Result<Triangulation, TooComplex> {

@@ -9,13 +9,13 @@ use kit::{Mat3, Vec3, math};
 
 /// The affine map `p -> m·p + t`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Affine {
-    pub(super) m: Mat3,
-    pub(super) t: Vec3,
+pub(crate) struct Affine {
+    pub(crate) m: Mat3,
+    pub(crate) t: Vec3,
 }
 
 impl Affine {
-    pub(super) const IDENTITY: Affine = Affine {
+    pub(crate) const IDENTITY: Affine = Affine {
         m: Mat3::IDENTITY,
         t: Vec3::ZERO,
     };
@@ -25,24 +25,24 @@ impl Affine {
     }
 
     /// The composition that applies `inner` first, then this.
-    pub(super) fn after(&self, inner: &Affine) -> Affine {
+    pub(crate) fn after(&self, inner: &Affine) -> Affine {
         Affine {
             m: self.m * inner.m,
             t: self.point(inner.t),
         }
     }
 
-    pub(super) fn point(&self, p: Vec3) -> Vec3 {
+    pub(crate) fn point(&self, p: Vec3) -> Vec3 {
         self.m * p + self.t
     }
 
-    pub(super) fn direction(&self, d: Vec3) -> Vec3 {
+    pub(crate) fn direction(&self, d: Vec3) -> Vec3 {
         self.m * d
     }
 
     /// Whether the images of the unit vectors and of the origin are within the limits of world
     /// space.
-    pub(super) fn stays_in_world(&self) -> bool {
+    pub(crate) fn stays_in_world(&self) -> bool {
         [self.m.x_axis, self.m.y_axis, self.m.z_axis, self.t]
             .into_iter()
             .all(in_world)
@@ -55,7 +55,7 @@ impl Affine {
 
     /// The matrix for normals, up to their length: the inverse transpose, computed as the cofactor
     /// matrix times the sign of the determinant, which also exists for singular maps.
-    pub(super) fn for_normals(&self) -> Mat3 {
+    pub(crate) fn for_normals(&self) -> Mat3 {
         let Mat3 {
             x_axis,
             y_axis,
@@ -135,8 +135,11 @@ fn read<'a>(doc: &Document<'a>, element: Element<'a>) -> Result<Affine, SceneErr
     }
 }
 
-/// Sixteen numbers in row-major order. The last row must be 0 0 0 1; if it is cut off, the missing
-/// numbers are filled in, with a warning.
+/// Rounding of the last row of a matrix that was computed with `float`.
+const LAST_ROW_TOLERANCE: f64 = 1e-6;
+
+/// Sixteen numbers in row-major order. The last row must be 0 0 0 1, apart from rounding; if it is
+/// cut off, the missing numbers are filled in, with a warning.
 pub(super) fn matrix<'a>(doc: &Document<'a>, element: Element<'a>) -> Result<Affine, SceneError> {
     const LAST_ROW: [f64; 4] = [0.0, 0.0, 0.0, 1.0];
     let mut numbers = floats(doc, element)?;
@@ -145,6 +148,7 @@ pub(super) fn matrix<'a>(doc: &Document<'a>, element: Element<'a>) -> Result<Aff
         let expected = "expected 16 numbers, row by row, the last row 0 0 0 1";
         doc.on(element, title, expected)
     };
+    let is_rounded = |(number, exact): (&f64, f64)| (number - exact).abs() <= LAST_ROW_TOLERANCE;
     let is_cut_off = (12..16).contains(&found) && LAST_ROW.starts_with(&numbers[12..]);
     if is_cut_off {
         numbers.extend(&LAST_ROW[found - 12..]);
@@ -155,7 +159,7 @@ pub(super) fn matrix<'a>(doc: &Document<'a>, element: Element<'a>) -> Result<Aff
         return Err(finding(format!("<matrix> has {found} numbers"))
             .help("write four rows of four numbers")
             .into());
-    } else if numbers[12..] != LAST_ROW {
+    } else if !numbers[12..].iter().zip(LAST_ROW).all(is_rounded) {
         return Err(finding("the last row of <matrix> is not 0 0 0 1".into())
             .help("only affine transforms are supported; a column-major matrix must be transposed")
             .into());

@@ -7,7 +7,7 @@ use std::borrow::Cow;
 const XML: &str = "http://www.w3.org/XML/1998/namespace";
 
 /// The text with `%20` and the like decoded. Unchanged if the bytes are not UTF-8.
-pub(super) fn percent_decoded(text: &str) -> Cow<'_, str> {
+pub(crate) fn percent_decoded(text: &str) -> Cow<'_, str> {
     if !text.contains('%') {
         return Cow::Borrowed(text);
     }

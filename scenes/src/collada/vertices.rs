@@ -1,6 +1,7 @@
 //! `<vertices>`: the inputs that share one index; and the sources that inputs refer to.
 
 use super::document::{Document, Element, children, describe, tag};
+use super::numbers::integer_attribute;
 use super::source::{pairs, vectors};
 use crate::diagnostic::SceneError;
 use kit::{Vec2, Vec3};
@@ -23,6 +24,9 @@ impl<T> Vectors<'_, T> {
         }
     }
 }
+
+/// A set of texture coordinates and its number.
+pub(super) type NumberedSet<'a> = (u64, Rc<Vectors<'a, Vec2>>);
 
 /// The sources that were read so far. Several inputs may refer to the same source.
 #[derive(Default)]
@@ -54,21 +58,23 @@ impl<'a> Sources<'a> {
         self.readable(doc, input, result, |sources| sources.positions(doc, input))
     }
 
-    /// The texture coordinates that an `<input>` refers to. `None` if the file has no textures, and
-    /// with a warning, if the coordinates cannot be read.
+    /// The texture coordinates that an `<input>` refers to, and the number of their set. `None` if
+    /// the file has no textures, and with a warning, if the coordinates cannot be read.
     pub(super) fn tex_coords(
         &mut self,
         doc: &Document<'a>,
         input: Element<'a>,
-    ) -> Option<Rc<Vectors<'a, Vec2>>> {
+    ) -> Result<Option<NumberedSet<'a>>, SceneError> {
         if !doc.has_textures() {
-            return None;
+            return Ok(None);
         }
+        let number = integer_attribute(doc, input, "set")?.unwrap_or(0);
         let result = "the texture coordinates are ignored";
-        self.readable(doc, input, result, |sources| {
+        let values = self.readable(doc, input, result, |sources| {
             let element = doc.target(input, "source", "source")?;
             get_or_read(&mut sources.pairs, element, || pairs(doc, element))
-        })
+        });
+        Ok(values.map(|values| (number, values)))
     }
 
     /// What `read` returns. If that is an error: `None`, and a warning with the `result`.
@@ -112,8 +118,8 @@ pub(super) struct Vertices<'a> {
     pub(super) element: Element<'a>,
     pub(super) positions: Rc<Vectors<'a>>,
     pub(super) normals: Option<Rc<Vectors<'a>>>,
-    /// The first set, if the file has textures.
-    pub(super) tex_coords: Option<Rc<Vectors<'a, Vec2>>>,
+    /// The sets, if the file has textures.
+    pub(super) tex_coords: Vec<NumberedSet<'a>>,
 }
 
 impl<'a> Vertices<'a> {
@@ -124,12 +130,12 @@ impl<'a> Vertices<'a> {
     ) -> Result<Vertices<'a>, SceneError> {
         let mut positions = None;
         let mut normals = None;
-        let mut tex_coords = None;
+        let mut tex_coords = Vec::new();
         for input in children(element).filter(|child| tag(*child) == "input") {
             match doc.attribute(input, "semantic")? {
                 "POSITION" => positions = Some(sources.positions(doc, input)?),
                 "NORMAL" => normals = sources.normals(doc, input),
-                "TEXCOORD" if tex_coords.is_none() => tex_coords = sources.tex_coords(doc, input),
+                "TEXCOORD" => tex_coords.extend(sources.tex_coords(doc, input)?),
                 _ => {}
             }
         }

@@ -1,6 +1,6 @@
 //! Tests which scene the elements of a valid COLLADA file give.
 
-use crate::small::{SMALL, edited};
+use crate::small::{SMALL, edited, load_edited};
 use kit::{Camera, Light, Material, Scene, Spectrum, Triangle, Vec3};
 
 fn read(text: &str) -> Scene {
@@ -519,16 +519,21 @@ fn cameras_have_the_angles_of_the_file() {
 
 #[test]
 fn scale_and_mirroring_do_not_change_the_camera() {
-    for transform in [
-        "<scale>0.3 0.3 0.3</scale>",
-        "<scale>-1 1 1</scale>",
-        "<scale>1 2 3</scale>",
+    for (transform, warning) in [
+        ("<scale>0.3 0.3 0.3</scale>", None),
+        (
+            "<scale>-1 1 1</scale>",
+            Some("this camera is mirrored by its transform"),
+        ),
+        ("<scale>1 2 3</scale>", None),
     ] {
-        let text = edited(
+        let loaded = load_edited(
             "<translate>0 0 5</translate>",
             &format!("<translate>0 0 5</translate>{transform}"),
         );
-        let c2w = read(&text).camera.unwrap().c2w;
+        let loaded = loaded.unwrap_or_else(|e| panic!("{e}"));
+        assert_eq!(loaded.warnings.first().map(|w| w.0.title()), warning);
+        let c2w = loaded.scene.camera.unwrap().c2w;
         assert_near(c2w.x_axis, Vec3::X);
         assert_near(c2w.y_axis, Vec3::Y);
         assert_near(c2w.z_axis, Vec3::Z);
@@ -541,4 +546,139 @@ fn scale_and_mirroring_do_not_change_the_camera() {
         read(&turned).camera.unwrap().c2w * Vec3::NEG_Z,
         v(0.0, 1.0, -1.0).normalize(),
     );
+}
+
+/// Matrices computed with `float` have last rows such as 0 0 0 0.99999994.
+#[test]
+fn the_last_row_of_a_matrix_may_be_rounded() {
+    let plain = read(SMALL);
+    for row in ["0 0 0 0.99999994", "1e-7 0 -1e-7 1.0000001"] {
+        assert_eq!(
+            read(&edited("0 0 0 1</matrix>", &format!("{row}</matrix>"))),
+            plain
+        );
+    }
+    for row in ["0 0 0 0.9999", "0 1e-5 0 1"] {
+        let error = load_edited("0 0 0 1</matrix>", &format!("{row}</matrix>")).unwrap_err();
+        assert_eq!(error.0.title(), "the last row of <matrix> is not 0 0 0 1");
+    }
+}
+
+/// The material of the square with these parts of `phong` in place of its diffuse colour, and the
+/// titles of the warnings.
+fn phong(parts: &str) -> (Material, Vec<String>) {
+    let diffuse = "<diffuse><color>0.8 0.1 0.1 1</color></diffuse>";
+    let loaded = load_edited(diffuse, parts).unwrap_or_else(|e| panic!("{parts}: {e}"));
+    let titles = loaded.warnings.iter().map(|w| w.0.title().to_owned());
+    (loaded.scene.materials[0].material, titles.collect())
+}
+
+/// The strongest of the diffuse colour, the mirror and the highlight is the material.
+#[test]
+fn the_strongest_part_of_phong_is_the_material() {
+    let diffuse = |g: f64| format!("<diffuse><color>{g} {g} {g} 1</color></diffuse>");
+    let reflective = |g: f64, r: f64| {
+        format!(
+            "<reflective><color>{g} {g} {g} 1</color></reflective>\
+             <reflectivity><float>{r}</float></reflectivity>"
+        )
+    };
+    let specular = |g: f64, s: f64| {
+        format!(
+            "<specular><color>{g} {g} {g} 1</color></specular>\
+             <shininess><float>{s}</float></shininess>"
+        )
+    };
+    let grey = |g| Material::Diffuse {
+        reflectance: Spectrum::grey(g),
+    };
+    let mirror = |g| Material::Mirror {
+        reflectance: Spectrum::grey(g),
+    };
+    let glossy = |g, shininess| Material::Glossy {
+        reflectance: Spectrum::grey(g),
+        shininess,
+    };
+    let is_mirror = "the diffuse colour is ignored: the surface is a mirror";
+    let no_mirror = "the reflection of the common profile is ignored";
+    let no_highlight = "the highlight of the common profile is ignored";
+    let chrome = diffuse(0.0) + &specular(1.0, 50.0) + &reflective(1.0, 1.0);
+    let both = diffuse(0.5) + &specular(1.0, 20.0) + &reflective(1.0, 0.25);
+    for (parts, material, warnings) in [
+        (chrome, mirror(1.0), vec![]),
+        (reflective(1.0, 0.75), mirror(0.75), vec![]),
+        (
+            diffuse(0.2) + &reflective(1.0, 0.5),
+            mirror(0.5),
+            vec![is_mirror],
+        ),
+        (
+            diffuse(0.5) + &reflective(1.0, 0.25),
+            grey(0.5),
+            vec![no_mirror],
+        ),
+        (both, grey(0.5), vec![no_mirror]),
+        (diffuse(0.5) + &reflective(0.0, 1.0), grey(0.5), vec![]),
+        (diffuse(0.5) + &reflective(1.0, 0.05), grey(0.5), vec![]),
+        (
+            diffuse(0.0) + &specular(0.75, 20.0),
+            glossy(0.75, 20.0),
+            vec![],
+        ),
+        (
+            diffuse(0.5) + &specular(0.75, 20.0),
+            grey(0.5),
+            vec![no_highlight],
+        ),
+        (diffuse(0.5) + &specular(0.5, 50.0), grey(0.5), vec![]),
+        (diffuse(0.0) + &specular(0.0, 20.0), grey(0.0), vec![]),
+        (
+            diffuse(0.5) + "<reflectivity><float>x</float></reflectivity>",
+            grey(0.5),
+            vec!["`x` in <float> is not a number"],
+        ),
+    ] {
+        assert_eq!(
+            phong(&parts),
+            (material, warnings.iter().map(|w| w.to_string()).collect()),
+            "{parts}"
+        );
+    }
+    // One warning for all materials, with the place of each.
+    let many = diffuse(0.5) + &specular(1.0, 20.0) + &reflective(1.0, 0.25);
+    assert_eq!(phong(&many).1.len(), 1);
+}
+
+/// The file of a converter that writes radians, and an aspect ratio of 0.
+#[test]
+fn cameras_with_angles_in_radians_are_left_out() {
+    let angles = "<xfov>50</xfov><aspect_ratio>1.5</aspect_ratio>";
+    for (xfov, aspect, is_damaged) in [
+        ("0.785398185", "0", true),
+        ("0.785398185", "1.5", false),
+        ("49.1", "0", false),
+    ] {
+        let text = format!("<xfov>{xfov}</xfov><aspect_ratio>{aspect}</aspect_ratio>");
+        let loaded = load_edited(angles, &text).unwrap_or_else(|e| panic!("{e}"));
+        assert_eq!(loaded.scene.camera.is_none(), is_damaged, "{xfov} {aspect}");
+        let title = loaded.warnings.first().map(|w| w.0.title());
+        if is_damaged {
+            let expected = "xfov is 0.785398185 degrees, which looks like radians";
+            assert_eq!((title, loaded.warnings.len()), (Some(expected), 1));
+        }
+    }
+}
+
+/// A mesh without normals is smoothed. Where that rounds its edges, its name is reported.
+#[test]
+fn smoothed_edges_are_reported() {
+    let smoothed = |triangles: &str| {
+        let loaded = load_edited("0 1 2 0 2 3", triangles).unwrap_or_else(|e| panic!("{e}"));
+        loaded.smoothed
+    };
+    // All in one plane.
+    assert!(smoothed("0 1 2 0 2 3").is_empty());
+    let folded = "0 0 0  1 0 0  1 1 0  0 1 0";
+    let loaded = load_edited(folded, "0 0 0  1 0 0  1 1 0  0 0 1").unwrap();
+    assert_eq!(loaded.smoothed, ["square"]);
 }

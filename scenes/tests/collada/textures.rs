@@ -158,3 +158,153 @@ fn texture_coordinates_may_be_an_input_of_the_vertices() {
     assert_eq!(middle(&scene, 0), Vec2::new(2.0, 0.5));
     assert_eq!(middle(&scene, 1), Vec2::new(1.0, 1.0));
 }
+
+/// The file with a second set of texture coordinates, which begins at (5, 5), and with `binding`
+/// inside of its `<instance_material>`.
+fn with_two_sets(texcoord: &str, binding: &str) -> String {
+    let source = "<source id=\"uv1\"><float_array id=\"uv1-array\" count=\"8\">5 5 6 5 6 6 5 6</float_array>\
+                  <technique_common><accessor source=\"#uv1-array\" count=\"4\" stride=\"2\">\
+                  <param name=\"S\"/><param name=\"T\"/></accessor></technique_common></source>";
+    let input = "<input semantic=\"TEXCOORD\" source=\"#uv\" offset=\"1\"/>";
+    let inputs = "<input semantic=\"TEXCOORD\" source=\"#uv\" offset=\"1\" set=\"0\"/>\
+                  <input semantic=\"TEXCOORD\" source=\"#uv1\" offset=\"1\" set=\"1\"/>";
+    let bound = format!("target=\"#red\">{binding}</instance_material>");
+    textured(PARAMETERS, "t", IMAGES)
+        .replace("texcoord=\"UV\"", &format!("texcoord=\"{texcoord}\""))
+        .replace("<vertices id", &format!("{source}<vertices id"))
+        .replace(input, inputs)
+        .replace("target=\"#red\"/>", &bound)
+}
+
+#[test]
+fn the_set_of_texture_coordinates_is_that_of_the_binding() {
+    let bind = |semantic: &str, set: &str| {
+        format!(
+            "<bind_vertex_input semantic=\"{semantic}\" input_semantic=\"TEXCOORD\" input_set=\"{set}\"/>"
+        )
+    };
+    let second = Vec2::new(6.0, 5.5);
+    let first = Vec2::new(2.0, 0.5);
+    let unbound = "the mesh has 2 sets of texture coordinates";
+    for (texcoord, binding, expected, warning) in [
+        ("UV", bind("UV", "1"), second, None),
+        ("UV", bind("UV", "0"), first, None),
+        ("UV", bind("OTHER", "0") + &bind("UV", "1"), second, None),
+        ("UV", bind("OTHER", "1"), first, Some(unbound)),
+        ("UV", String::new(), first, Some(unbound)),
+        (
+            "UV",
+            bind("UV", "7"),
+            first,
+            Some("the mesh has no set 7 of texture coordinates"),
+        ),
+        ("CHANNEL1", String::new(), second, None),
+        ("CHANNEL0", String::new(), first, None),
+    ] {
+        let text = with_two_sets(texcoord, &binding);
+        let loaded = scenes::parse("small.dae", &text).unwrap_or_else(|e| panic!("{e}"));
+        assert_eq!(middle(&loaded.scene, 0), expected, "{texcoord} {binding}");
+        let titles: Vec<&str> = loaded.warnings.iter().map(|w| w.0.title()).collect();
+        assert_eq!(titles.first().copied(), warning, "{texcoord} {binding}");
+    }
+}
+
+const TWO_IMAGES: &str = "<library_images><image id=\"tiles\"><init_from>a.png</init_from></image>\
+                          <image id=\"other\"><init_from>b.png</init_from></image></library_images>";
+
+/// `<setparam>` replaces the surface, or the sampler.
+#[test]
+fn parameters_of_the_instance_choose_the_image() {
+    let sampler = "<newparam sid=\"s2\"><surface type=\"2D\"><init_from>other</init_from></surface></newparam>";
+    for (parameters, set) in [
+        (
+            PARAMETERS.to_owned(),
+            "<setparam ref=\"s\"><surface type=\"2D\"><init_from>other</init_from></surface></setparam>",
+        ),
+        (
+            format!("{sampler}{PARAMETERS}"),
+            "<setparam ref=\"t\"><sampler2D><source>s2</source></sampler2D></setparam>",
+        ),
+    ] {
+        let instance = format!("<instance_effect url=\"#red-effect\">{set}</instance_effect>");
+        let text = textured(&parameters, "t", TWO_IMAGES)
+            .replace("<instance_effect url=\"#red-effect\"/>", &instance);
+        assert_eq!(read(&text).textures.files, ["b.png"]);
+    }
+}
+
+#[test]
+fn every_way_to_name_an_image_is_read_or_refused_by_name() {
+    let surface = |init: &str| PARAMETERS.replace("<init_from>tiles</init_from>", init);
+    for init in [
+        "<init_planar><all ref=\"tiles\"/></init_planar>",
+        "<init_from mip=\"0\">tiles</init_from>",
+    ] {
+        assert_eq!(
+            read(&textured(&surface(init), "t", IMAGES)).textures.files,
+            ["my tiles.png"]
+        );
+    }
+    let sampler =
+        "<newparam sid=\"t\"><sampler2D><instance_image url=\"#tiles\"/></sampler2D></newparam>";
+    let image = |inside: &str| {
+        format!("<library_images><image id=\"tiles\">{inside}</image></library_images>")
+    };
+    let file = "<init_from><ref>a.png</ref></init_from>";
+    let created = image(&format!(
+        "<create_2d><size_ratio width=\"1\" height=\"1\"/>{file}</create_2d>"
+    ));
+    for images in [
+        image(&format!("<renderable share=\"true\"/>{file}")),
+        created,
+    ] {
+        assert_eq!(
+            read(&textured(sampler, "t", &images)).textures.files,
+            ["a.png"]
+        );
+    }
+    let refused = |parameters: &str, images: &str, title: &str| {
+        let text = textured(parameters, "t", images);
+        let loaded = scenes::parse("small.dae", &text).unwrap_or_else(|e| panic!("{e}"));
+        let titles: Vec<&str> = loaded.warnings.iter().map(|w| w.0.title()).collect();
+        assert_eq!(titles, [title]);
+        assert!(loaded.scene.textures.files.is_empty());
+    };
+    let cube = "the texture `t` is a cube map";
+    refused(
+        &surface("<init_cube><all ref=\"tiles\"/></init_cube>"),
+        IMAGES,
+        cube,
+    );
+    refused(&PARAMETERS.replace("\"2D\"", "\"CUBE\""), IMAGES, cube);
+    refused(
+        &PARAMETERS.replace("sampler2D", "samplerCUBE"),
+        IMAGES,
+        cube,
+    );
+    refused(
+        sampler,
+        &image(&format!("<create_cube>{file}</create_cube>")),
+        cube,
+    );
+    refused(
+        &surface("<init_volume><all ref=\"tiles\"/></init_volume>"),
+        IMAGES,
+        "the texture `t` is a volume",
+    );
+    refused(
+        PARAMETERS,
+        &image("<data>89504e47</data>"),
+        "the texture `t` is inside of the scene file",
+    );
+    refused(
+        sampler,
+        &image("<init_from><hex format=\"PNG\">8950</hex></init_from>"),
+        "the texture `t` is inside of the scene file",
+    );
+    refused(
+        &surface("<init_as_null/>"),
+        IMAGES,
+        "the texture `t` is made by a program",
+    );
+}

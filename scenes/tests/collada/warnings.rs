@@ -109,6 +109,24 @@ const WARNINGS: &[(&str, &str, &str, &str)] = &[
         "this surface is opaque",
     ),
     (
+        "</diffuse>",
+        "</diffuse><transparent opaque=\"A_ONE\"><color>1 1 1 0</color></transparent><transparency><float>1</float></transparency>",
+        "a surface without opacity is shown opaque",
+        "this surface is opaque",
+    ),
+    (
+        "</diffuse>",
+        "</diffuse><transparent opaque=\"RGB_ZERO\"><color>1 1 1 1</color></transparent>",
+        "a surface without opacity is shown opaque",
+        "this surface is opaque",
+    ),
+    (
+        "offset=\"0\"/>",
+        "offset=\"0\"/><input semantic=\"COLOR\" source=\"#points\" offset=\"0\"/>",
+        "the colours of vertices are ignored",
+        "the material alone gives a surface its colour",
+    ),
+    (
         "<sphere><radius>0.5</radius></sphere>",
         "<cone/>",
         "<cone> is not a shape",

@@ -9,7 +9,8 @@
 //! - [`bvh`], [`world`]: the tree, and the tests that its traversal calls.
 //! - [`scene`], [`material`], [`texture`], [`light`]: the contents of a scene file.
 //! - [`lit`], [`emitter`], [`emitting_mesh`], [`environment`]: light sources that can be sampled.
-//! - [`surface`], [`frame`], [`bsdf`], [`warp`]: shading points, scattering, uniform sampling.
+//! - [`surface`], [`frame`], [`bsdf`], [`shading_normal`], [`warp`]: shading points, scattering,
+//!   uniform sampling.
 //! - [`effects`]: which effects a scene needs.
 //! - [`mod@hole`]: placeholders for tasks that are not written yet.
 //!
@@ -38,6 +39,7 @@ pub mod math;
 pub mod ray;
 pub mod sampler;
 pub mod scene;
+pub mod shading_normal;
 pub mod shapes;
 mod sobol;
 pub mod spectrum;

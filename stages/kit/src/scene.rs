@@ -1,7 +1,7 @@
 //! The scene: all geometry in world space.
 
 use crate::texture::TextureMap;
-use crate::{Aabb, Camera, Light, Material, PrimId, Sphere, Triangle};
+use crate::{Aabb, Camera, Light, Material, PrimId, Sphere, Triangle, Vec3};
 
 /// Geometry, materials, lights and the camera of one scene file.
 ///
@@ -122,6 +122,19 @@ impl Scene {
         self.primitive_bounds()
             .into_iter()
             .fold(Aabb::EMPTY, Aabb::union)
+    }
+
+    /// Gives every triangle the normal of its plane, on the side of its vertex normals. A triangle
+    /// without area keeps its normals.
+    pub fn flatten_normals(&mut self) {
+        for triangle in &mut self.triangles {
+            let plane = Triangle::flat(triangle.p0, triangle.p1, triangle.p2).n0;
+            let side = plane.dot(triangle.n0 + triangle.n1 + triangle.n2);
+            if plane != Vec3::ZERO {
+                let n = if side < 0.0 { -plane } else { plane };
+                (triangle.n0, triangle.n1, triangle.n2) = (n, n, n);
+            }
+        }
     }
 
     /// The material of primitive `id`. Panics if the scene has no objects.

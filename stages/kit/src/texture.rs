@@ -1,6 +1,7 @@
 //! Textures: images on surfaces.
 
 use crate::{Hit, Spectrum, Vec2};
+use std::collections::HashMap;
 
 /// An image that repeats over the plane. One copy fills [0, 1]², with `v` pointing up from the
 /// bottom left.
@@ -72,6 +73,8 @@ impl Texture {
 pub struct TextureMap {
     /// The image files as named in the scene file: relative to its folder, or absolute.
     pub files: Vec<String>,
+    /// The bytes of those image files that are inside of the scene file, by their names.
+    pub embedded: HashMap<String, Vec<u8>>,
     /// For each triangle, the texture coordinates of its vertices. The list may end early: later
     /// triangles have none.
     pub coordinates: Vec<[Vec2; 3]>,

@@ -1,5 +1,6 @@
 //! Reads environment maps.
 
+use crate::radiance_file;
 use image::ImageError;
 use kit::environment::EnvironmentError;
 use kit::{Environment, Spectrum};
@@ -37,21 +38,31 @@ impl fmt::Display for EnvironmentFileError {
 
 impl std::error::Error for EnvironmentFileError {}
 
+/// An environment map, and what is to be said about its file.
+pub type LoadedEnvironment = (Environment, Option<String>);
+
 /// Reads an environment map: an `.exr` or `.hdr` picture in longitude-latitude format, with -z in
 /// the centre.
-pub fn load_environment(path: &Path) -> Result<Environment, EnvironmentFileError> {
+pub fn load_environment(path: &Path) -> Result<LoadedEnvironment, EnvironmentFileError> {
     let extension = path.extension().and_then(|e| e.to_str()).unwrap_or("");
     if !["exr", "hdr"].contains(&extension.to_ascii_lowercase().as_str()) {
         return Err(EnvironmentFileError::UnknownFormat(path.to_owned()));
     }
-    let picture = image::open(path)
-        .map_err(|why| EnvironmentFileError::Unreadable(path.to_owned(), why))?
-        .into_rgb32f();
+    let decoded = std::fs::read(path)
+        .map_err(ImageError::IoError)
+        .and_then(|bytes| radiance_file::decode(&bytes));
+    let (picture, note) =
+        decoded.map_err(|why| EnvironmentFileError::Unreadable(path.to_owned(), why))?;
+    let picture = picture.into_rgb32f();
     let (width, height) = (picture.width() as usize, picture.height() as usize);
     let texels = picture
         .pixels()
         .map(|p| Spectrum::from(p.0.map(f64::from)))
         .collect();
-    Environment::new(width, height, texels)
-        .map_err(|why| EnvironmentFileError::Invalid(path.to_owned(), why))
+    let environment = Environment::new(width, height, texels)
+        .map_err(|why| EnvironmentFileError::Invalid(path.to_owned(), why))?;
+    Ok((
+        environment,
+        note.map(|note| format!("{}: {note}", path.display())),
+    ))
 }

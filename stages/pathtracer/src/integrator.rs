@@ -1,10 +1,10 @@
 //! Path tracing, one path at a time: the stages `direct` and `global`, connected to a scene.
 //!
 //! The context of a ray is passed as arguments: the [`RayOrigin`], which determines the primitive
-//! to skip, and the texture colour, which [`Materials::at`] multiplies reflectances by.
+//! to skip, and the [`Place`] of a surface: its texture colour and its sides.
 
 use crate::exact_sum::PixelSum;
-use crate::materials::{Materials, PathMaterials};
+use crate::materials::{Materials, PathMaterials, Place};
 use crate::textures::Textures;
 use crate::tracer::{RayRole, RayTracer, SceneTracer};
 use crate::{Accel, Counters, DirectSampling, LightSettings};
@@ -14,6 +14,7 @@ use direct::{
 };
 use global::{estimate_radiance, play_roulette};
 use kit::effects::Effect;
+use kit::shading_normal::{Sides, towards_viewer};
 use kit::{
     Camera, Hit, LitScene, PixelSampler, PrimId, Ray, Scattering, Scene, Spectrum, Surface, Tally,
     Texture, Vec3,
@@ -167,9 +168,9 @@ impl<'a, T: RayTracer> PathIntegrator<'a, T> {
         }
         // The surface that the next ray starts on: `None` for the camera ray, then the last hit.
         let mut origin: Option<RayOrigin> = None;
-        // The texture colour at the last hit. `estimate_radiance` passes the material of a surface
-        // to its callbacks, but no texture coordinates, so they share this cell.
-        let tint = Cell::new(Spectrum::WHITE);
+        // The last hit. `estimate_radiance` passes the material of a surface to its callbacks, but
+        // neither texture coordinates nor normals, so they share this cell.
+        let place = Cell::new(Place::PLAIN);
         estimate_radiance(
             self.lit,
             ray,
@@ -177,16 +178,17 @@ impl<'a, T: RayTracer> PathIntegrator<'a, T> {
             sampler,
             &PathMaterials {
                 materials: &self.materials,
-                tint: &tint,
+                place: &place,
             },
             &mut |ray| {
                 let role = RayRole::of_path(origin.is_some());
                 let hit = self.closest(role, ray, self.skip(origin, ray))?;
+                let hit = towards_viewer(self.lit, hit, ray.d);
                 origin = Some(RayOrigin::from(&hit));
-                tint.set(self.texture_color(&hit));
+                place.set(self.place(&hit, &self.lit.surface(&hit)));
                 Some(hit)
             },
-            &mut |surface, wo, sampler| self.direct(surface, tint.get(), wo, sampler),
+            &mut |surface, wo, sampler| self.direct(surface, place.get(), wo, sampler),
             &mut |throughput, bounces, u| self.roulette(throughput, bounces, u),
         )
     }
@@ -208,15 +210,16 @@ impl<'a, T: RayTracer> PathIntegrator<'a, T> {
         let Some(hit) = self.closest(RayRole::Camera, ray, None) else {
             return self.lit.background(ray.d);
         };
-        let tint = self.texture_color(&hit);
+        let hit = towards_viewer(self.lit, hit, ray.d);
         let surface = self.lit.surface(&hit);
+        let place = self.place(&hit, &surface);
         let wo = -ray.d;
         let mut radiance = zero_bounce_radiance(&surface, wo);
         if self.max_depth > 0 {
-            radiance += self.direct(&surface, tint, wo, sampler);
+            radiance += self.direct(&surface, place, wo, sampler);
         }
         if self.settings.force_effects {
-            self.force_bounce(&surface, tint, wo, sampler.clone());
+            self.force_bounce(&surface, place, wo, sampler.clone());
         }
         radiance
     }
@@ -226,21 +229,30 @@ impl<'a, T: RayTracer> PathIntegrator<'a, T> {
     fn force_bounce(
         &self,
         surface: &Surface<'_>,
-        tint: Spectrum,
+        place: Place,
         wo: Vec3,
         mut sampler: PixelSampler,
     ) {
         if self.max_depth == 0 {
-            black_box(self.direct(surface, tint, wo, &mut sampler));
+            black_box(self.direct(surface, place, wo, &mut sampler));
         }
         self.materials.count(Effect::Bounces);
         let (u, choice) = (sampler.next_2d(), sampler.next_1d());
         let wo = surface.frame.to_local(wo);
-        let materials = self.materials.at(tint);
+        let materials = self.materials.at(place);
         if let Some(sample) = materials.sample(surface.material, wo, u, choice) {
             let ray = surface.leave(surface.frame.to_world(sample.wi));
             let skip = self.skip(Some(surface.into()), &ray);
             black_box(self.closest(RayRole::Bounce, &ray, skip));
+        }
+    }
+
+    /// What the material at a hit depends on. `surface` is the surface there.
+    #[inline]
+    pub(crate) fn place(&self, hit: &Hit, surface: &Surface<'_>) -> Place {
+        Place {
+            tint: self.texture_color(hit),
+            sides: Sides::of(surface),
         }
     }
 
@@ -288,12 +300,12 @@ impl<'a, T: RayTracer> PathIntegrator<'a, T> {
         })
     }
 
-    /// Estimates the direct light that `surface`, whose texture colour is `tint`, sends along `wo`.
+    /// Estimates the direct light that `surface` sends along `wo`.
     #[inline]
     pub(crate) fn direct(
         &self,
         surface: &Surface<'_>,
-        tint: Spectrum,
+        place: Place,
         wo: Vec3,
         sampler: &mut PixelSampler,
     ) -> Spectrum {
@@ -307,7 +319,7 @@ impl<'a, T: RayTracer> PathIntegrator<'a, T> {
             return Spectrum::BLACK;
         }
         let samples = self.settings.light_samples;
-        let (lit, materials) = (self.lit, &self.materials.at(tint));
+        let (lit, materials) = (self.lit, &self.materials.at(place));
         let trace = &mut |ray: &Ray| {
             self.materials.count(Effect::DirectLight);
             self.closest(RayRole::Light, ray, self.skip(origin, ray))

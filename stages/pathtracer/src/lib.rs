@@ -4,7 +4,7 @@
 //! or a tree), [`normals`] and [`lit`] (from pixel to radiance), `integrator` and `packet` (scalar
 //! paths, and paths in packets of eight), [`empty_pixels`] (where there is nothing to hit),
 //! `materials` (scattering), [`textures`], [`lens`] and [`environment_file`] (what flags add to a
-//! scene), [`trial`] (whether the stages for a picture are written), [`rendered`] (a job and its
+//! scene), `radiance_file` (picture files that are read), [`mod@darkness`] (why a picture is black), [`trial`] (whether the stages for a picture are written), [`rendered`] (a job and its
 //! result), [`layers`] (albedo, normal, depth), [`layer_file`] (any layers of a file), [`lobe`]
 //! (scattering at a point, for drawings), [`progressive`] (rendering that can be stopped and
 //! resumed) and [`passes`] (how many samples each pass takes), [`tone`],
@@ -14,6 +14,7 @@
 
 pub mod accel;
 pub mod args;
+pub mod darkness;
 pub mod empty_pixels;
 pub mod environment_file;
 pub mod exact_sum;
@@ -33,6 +34,7 @@ pub mod part_file;
 pub mod passes;
 pub mod picture;
 pub mod progressive;
+mod radiance_file;
 pub mod rate_picture;
 pub mod rendered;
 pub mod replay;
@@ -47,6 +49,7 @@ pub mod world;
 
 pub use accel::{Accel, AccelKind};
 pub use adaptive::rate_colour;
+pub use darkness::{Darkness, darkness};
 pub use environment_file::{EnvironmentFileError, load_environment};
 pub use exact_sum::{ExactSum, PixelSum};
 pub use lens::Lens;

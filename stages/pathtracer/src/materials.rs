@@ -5,6 +5,7 @@ use global::{
     RoughGlass, glass_sample, glossy_f, glossy_pdf, glossy_sample, mirror_sample, refraction_sample,
 };
 use kit::effects::{Effect, EffectCounts};
+use kit::shading_normal::Sides;
 use kit::{BsdfSample, Material, Scattering, Spectrum, Vec2, Vec3};
 use std::cell::Cell;
 use std::hint::black_box;
@@ -22,14 +23,29 @@ pub(crate) struct Materials {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct MaterialsAt<'a> {
     materials: &'a Materials,
-    /// The texture colour there, which diffuse surfaces multiply their reflectance by; else white.
-    tint: Spectrum,
+    place: Place,
 }
 
-/// The materials along one path: at the last hit, whose texture colour the owner of `tint` sets.
+/// What a material depends on besides directions.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Place {
+    /// The texture colour, which diffuse surfaces multiply their reflectance by; else white.
+    pub(crate) tint: Spectrum,
+    pub(crate) sides: Sides,
+}
+
+impl Place {
+    /// A surface without a texture, whose normals agree.
+    pub(crate) const PLAIN: Place = Place {
+        tint: Spectrum::WHITE,
+        sides: Sides::FLAT,
+    };
+}
+
+/// The materials along one path: at the last hit, whose place the owner of `place` sets.
 pub(crate) struct PathMaterials<'a> {
     pub(crate) materials: &'a Materials,
-    pub(crate) tint: &'a Cell<Spectrum>,
+    pub(crate) place: &'a Cell<Place>,
 }
 
 impl Materials {
@@ -41,12 +57,12 @@ impl Materials {
         }
     }
 
-    /// The materials where the texture has the colour `tint`.
+    /// The materials at `place`.
     #[inline]
-    pub(crate) fn at(&self, tint: Spectrum) -> MaterialsAt<'_> {
+    pub(crate) fn at(&self, place: Place) -> MaterialsAt<'_> {
         MaterialsAt {
             materials: self,
-            tint,
+            place,
         }
     }
 
@@ -117,8 +133,11 @@ impl Materials {
 impl Scattering for MaterialsAt<'_> {
     #[inline]
     fn f(&self, material: &Material, wo: Vec3, wi: Vec3) -> Spectrum {
+        if self.place.sides.block(material, wo, wi) {
+            return Spectrum::BLACK;
+        }
         match *material {
-            Material::Diffuse { reflectance } => lambert_f(self.tint * reflectance, wo, wi),
+            Material::Diffuse { reflectance } => lambert_f(self.place.tint * reflectance, wo, wi),
             Material::Glossy {
                 reflectance,
                 shininess,
@@ -158,8 +177,10 @@ impl Scattering for MaterialsAt<'_> {
         if let Some(glass) = self.materials.rough(material) {
             return glass.sample(wo, u, choice);
         }
-        match *material {
-            Material::Diffuse { reflectance } => lambert_sample(self.tint * reflectance, wo, u),
+        let sample = match *material {
+            Material::Diffuse { reflectance } => {
+                lambert_sample(self.place.tint * reflectance, wo, u)
+            }
             Material::Emission { .. } => None,
             Material::Mirror { reflectance } => {
                 self.materials.count(Effect::Mirror);
@@ -187,24 +208,25 @@ impl Scattering for MaterialsAt<'_> {
                 self.materials.count(Effect::Fresnel);
                 glass_sample(reflectance, transmittance, ior, wo, choice)
             }
-        }
+        };
+        sample.filter(|sample| !self.place.sides.block(material, wo, sample.wi))
     }
 }
 
 impl Scattering for PathMaterials<'_> {
     #[inline]
     fn f(&self, material: &Material, wo: Vec3, wi: Vec3) -> Spectrum {
-        self.materials.at(self.tint.get()).f(material, wo, wi)
+        self.materials.at(self.place.get()).f(material, wo, wi)
     }
 
     #[inline]
     fn pdf(&self, material: &Material, wo: Vec3, wi: Vec3) -> f64 {
-        self.materials.at(self.tint.get()).pdf(material, wo, wi)
+        self.materials.at(self.place.get()).pdf(material, wo, wi)
     }
 
     #[inline]
     fn sample(&self, material: &Material, wo: Vec3, u: Vec2, choice: f64) -> Option<BsdfSample> {
-        let materials = self.materials.at(self.tint.get());
+        let materials = self.materials.at(self.place.get());
         materials.sample(material, wo, u, choice)
     }
 }

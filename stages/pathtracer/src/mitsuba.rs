@@ -2,10 +2,16 @@
 //!
 //! What Mitsuba does not support in the same way is an error, not approximated: pictures should
 //! differ by noise only.
+//!
+//! Mitsuba computes in single precision, and its rays start at a distance from surfaces that fits
+//! scenes of some units ([`Units`]). So the scene is moved and scaled before it is written.
 
 use crate::{Job, LightSettings};
-use kit::{Emitter, Light, LitScene, Material, Scene, Spectrum, Triangle, Vec3};
+use clip::ClipPlanes;
+use kit::{Light, LitScene, Material, Scene, Spectrum, Triangle, Vec3};
 use std::fmt::Write;
+
+mod clip;
 
 /// A file of an exported scene.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -32,10 +38,54 @@ pub struct MitsubaScene {
 /// mirrors and glass.
 const UNTRUNCATED_DEPTH: u32 = 100;
 
+/// The coordinates of the exported scene: the camera is at the origin, and a power of two makes the
+/// scene some units large.
+#[derive(Clone, Copy, Debug)]
+struct Units {
+    origin: Vec3,
+    scale: f64,
+}
+
+/// The size to which scenes are scaled, up to a factor of two.
+const EXPORTED_SIZE: f64 = 32.0;
+
+/// The largest distance of the camera from the centre of the scene, relative to the diagonal of its
+/// box: farther away, single precision moves the points that rays hit.
+const MAX_DISTANCE: f64 = 300.0;
+
+/// The largest angle between the normal of a vertex and that of its triangle is 60 degrees: from
+/// there on, Mitsuba's pictures differ, because light passes where only shading normals face it.
+const MIN_NORMAL_COS: f64 = 0.5;
+
+impl Units {
+    fn of(scene: &Scene, camera: Vec3) -> Units {
+        let bounds = scene.bounds();
+        let size = if bounds.is_empty() {
+            1.0
+        } else {
+            bounds.extent().length()
+        };
+        let exponent = (EXPORTED_SIZE / size).log2().floor();
+        Units {
+            origin: camera,
+            scale: if exponent.is_finite() {
+                exponent.exp2()
+            } else {
+                1.0
+            },
+        }
+    }
+
+    fn point(&self, p: Vec3) -> Vec3 {
+        (p - self.origin) * self.scale
+    }
+}
+
 /// Exports the scene as an `.xml` file and one `.ply` for the triangles of each object. `stem` is
 /// the file name without its extension.
 ///
-/// Mitsuba gets its sampler with the least noise, `multijitter`. It counts the edges of a path, so a
+/// Mitsuba gets its sampler with the least noise, `multijitter`, unless that would take another
+/// number of samples than asked for. It counts the edges of a path, so a
 /// ray depth of m becomes m + 1. This is equal for diffuse surfaces; mirrors and glass show emitters
 /// one depth earlier in Mitsuba, which is a warning unless the depth truncates no path.
 ///
@@ -58,7 +108,17 @@ pub fn to_mitsuba(
             "<integrator type=\"path\"><integer name=\"max_depth\" value=\"{depth}\"/></integrator>"
         ),
     );
-    push(&mut xml, &camera(job, settings, &mut problems));
+    let units = Units::of(scene, job.camera.pos);
+    let planes = ClipPlanes::of(scene, job, &mut problems);
+    push(
+        &mut xml,
+        &camera(job, settings, &units, &planes, &mut problems),
+    );
+    if settings.environment {
+        problems.push("the environment: Mitsuba interpolates its pixels: omit -e".into());
+    }
+    check_distance(scene, job.camera.pos, &mut problems);
+    check_normals(scene, &mut problems);
     for file in &scene.textures.files {
         problems.push(format!("the texture {file}: textures are not exported"));
     }
@@ -80,24 +140,18 @@ pub fn to_mitsuba(
         if triangles.is_empty() {
             continue;
         }
+        let material = &scene.materials[object.material as usize].material;
+        let emits = !material.emission().is_black();
         let suffix = format!(".{o}.ply");
         let file = format!("<string name=\"filename\" value=\"{stem}{suffix}\"/>");
-        push(
-            &mut xml,
-            &shape(
-                "ply",
-                &file,
-                object.material,
-                &scene.materials[object.material as usize].material,
-            ),
-        );
+        push(&mut xml, &shape("ply", &file, object.material, material));
         files.push(MitsubaFile {
             suffix,
-            text: ply(&triangles),
+            text: ply(&triangles, &units, emits),
         });
     }
-    push_spheres(&mut xml, scene);
-    push_lights(&mut xml, lit, &mut problems);
+    push_spheres(&mut xml, scene, &units);
+    push_lights(&mut xml, scene, &units, &mut problems);
     xml.push_str("</scene>\n");
     if !problems.is_empty() {
         return Err(problems);
@@ -151,7 +205,58 @@ fn rgb(name: &str, c: Spectrum) -> String {
     format!("<rgb name=\"{name}\" value=\"{r:?}, {g:?}, {b:?}\"/>")
 }
 
-fn camera(job: &Job, settings: &LightSettings, problems: &mut Vec<String>) -> String {
+/// A problem if the camera is so far away that single precision moves what it sees.
+fn check_distance(scene: &Scene, camera: Vec3, problems: &mut Vec<String>) {
+    let bounds = scene.bounds();
+    let distance = bounds.centroid().distance(camera);
+    if !bounds.is_empty() && distance > MAX_DISTANCE * bounds.extent().length() {
+        problems.push(format!(
+            "the camera: more than {MAX_DISTANCE} times as far away as the scene is large, and Mitsuba \
+             computes in single precision: move it nearer and make its angle larger"
+        ));
+    }
+}
+
+/// A problem for the first object whose vertex normals disagree with its triangles.
+fn check_normals(scene: &Scene, problems: &mut Vec<String>) {
+    let turned = scene
+        .triangles
+        .iter()
+        .zip(&scene.object_of)
+        .find(|(t, object)| {
+            let material = scene.objects[**object as usize].material as usize;
+            let plane = front(t);
+            let normals = [t.n0, t.n1, t.n2];
+            scene.materials[material].material.emission().is_black()
+                && plane != Vec3::ZERO
+                && normals.iter().any(|n| n.dot(plane) < MIN_NORMAL_COS)
+        });
+    if let Some((_, object)) = turned {
+        problems.push(format!(
+            "object {}: normals of vertices are more than 60 degrees from those of the triangles, where \
+             Mitsuba lets light through: use --normals flat",
+            scene.objects[*object as usize].name
+        ));
+    }
+}
+
+/// The normal of a triangle's plane on the side of its vertex normals, from which it emits.
+fn front(t: &Triangle) -> Vec3 {
+    let plane = Triangle::flat(t.p0, t.p1, t.p2).n0;
+    if plane.dot(t.n0 + t.n1 + t.n2) < 0.0 {
+        -plane
+    } else {
+        plane
+    }
+}
+
+fn camera(
+    job: &Job,
+    settings: &LightSettings,
+    units: &Units,
+    planes: &ClipPlanes,
+    problems: &mut Vec<String>,
+) -> String {
     let camera = &job.camera;
     let tan = |degrees: f64| kit::math::tan((0.5 * degrees).to_radians());
     let aspect = f64::from(job.film.w) / f64::from(job.film.h);
@@ -167,19 +272,32 @@ fn camera(job: &Job, settings: &LightSettings, problems: &mut Vec<String>) -> St
     let (forward, up) = (-camera.c2w.z_axis, camera.c2w.y_axis);
     format!(
         "<sensor type=\"perspective\"><string name=\"fov_axis\" value=\"x\"/><float name=\"fov\" value=\"{:?}\"/>\
-         <float name=\"near_clip\" value=\"0.001\"/>\
+         <float name=\"near_clip\" value=\"{:?}\"/><float name=\"far_clip\" value=\"{:?}\"/>\
          <transform name=\"to_world\"><lookat origin=\"{}\" target=\"{}\" up=\"{}\"/></transform>\
-         <sampler type=\"multijitter\"><integer name=\"sample_count\" value=\"{}\"/></sampler>\
+         <sampler type=\"{}\"><integer name=\"sample_count\" value=\"{}\"/></sampler>\
          <film type=\"hdrfilm\"><integer name=\"width\" value=\"{}\"/><integer name=\"height\" value=\"{}\"/>\
          <rfilter type=\"box\"/></film></sensor>",
         camera.h_fov,
-        triple(camera.pos),
-        triple(camera.pos + forward),
+        planes.near * units.scale,
+        planes.far * units.scale,
+        triple(units.point(camera.pos)),
+        triple(units.point(camera.pos) + forward),
         triple(up),
+        sampler(job.samples),
         job.samples,
         job.film.w,
         job.film.h,
     )
+}
+
+/// The sampler with the least noise that takes this number of samples: `multijitter` needs a grid
+/// that is nearly square.
+fn sampler(samples: u32) -> &'static str {
+    if samples.is_multiple_of(samples.isqrt().max(1)) {
+        "multijitter"
+    } else {
+        "independent"
+    }
 }
 
 /// A material, with `ID` as a placeholder for its id.
@@ -238,14 +356,14 @@ fn shape(kind: &str, geometry: &str, material: u32, what: &Material) -> String {
     format!("<shape type=\"{kind}\">{geometry}<ref id=\"m{material}\"/>{emitter}</shape>")
 }
 
-fn push_spheres(xml: &mut String, scene: &Scene) {
+fn push_spheres(xml: &mut String, scene: &Scene, units: &Units) {
     let first = scene.triangles.len();
     for (sphere, object) in scene.spheres.iter().zip(&scene.object_of[first..]) {
         let material = scene.objects[*object as usize].material;
         let geometry = format!(
             "<float name=\"radius\" value=\"{:?}\"/><point name=\"center\" value=\"{}\"/>",
-            sphere.radius,
-            triple(sphere.center)
+            sphere.radius * units.scale,
+            triple(units.point(sphere.center))
         );
         push(
             xml,
@@ -259,8 +377,8 @@ fn push_spheres(xml: &mut String, scene: &Scene) {
     }
 }
 
-fn push_lights(xml: &mut String, lit: &LitScene, problems: &mut Vec<String>) {
-    for named in &lit.scene.lights {
+fn push_lights(xml: &mut String, scene: &Scene, units: &Units, problems: &mut Vec<String>) {
+    for named in &scene.lights {
         match named.light {
             // Exported as an emitting surface.
             Light::Area { .. } => {}
@@ -271,8 +389,9 @@ fn push_lights(xml: &mut String, lit: &LitScene, problems: &mut Vec<String>) {
                 xml,
                 &format!(
                     "<emitter type=\"point\"><point name=\"position\" value=\"{}\"/>{}</emitter>",
-                    triple(position),
-                    rgb("intensity", intensity)
+                    triple(units.point(position)),
+                    // Its light falls off with the square of the distance.
+                    rgb("intensity", intensity * (units.scale * units.scale))
                 ),
             ),
             Light::Directional {
@@ -296,17 +415,11 @@ fn push_lights(xml: &mut String, lit: &LitScene, problems: &mut Vec<String>) {
             )),
         }
     }
-    if lit
-        .emitters
-        .iter()
-        .any(|e| matches!(e, Emitter::Environment(_)))
-    {
-        problems.push("the environment: Mitsuba interpolates its pixels: omit -e".into());
-    }
 }
 
-/// Triangles with their vertex normals, as text.
-fn ply(triangles: &[&Triangle]) -> String {
+/// Triangles with their vertex normals, as text. Those that emit are flat: Mitsuba's lamps shine by
+/// the shading normal, ours by the geometric one.
+fn ply(triangles: &[&Triangle], units: &Units, emit: bool) -> String {
     let mut text = format!(
         "ply\nformat ascii 1.0\nelement vertex {}\n",
         3 * triangles.len()
@@ -319,8 +432,12 @@ fn ply(triangles: &[&Triangle]) -> String {
         triangles.len()
     );
     for t in triangles {
-        for (p, n) in [(t.p0, t.n0), (t.p1, t.n1), (t.p2, t.n2)] {
-            let line = triple(p) + ", " + &triple(n);
+        let mut normals = [t.n0, t.n1, t.n2];
+        if emit && front(t) != Vec3::ZERO {
+            normals = [front(t); 3];
+        }
+        for (p, n) in [t.p0, t.p1, t.p2].into_iter().zip(normals) {
+            let line = triple(units.point(p)) + ", " + &triple(n);
             text += &line.replace(',', "");
             text.push('\n');
         }

@@ -1,10 +1,11 @@
 //! Loads the textures of a scene and looks them up.
 
-use crate::texture_file;
+use crate::{radiance_file, texture_file};
 use image::{DynamicImage, ImageError};
 use kit::math::pow;
 use kit::{Hit, Scene, Spectrum, Texture, Vec2};
 use std::fmt;
+use std::io::Cursor;
 use std::path::{Path, PathBuf};
 
 /// The largest number of texels of one texture: with 24 bytes each, 1.6 GB.
@@ -26,6 +27,13 @@ pub enum TextureWarning {
         /// Why it cannot be read.
         why: String,
     },
+    /// Not all of the file is used.
+    Partial {
+        /// The path of the file.
+        path: PathBuf,
+        /// Which part is used.
+        note: String,
+    },
     /// It is not at its path, but a file of its name is near the scene.
     Moved {
         /// The path of the file, as it is in the scene file.
@@ -43,6 +51,7 @@ impl fmt::Display for TextureWarning {
                 "cannot read the texture {}: {why}; its surfaces are grey, 0.5 0.5 0.5",
                 path.display()
             ),
+            TextureWarning::Partial { path, note } => write!(f, "{}: {note}", path.display()),
             TextureWarning::Moved { path, found } => write!(
                 f,
                 "there is no texture {}; using {}",
@@ -69,8 +78,18 @@ impl Textures {
             let path = folder.join(file);
             // If there is none, the error of opening `path` says so.
             let found = texture_file::find(folder, file).unwrap_or_else(|| path.clone());
-            match load_texture(&found) {
-                Ok(texture) => {
+            let decoded = match scene.textures.embedded.get(file) {
+                Some(bytes) => decode(bytes),
+                None => std::fs::read(&found)
+                    .map_err(|why| why.to_string())
+                    .and_then(|bytes| decode(&bytes)),
+            };
+            match decoded {
+                Ok((texture, note)) => {
+                    if let Some(note) = note {
+                        let path = found.clone();
+                        warnings.push(TextureWarning::Partial { path, note });
+                    }
                     if found != path {
                         let path = file.into();
                         warnings.push(TextureWarning::Moved { path, found });
@@ -105,13 +124,14 @@ impl Textures {
     }
 }
 
-fn load_texture(path: &Path) -> Result<Texture, String> {
+/// The texture in the bytes of an image file, and what is to be said about the file.
+fn decode(bytes: &[u8]) -> Result<(Texture, Option<String>), String> {
     let describe = |why: ImageError| match why {
         ImageError::IoError(why) => why.to_string(),
         other => format!("{other} (png, jpg, bmp, tga, exr and hdr can be read)"),
     };
-    let reader = image::ImageReader::open(path)
-        .and_then(|reader| reader.with_guessed_format())
+    let reader = image::ImageReader::new(Cursor::new(bytes))
+        .with_guessed_format()
         .map_err(|why| why.to_string())?;
     let (width, height) = reader.into_dimensions().map_err(describe)?;
     if u64::from(width) * u64::from(height) > MAX_TEXELS {
@@ -119,8 +139,9 @@ fn load_texture(path: &Path) -> Result<Texture, String> {
             "it has {width} x {height} texels, more than {MAX_TEXELS}: make it smaller"
         ));
     }
-    let picture = image::open(path).map_err(describe)?;
-    Texture::new(width as usize, texels(&picture)).ok_or_else(|| "it is empty".to_owned())
+    let (picture, note) = radiance_file::decode(bytes).map_err(describe)?;
+    let texture = Texture::new(width as usize, texels(&picture));
+    Ok((texture.ok_or("it is empty")?, note))
 }
 
 /// Linear reflectances in [0, 1], row by row from the top left. Bytes are sRGB; values of exr and

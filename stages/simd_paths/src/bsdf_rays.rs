@@ -18,7 +18,7 @@ use crate::vec3x8::{LANES, Vec3x8};
 use crate::{PathMemory, PathScene, ScalarFallback};
 use fearless_simd::{Simd, f64x8, mask64x8, prelude::*};
 use kit::{Emitter, PrimId, Spectrum, Vec3};
-use lanes::diffuse::DiffuseSample;
+use lanes::diffuse::{DiffuseSample, on_same_side};
 use lanes::frame::Frame;
 use lanes::light::mesh_pdf;
 use lanes::mis::power_heuristic;
@@ -68,14 +68,17 @@ impl<S: Simd> PathPacket<'_, S> {
             || {
                 let simd = self.simd;
                 let mask = mask64x8::from_bitmask(simd, diffuse);
-                let exists = (mask & wo_z.simd_ne(f64x8::splat(simd, 0.0))).to_bitmask();
+                let in_front = mask & wo_z.simd_ne(f64x8::splat(simd, 0.0));
+                let wo_ng = self.wo_ng(surfaces);
                 for _ in 0..self.settings.light_samples {
                     let DiffuseSample { wi, pdf, weight } =
                         self.sample_diffuse(surfaces.color, wo_z);
                     let sample = shadows.push_undecided(simd);
+                    let d = Frame::around(surfaces.n).to_world(wi);
+                    let same_side = on_same_side(wo_ng, d.dot(surfaces.departure.ng));
+                    let exists = (in_front & same_side).to_bitmask();
                     memory.counts.rays += u64::from(exists.count_ones());
                     memory.counts.light_rays += u64::from(exists.count_ones());
-                    let d = Frame::around(surfaces.n).to_world(wi);
                     let (o, skip) = surfaces.leave(simd, d);
                     let mut open = exists;
                     if let Some(lamps) = &self.scene.lamps {

@@ -36,6 +36,7 @@ impl<S: Simd> PathPacket<'_, S> {
                 let f = lambert_f(surfaces.color);
                 let is_black = f.x.simd_eq(zero) & f.y.simd_eq(zero) & f.z.simd_eq(zero);
                 let scatters = mask64x8::from_bitmask(simd, diffuse) & !is_black;
+                let wo_ng = self.wo_ng(surfaces);
                 for (number, emitter) in self.scene.lit.emitters.iter().enumerate() {
                     for _ in 0..sample_count(emitter, self.settings) {
                         let p = surfaces.departure.p;
@@ -47,7 +48,8 @@ impl<S: Simd> PathPacket<'_, S> {
                             diffuse,
                         );
                         let wi_z = light.wi.dot(surfaces.n);
-                        let same_side = on_same_side(wo_z, wi_z);
+                        let same_side = on_same_side(wo_z, wi_z)
+                            & on_same_side(wo_ng, light.wi.dot(surfaces.departure.ng));
                         let active = (scatters & light.exists & same_side).to_bitmask();
                         if active == 0 {
                             shadows.push_unlit();
@@ -89,12 +91,14 @@ impl<S: Simd> PathPacket<'_, S> {
                 let simd = self.simd;
                 let zero = f64x8::splat(simd, 0.0);
                 let DiffuseSample { wi, weight, .. } = self.sample_diffuse(surfaces.color, wo_z);
-                // No light is scattered towards a viewer in the plane of the surface.
+                let d = Frame::around(surfaces.n).to_world(wi);
+                // No light is scattered towards a viewer in the plane of the surface, nor through it.
                 let mask = mask64x8::from_bitmask(simd, diffuse);
-                let continues = mask & wo_z.simd_ne(zero);
+                let continues = mask
+                    & wo_z.simd_ne(zero)
+                    & on_same_side(self.wo_ng(surfaces), d.dot(surfaces.departure.ng));
                 memory.counts.bounces += u64::from(continues.to_bitmask().count_ones());
                 let (throughput, survivors) = self.roulette(bounce, self.paths.throughput * weight);
-                let d = Frame::around(surfaces.n).to_world(wi);
                 let (o, skip) = surfaces.leave(simd, d);
                 self.paths.o = o.masked_or(mask, self.paths.o);
                 self.paths.d = d.masked_or(mask, self.paths.d);
@@ -104,6 +108,12 @@ impl<S: Simd> PathPacket<'_, S> {
                 (continues & survivors).to_bitmask()
             },
         )
+    }
+
+    /// The cosine of the angle between the geometric normal and the viewer.
+    #[inline(always)]
+    pub(crate) fn wo_ng(&self, surfaces: &SurfacePacket<S>) -> f64x8<S> {
+        (-self.paths.d).dot(surfaces.departure.ng)
     }
 
     /// Samples a direction at diffuse surfaces of this `color`.

@@ -9,6 +9,7 @@ use crate::vec3x8::{LANES, Vec3x8};
 use fearless_simd::{Simd, f64x8, mask64x8, prelude::*};
 use kit::sampler::PixelSamplers;
 use kit::{Material, Spectrum};
+use lanes::diffuse::on_same_side;
 use lanes::frame::Frame;
 use std::mem;
 
@@ -102,13 +103,22 @@ impl<S: Simd> PathPacket<'_, S> {
                 let frame = Frame::around(surfaces.n);
                 let wo = frame.to_local(-self.paths.d);
                 let sample = in_lanes(simd, &materials).sample(wo, choice);
-                let continues = mask64x8::from_bitmask(simd, specular) & sample.exists;
+                let wi = frame.to_world(sample.wi);
+                // A mirror reflects nothing to the other side of the surface.
+                let mut is_mirror = 0;
+                for (lane, material) in materials.iter().enumerate() {
+                    is_mirror |= u64::from(material.reflection == Reflection::All) << lane;
+                }
+                let same_side = on_same_side(self.wo_ng(surfaces), wi.dot(surfaces.departure.ng));
+                let continues = mask64x8::from_bitmask(simd, specular)
+                    & sample.exists
+                    & (same_side | !mask64x8::from_bitmask(simd, is_mirror));
                 memory.counts.bounces += u64::from(continues.to_bitmask().count_ones());
                 let (throughput, survivors) =
                     self.roulette(bounce, self.paths.throughput * sample.weight);
                 SpecularScatter {
                     samplers: mem::replace(&mut self.samplers, of_others),
-                    wi: frame.to_world(sample.wi),
+                    wi,
                     throughput,
                     survivors: (continues & survivors).to_bitmask(),
                 }

@@ -15,7 +15,7 @@ pub(crate) struct SurfacePacket<S: Simd> {
     pub(crate) prim: f64x8<S>,
     /// The points, and where rays leave them.
     pub(crate) departure: Departure<f64x8<S>>,
-    /// Shading normals.
+    /// Shading normals, on the viewer's side.
     pub(crate) n: Vec3x8<S>,
     /// Geometric normals of the hits.
     pub(crate) hit_ng: Vec3x8<S>,
@@ -69,9 +69,21 @@ impl<S: Simd> SurfacePacket<S> {
                     let id = PrimId(ids[lane] as u32);
                     surfaces.set(lane, scene, &fallback.record(id, &rays.lane(lane), hit));
                 }
+                surfaces.turn_normals(simd, rays.d);
                 surfaces
             },
         )
+    }
+
+    /// Mirrors the shading normals that face away from a viewer on the other side of the surface, at
+    /// the plane across the directions `d` of the rays.
+    #[inline(always)]
+    fn turn_normals(&mut self, simd: S, d: Vec3x8<S>) {
+        let along = self.n.dot(d);
+        let zero = f64x8::splat(simd, 0.0);
+        let faces_away = (along * self.departure.ng.dot(d)).simd_lt(zero);
+        let turned = self.n - d * (along * 2.0);
+        self.n = turned.masked_or(faces_away, self.n);
     }
 
     /// Sets one lane to the surface at `hit`.

@@ -4,7 +4,7 @@ use crate::features::Feature;
 use crate::session::progress::{LoadProgress, LoadStep};
 use crate::task::{StageFailure, guarded};
 use kit::{Aabb, Bvh, Environment, FilmSize, Scene};
-use pathtracer::args::{Args, Shade};
+use pathtracer::args::{Args, NormalsName, Shade};
 use pathtracer::{
     Accel, AccelKind, Job, LightSettings, Picture, PreparedScene, ProgressiveRender, Textures,
     load_environment,
@@ -74,10 +74,16 @@ impl Opened {
         let bytes = std::fs::metadata(path).map_or(0, |file| file.len());
         progress.start(LoadStep::Reading { bytes });
         let modified = modified(path);
-        let loaded = scenes::load(path).map_err(|why| why.to_string())?;
+        let mut loaded = scenes::load(path).map_err(|why| why.to_string())?;
+        if args.normals == NormalsName::Flat {
+            loaded.scene.flatten_normals();
+        }
+        if loaded.added_light && args.environment.is_some() {
+            loaded.scene.lights.clear();
+        }
         let (view, film) = args.view(&loaded.scene).map_err(|why| why.to_string())?;
         let environment = match &args.environment {
-            Some(map) => Some(load_environment(map).map_err(|why| why.to_string())?),
+            Some(map) => Some(load_environment(map).map_err(|why| why.to_string())?.0),
             None => None,
         };
         let folder = path.parent().unwrap_or(Path::new(""));

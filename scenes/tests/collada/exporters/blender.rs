@@ -152,6 +152,10 @@ const DOCUMENT: &str = r##"<?xml version="1.0" encoding="utf-8"?>
 fn everything_that_can_be_shown_is_read() {
     let warnings = [
         ("<lines> is ignored", "<lines count=\"1\">"),
+        (
+            "the colours of vertices are ignored",
+            "<input semantic=\"COLOR\"",
+        ),
         ("<skin> does not deform its mesh", "<skin source"),
     ];
     let scene = load("blender.dae", DOCUMENT, &warnings).scene;
@@ -170,6 +174,10 @@ fn everything_that_can_be_shown_is_read() {
 fn skins_are_placed_by_their_bind_shape_not_by_their_node() {
     let warnings = [
         ("<lines> is ignored", "<lines count=\"1\">"),
+        (
+            "the colours of vertices are ignored",
+            "<input semantic=\"COLOR\"",
+        ),
         ("<skin> does not deform its mesh", "<skin source"),
     ];
     let scene = load("blender.dae", DOCUMENT, &warnings).scene;

@@ -25,7 +25,7 @@ pub use view::ViewError;
     allow_negative_numbers = true
 )]
 pub struct Args {
-    /// The scene: a COLLADA file
+    /// The scene: a COLLADA file, or a glTF (.glb, .gltf), OBJ or PLY file
     #[arg(value_name = "SCENE.dae")]
     pub scene: PathBuf,
 
@@ -121,6 +121,10 @@ pub struct Args {
     #[arg(long, value_enum, default_value_t = Shade::Auto)]
     pub shade: Shade,
 
+    /// The normals that shade the triangles
+    #[arg(long, value_enum, default_value_t = NormalsName::File)]
+    pub normals: NormalsName,
+
     /// Render passes of -s samples (16 if that is 1) for this many seconds
     #[arg(long, value_name = "SECONDS", value_parser = positive, conflicts_with = "adaptive")]
     pub time: Option<f64>,
@@ -174,6 +178,15 @@ pub enum Shade {
     Normals,
     /// Light
     Lit,
+}
+
+/// The normals that shade the triangles.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum NormalsName {
+    /// Those of the scene file; for a COLLADA, OBJ or PLY mesh without normals, smooth ones
+    File,
+    /// Those of the planes of the triangles: every mesh has facets
+    Flat,
 }
 
 // All choices find the same hits. The wide tree is the last task of the course.

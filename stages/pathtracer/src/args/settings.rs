@@ -184,6 +184,19 @@ impl Args {
         ])
     }
 
+    /// The given flags that have no effect on a scene that is exported for another renderer.
+    pub fn unused_by_export(&self) -> Vec<&'static str> {
+        let mut unused = self.unused_without_picture();
+        unused.extend(given(&[
+            (self.light_samples.is_some(), "-l"),
+            (self.adaptive.is_some(), "-a"),
+            (self.hemisphere, "-H"),
+            (self.mis, "--mis"),
+            (self.no_roulette, "--no-roulette"),
+        ]));
+        unused
+    }
+
     /// The given flags that have no effect on a file with linear radiance.
     pub fn unused_by_radiance(&self) -> Vec<&'static str> {
         given(&[

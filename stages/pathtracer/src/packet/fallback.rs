@@ -91,11 +91,11 @@ impl ScalarFallback for Fallback<'_, '_> {
 
     fn scatter(&mut self, path: &mut ScalarPath, d: Vec3, hit: &Hit) -> Option<NextRay> {
         let integrator = self.integrator;
-        let tint = integrator.texture_color(hit);
         let surface = integrator.lit.surface(hit);
+        let place = integrator.place(hit, &surface);
         let wo = -d;
         if !surface.material.is_delta() {
-            let direct = integrator.direct(&surface, tint, wo, &mut path.sampler);
+            let direct = integrator.direct(&surface, place, wo, &mut path.sampler);
             path.radiance += path.throughput * direct;
         }
         if path.bounce == integrator.max_depth {
@@ -103,7 +103,7 @@ impl ScalarFallback for Fallback<'_, '_> {
         }
         let (u, choice) = (path.sampler.next_2d(), path.sampler.next_1d());
         let local_wo = surface.frame.to_local(wo);
-        let materials = integrator.materials.at(tint);
+        let materials = integrator.materials.at(place);
         let sample = materials.sample(surface.material, local_wo, u, choice)?;
         let u = path.sampler.next_1d();
         path.throughput = integrator.roulette(path.throughput * sample.weight(), path.bounce, u)?;

@@ -8,6 +8,7 @@ use global::{
     estimate_radiance, glass_sample, glossy_f, glossy_pdf, glossy_sample, mirror_sample,
     play_roulette, refraction_sample,
 };
+use kit::shading_normal::{Sides, towards_viewer};
 use kit::{
     BsdfSample, Hit, LitScene, Material, PixelSampler, PrimId, Primitive, Ray, Scattering,
     Spectrum, Surface, TriangleHit, Vec2, Vec3,
@@ -41,14 +42,21 @@ fn record(lit: &LitScene, id: PrimId, ray: &Ray, hit: TriangleHit) -> Hit {
     }
 }
 
-/// The materials of the course, but no rough glass; and the texture colour at the last hit, which
-/// the callbacks of `estimate_radiance` share.
-struct Materials<'a>(&'a Cell<Spectrum>);
+/// The texture colour and the sides of a surface.
+type Place = (Spectrum, Sides);
+
+/// The materials of the course, but no rough glass; and the place of the last hit, which the
+/// callbacks of `estimate_radiance` share.
+struct Materials<'a>(&'a Cell<Place>);
 
 impl Scattering for Materials<'_> {
     fn f(&self, material: &Material, wo: Vec3, wi: Vec3) -> Spectrum {
+        let (tint, sides) = self.0.get();
+        if sides.block(material, wo, wi) {
+            return Spectrum::BLACK;
+        }
         match *material {
-            Material::Diffuse { reflectance } => lambert_f(self.0.get() * reflectance, wo, wi),
+            Material::Diffuse { reflectance } => lambert_f(tint * reflectance, wo, wi),
             Material::Glossy {
                 reflectance,
                 shininess,
@@ -66,8 +74,9 @@ impl Scattering for Materials<'_> {
     }
 
     fn sample(&self, material: &Material, wo: Vec3, u: Vec2, choice: f64) -> Option<BsdfSample> {
-        match *material {
-            Material::Diffuse { reflectance } => lambert_sample(self.0.get() * reflectance, wo, u),
+        let (tint, sides) = self.0.get();
+        let sample = match *material {
+            Material::Diffuse { reflectance } => lambert_sample(tint * reflectance, wo, u),
             Material::Emission { .. } => None,
             Material::Mirror { reflectance } => mirror_sample(reflectance, wo),
             Material::Glossy {
@@ -83,7 +92,8 @@ impl Scattering for Materials<'_> {
                 ior,
                 ..
             } => glass_sample(reflectance, transmittance, ior, wo, choice),
-        }
+        };
+        sample.filter(|sample| !sides.block(material, wo, sample.wi))
     }
 }
 
@@ -151,12 +161,12 @@ impl<'a> ScalarPaths<'a> {
     fn direct(
         &self,
         surface: &Surface<'_>,
-        tint: Spectrum,
+        place: Place,
         wo: Vec3,
         sampler: &mut PixelSampler,
     ) -> Spectrum {
         let samples = self.settings.light_samples;
-        let materials = &Materials(&Cell::new(tint));
+        let materials = &Materials(&Cell::new(place));
         let origin = (surface.prim, surface.ng);
         let occluded = &mut |ray: &Ray| {
             self.count(|counts| {
@@ -177,6 +187,10 @@ impl<'a> ScalarPaths<'a> {
         estimate_direct_lighting_importance(
             self.lit, surface, wo, samples, sampler, materials, occluded,
         )
+    }
+
+    fn place(&self, hit: &Hit, surface: &Surface<'_>) -> Place {
+        (self.look_up_texture(hit), Sides::of(surface))
     }
 
     /// The colour of the texture, which all surfaces have if any has one; else white.
@@ -236,21 +250,21 @@ pub(crate) fn radiance(scalar: &ScalarPaths<'_>, view: &View, start: &PathStart)
         ray
     };
     let mut origin = None;
-    let tint = Cell::new(Spectrum::WHITE);
+    let place = Cell::new((Spectrum::WHITE, Sides::FLAT));
     estimate_radiance(
         scalar.lit,
         &ray,
         scalar.settings.max_depth,
         &mut sampler,
-        &Materials(&tint),
+        &Materials(&place),
         &mut |ray| {
             let skip = origin.and_then(|origin| scalar.skip(origin, ray));
-            let hit = scalar.hit(ray, skip)?;
+            let hit = towards_viewer(scalar.lit, scalar.hit(ray, skip)?, ray.d);
             origin = Some((hit.prim, hit.ng));
-            tint.set(scalar.look_up_texture(&hit));
+            place.set(scalar.place(&hit, &scalar.lit.surface(&hit)));
             Some(hit)
         },
-        &mut |surface, wo, sampler| scalar.direct(surface, tint.get(), wo, sampler),
+        &mut |surface, wo, sampler| scalar.direct(surface, place.get(), wo, sampler),
         &mut |throughput, bounce, u| scalar.roulette(throughput, bounce, u),
     )
 }
@@ -306,10 +320,10 @@ impl ScalarFallback for ScalarPaths<'_> {
     }
 
     fn scatter(&mut self, path: &mut ScalarPath, d: Vec3, hit: &Hit) -> Option<NextRay> {
-        let tint = self.look_up_texture(hit);
         let surface = self.lit.surface(hit);
+        let place = self.place(hit, &surface);
         if !surface.material.is_delta() {
-            let direct = self.direct(&surface, tint, -d, &mut path.sampler);
+            let direct = self.direct(&surface, place, -d, &mut path.sampler);
             path.radiance += path.throughput * direct;
         }
         if path.bounce == self.settings.max_depth {
@@ -317,7 +331,7 @@ impl ScalarFallback for ScalarPaths<'_> {
         }
         let (u, choice) = (path.sampler.next_2d(), path.sampler.next_1d());
         let wo = surface.frame.to_local(-d);
-        let materials = Materials(&Cell::new(tint));
+        let materials = Materials(&Cell::new(place));
         let sample = materials.sample(surface.material, wo, u, choice)?;
         let u = path.sampler.next_1d();
         path.throughput = self.roulette(path.throughput * sample.weight(), path.bounce, u)?;

@@ -2,7 +2,7 @@
 //! lamps of another unit, or its camera may look past everything.
 
 use kit::Spectrum;
-use pathtracer::{Rendered, Tone};
+use pathtracer::{Darkness, Rendered, Tone};
 
 /// Below this byte a pixel looks black.
 const DARK: u8 = 32;
@@ -16,8 +16,13 @@ const MIN_SAMPLES: u64 = 1000;
 /// The byte that a proposed exposure makes of a typical pixel.
 const MIDDLE: u8 = 128;
 
-/// A note if the bytes of `rendered` are nearly all black or white. `is_lit` is false for normals.
-pub(crate) fn note(rendered: &Rendered, tone: Tone, is_lit: bool) -> Option<String> {
+/// A note if the bytes of `rendered` are nearly all black or white. `why_black` finds the reason;
+/// `None` for normals.
+pub(crate) fn note(
+    rendered: &Rendered,
+    tone: Tone,
+    why_black: Option<impl FnOnce() -> Darkness>,
+) -> Option<String> {
     if rendered.samples() < MIN_SAMPLES {
         return None;
     }
@@ -28,11 +33,10 @@ pub(crate) fn note(rendered: &Rendered, tone: Tone, is_lit: bool) -> Option<Stri
         .filter(|radiance| radiance.luminance() > 0.0)
         .collect();
     if seen.is_empty() {
-        return Some(black(is_lit).to_owned());
+        let why = why_black.map_or(Darkness::NothingSeen, |why| why());
+        return Some(format!("note: the picture is black: {}", reason(why)));
     }
-    if !is_lit {
-        return None;
-    }
+    why_black.as_ref()?;
     seen.sort_unstable_by(|a, b| a.luminance().total_cmp(&b.luminance()));
     let brightest = seen[seen.len() - 1];
     let is_dark = tone.to_bytes(brightest).iter().all(|&byte| byte < DARK);
@@ -48,13 +52,35 @@ pub(crate) fn note(rendered: &Rendered, tone: Tone, is_lit: bool) -> Option<Stri
     ))
 }
 
-fn black(is_lit: bool) -> &'static str {
-    if is_lit {
-        "note: the picture is black: no ray reaches anything that is lit. `--shade normals` shows \
-         what the camera sees"
-    } else {
-        "note: the picture is black: no ray of the camera hits anything. Try another camera (`-c`), \
-         or look for one in the window (without `-f`)"
+/// Why, and what to do.
+fn reason(why: Darkness) -> &'static str {
+    match why {
+        Darkness::NothingSeen => {
+            "no ray of the camera hits anything. Try another camera (`-c`), or look for one in the \
+             window (without `-f`)"
+        }
+        Darkness::NoLight => "the scene has no light",
+        Darkness::DepthZero => {
+            "`-m 0` shows lamps only, and the camera sees none. Try `-m 1`"
+        }
+        Darkness::OnlyDeltaLights => {
+            "`-H` finds no point, spot or directional lights, and there are no others: omit `-H`"
+        }
+        Darkness::BlackSurfaces => {
+            "what the camera sees reflects no light: black materials, or the backs of lamps. `--shade \
+             normals` shows it"
+        }
+        Darkness::BehindLights => {
+            "what the camera sees is behind the lamps, or outside of their cones. `--shade normals` \
+             shows it"
+        }
+        Darkness::FacingAway => {
+            "all that the camera sees faces away from the lights. `--shade normals` shows it"
+        }
+        Darkness::Shadowed => {
+            "something is between the lights and what the camera sees. `--shade normals` shows it"
+        }
+        Darkness::Other => "no light found its way. `--shade normals` shows what the camera sees",
     }
 }
 

@@ -24,7 +24,7 @@ pub(crate) fn run(
         )));
     }
     outputs::refuse_taken("--export", path, &outputs::inputs(args))?;
-    let scene = view::load_scene(&args.scene)?;
+    let scene = view::load_scene(args)?;
     let (camera, film) = view::camera_and_film(args, &scene)?;
     let job = Job {
         camera,

@@ -14,7 +14,7 @@ use std::sync::atomic::AtomicBool;
 
 /// Prints the pixel of `--pixel`.
 pub(crate) fn run(args: &Args, light: &LightSettings) -> Result<ExitCode, Failure> {
-    let scene = view::load_scene(&args.scene)?;
+    let scene = view::load_scene(args)?;
     let (camera, film) = view::camera_and_film(args, &scene)?;
     let Some((x, y)) = args.pixel_of(film)? else {
         return Ok(ExitCode::SUCCESS);

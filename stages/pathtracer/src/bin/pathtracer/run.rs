@@ -14,8 +14,8 @@ use kit::hole;
 use kit::{Emitter, LitScene};
 use pathtracer::args::{Args, Shade};
 use pathtracer::{
-    DirectSampling, Job, LightSettings, Passes, Picture, PreparedScene, Rendered, layers::channels,
-    layers::features, rate_picture,
+    DirectSampling, Job, LightSettings, Passes, Picture, PreparedScene, Rendered, darkness,
+    layers::channels, layers::features, rate_picture,
 };
 use std::path::Path;
 use std::process::{self, ExitCode};
@@ -35,7 +35,7 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
     let light = args.light()?;
     args.check_part()?;
     if let Some([renderer, path]) = args.export.as_deref() {
-        note_unused(&args.unused_without_picture(), "--export writes no picture");
+        note_unused(&args.unused_by_export(), "--export writes no picture");
         return export::run(args, &light, renderer, Path::new(path));
     }
     if args.pixel.is_some() {
@@ -49,7 +49,7 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
     // meanwhile: Ctrl-C would leave it behind.
     drop(Outputs::create(args, path)?);
     let start = Instant::now();
-    let scene = view::load_scene(&args.scene)?;
+    let scene = view::load_scene(args)?;
     let loading = start.elapsed();
     outln!("{}", summary::scene(&args.scene, &scene, loading));
     let (camera, film) = view::camera_and_film(args, &scene)?;
@@ -128,8 +128,11 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
         "{}",
         summary::rendering(&job, &rendered, thread_count, time)
     );
-    let is_lit = matches!(prepared.picture, Picture::Lit(_));
-    if let Some(note) = brightness::note(&rendered, args.tone(), is_lit) {
+    let why_black = match &prepared.picture {
+        Picture::Lit(lit) => Some(|| darkness(lit, &prepared.accel, &job, &light)),
+        Picture::Normals(_) => None,
+    };
+    if let Some(note) = brightness::note(&rendered, args.tone(), why_black) {
         errln!("{note}");
     }
     match outputs.picture {

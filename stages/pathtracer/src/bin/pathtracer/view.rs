@@ -3,16 +3,19 @@
 use crate::failure::Failure;
 use base::errln;
 use kit::{Camera, Environment, FilmSize, LitScene, Scene};
-use pathtracer::args::{Args, Shade};
+use pathtracer::args::{Args, NormalsName, Shade};
 use pathtracer::trial::light_waits_for;
 use pathtracer::{LightSettings, Picture, Textures};
 use scenes::placement;
 use std::io::{IsTerminal, stderr};
 use std::path::Path;
 
+/// The number of smoothed meshes that a note names.
+const MAX_NAMED: usize = 3;
+
 /// Reads the scene and prints its warnings.
-pub(crate) fn load_scene(path: &Path) -> Result<Scene, Failure> {
-    let loaded = scenes::load(path)?;
+pub(crate) fn load_scene(args: &Args) -> Result<Scene, Failure> {
+    let loaded = scenes::load(&args.scene)?;
     for warning in &loaded.warnings {
         if stderr().is_terminal() {
             errln!("{}", warning.styled());
@@ -20,7 +23,30 @@ pub(crate) fn load_scene(path: &Path) -> Result<Scene, Failure> {
             errln!("{warning}");
         }
     }
-    Ok(loaded.scene)
+    let mut scene = loaded.scene;
+    match args.normals {
+        NormalsName::Flat => scene.flatten_normals(),
+        NormalsName::File if !loaded.smoothed.is_empty() => note_smoothed(&loaded.smoothed),
+        NormalsName::File => {}
+    }
+    if loaded.added_light && args.environment.is_some() {
+        scene.lights.clear();
+    } else if loaded.added_light {
+        errln!("note: the file has no light: a sky and a sun are added; -e FILE lights it instead");
+    }
+    Ok(scene)
+}
+
+/// Prints that the edges of these meshes are smoothed.
+fn note_smoothed(meshes: &[String]) {
+    let named = meshes[..meshes.len().min(MAX_NAMED)].join(", ");
+    let others = match meshes.len().saturating_sub(MAX_NAMED) {
+        0 => String::new(),
+        count => format!(" and {count} more"),
+    };
+    errln!(
+        "note: no normals in the file, so edges look rounded: {named}{others}: --normals flat keeps facets"
+    );
 }
 
 /// Reads the textures of the scene in `file` and prints a warning for each that is not at
@@ -33,12 +59,16 @@ pub(crate) fn load_textures(file: &Path, scene: &Scene) -> Textures {
     textures
 }
 
-/// Reads the environment map of `-e`, if there is one.
+/// Reads the environment map of `-e`, if there is one, and prints a warning about its file.
 pub(crate) fn load_environment(args: &Args) -> Result<Option<Environment>, Failure> {
-    let path = args.environment.as_ref();
-    Ok(path
-        .map(|path| pathtracer::load_environment(path))
-        .transpose()?)
+    let Some(path) = &args.environment else {
+        return Ok(None);
+    };
+    let (environment, note) = pathtracer::load_environment(path)?;
+    if let Some(note) = note {
+        errln!("warning: {note}");
+    }
+    Ok(Some(environment))
 }
 
 /// The picture of the scene by the flag `--shade`. Its default shows light as soon as the stages

@@ -1,0 +1,209 @@
+//! The materials of glTF: what of them the materials of the course can show.
+//!
+//! A surface has one material here, so the rule is, in this order: emission without a texture makes
+//! it a lamp; a transmission of at least a half, glass; a metal without a texture of its roughness,
+//! a mirror, or a glossy surface if it is rough; else it is diffuse, with the base colour and its
+//! texture.
+
+use super::builder::Builder;
+use super::gltf::File;
+use crate::diagnostic::SceneError;
+use gltf::image::Source;
+use gltf::material::AlphaMode;
+use gltf::texture::{Info, WrappingMode};
+use kit::{Material, Spectrum, Vec2, math};
+
+/// From this share on a surface is a metal, or glass.
+const MOSTLY: f32 = 0.5;
+
+/// Below this roughness a metal is a mirror.
+const SMOOTH: f32 = 0.1;
+
+/// The index of refraction of glTF's materials without one.
+const DEFAULT_IOR: f32 = 1.5;
+
+/// A material in the scene, and how its texture is placed.
+#[derive(Clone, Copy)]
+pub(super) struct ReadMaterial {
+    pub(super) index: u32,
+    pub(super) placement: TexturePlacement,
+}
+
+/// Which texture coordinates a texture uses, and their transform (`KHR_texture_transform`).
+#[derive(Clone, Copy)]
+pub(super) struct TexturePlacement {
+    pub(super) set: u32,
+    offset: [f32; 2],
+    rotation: f32,
+    scale: [f32; 2],
+}
+
+impl TexturePlacement {
+    const IDENTITY: TexturePlacement = TexturePlacement {
+        set: 0,
+        offset: [0.0; 2],
+        rotation: 0.0,
+        scale: [1.0; 2],
+    };
+
+    fn of(info: &Info<'_>) -> TexturePlacement {
+        let set = info.tex_coord();
+        match info.texture_transform() {
+            None => TexturePlacement {
+                set,
+                ..TexturePlacement::IDENTITY
+            },
+            Some(transform) => TexturePlacement {
+                set: transform.tex_coord().unwrap_or(set),
+                offset: transform.offset(),
+                rotation: transform.rotation(),
+                scale: transform.scale(),
+            },
+        }
+    }
+
+    /// The coordinates in the picture with v upwards; in glTF, v points down.
+    pub(super) fn apply(&self, [u, v]: [f64; 2]) -> Vec2 {
+        let (sin, cos) = math::sin_cos(f64::from(self.rotation));
+        let (u, v) = (u * f64::from(self.scale[0]), v * f64::from(self.scale[1]));
+        let [x, y] = [u * cos + v * sin, v * cos - u * sin];
+        let [x, y] = [x + f64::from(self.offset[0]), y + f64::from(self.offset[1])];
+        Vec2::new(x, 1.0 - y)
+    }
+}
+
+/// Adds a material to the scene. That of a primitive without one is the builder's default.
+pub(super) fn add(
+    builder: &mut Builder<'_>,
+    file: &File<'_>,
+    given: &gltf::Material<'_>,
+) -> Result<ReadMaterial, SceneError> {
+    let Some(number) = given.index() else {
+        return Ok(ReadMaterial {
+            index: builder.default_material(),
+            placement: TexturePlacement::IDENTITY,
+        });
+    };
+    let name = given
+        .name()
+        .map_or(format!("material {number}"), str::to_owned);
+    let pbr = given.pbr_metallic_roughness();
+    let [r, g, b, alpha] = pbr.base_color_factor();
+    let base = color([r, g, b]);
+    let emission =
+        color(given.emissive_factor()) * f64::from(given.emissive_strength().unwrap_or(1.0));
+    let transmission = given
+        .transmission()
+        .map_or(0.0, |t| t.transmission_factor());
+    let roughness = pbr.roughness_factor();
+    // Microfacets as wide as this: squared, as the format says.
+    let alpha_width = f64::from(roughness * roughness);
+    let emits = !emission.is_black() && given.emissive_texture().is_none();
+    let material = if emits {
+        Material::Emission { radiance: emission }
+    } else if transmission >= MOSTLY {
+        Material::Glass {
+            reflectance: Spectrum::WHITE,
+            transmittance: base,
+            roughness: alpha_width,
+            ior: f64::from(given.ior().unwrap_or(DEFAULT_IOR)).max(1.0),
+        }
+    } else if pbr.metallic_factor() >= MOSTLY && pbr.metallic_roughness_texture().is_none() {
+        if roughness < SMOOTH {
+            Material::Mirror { reflectance: base }
+        } else {
+            Material::Glossy {
+                reflectance: base,
+                // Lobes of this exponent are as wide as microfacets of this width.
+                shininess: (2.0 / (alpha_width * alpha_width) - 2.0).max(0.0),
+            }
+        }
+    } else {
+        Material::Diffuse { reflectance: base }
+    };
+    let mut warn = |is_so: bool, title: &str, result: &str| {
+        if is_so {
+            builder.warn(title, &name, result);
+        }
+    };
+    let is_diffuse = matches!(material, Material::Diffuse { .. });
+    warn(
+        given.alpha_mode() != AlphaMode::Opaque
+            && transmission < MOSTLY
+            && (given.alpha_mode() == AlphaMode::Mask
+                || alpha < 1.0
+                || pbr.base_color_texture().is_some()),
+        "materials with transparent parts",
+        "they are opaque",
+    );
+    warn(
+        !emission.is_black() && !emits,
+        "materials whose light has a texture",
+        "they emit no light",
+    );
+    warn(
+        is_diffuse && pbr.metallic_roughness_texture().is_some() && pbr.metallic_factor() > 0.0,
+        "materials with a texture of metal and roughness",
+        "they are diffuse",
+    );
+    warn(
+        given.normal_texture().is_some(),
+        "normal maps",
+        "they are ignored",
+    );
+    warn(
+        !is_diffuse && pbr.base_color_texture().is_some(),
+        "textures of lamps, glass and metal",
+        "only the texture of a diffuse surface is used",
+    );
+    warn(
+        given.pbr_specular_glossiness().is_some(),
+        "KHR_materials_pbrSpecularGlossiness",
+        "the metal and roughness of these materials are used instead",
+    );
+    let mut placement = TexturePlacement::IDENTITY;
+    let mut texture = None;
+    let info = given
+        .pbr_specular_glossiness()
+        .and_then(|old| old.diffuse_texture());
+    if let Some(info) = info.or(pbr.base_color_texture()).filter(|_| is_diffuse) {
+        placement = TexturePlacement::of(&info);
+        let sampler = info.texture().sampler();
+        if [sampler.wrap_s(), sampler.wrap_t()] != [WrappingMode::Repeat; 2] {
+            builder.warn(
+                "textures that are clamped or mirrored",
+                &name,
+                "they are repeated",
+            );
+        }
+        texture = Some(image(builder, file, &info)?);
+    }
+    Ok(ReadMaterial {
+        index: builder.add_material(&name, material, texture),
+        placement,
+    })
+}
+
+/// The name of the image of a texture. Images inside of the file are stored in the builder.
+fn image(
+    builder: &mut Builder<'_>,
+    file: &File<'_>,
+    info: &Info<'_>,
+) -> Result<String, SceneError> {
+    let image = info.texture().source();
+    let name = format!("image {} of {}", image.index(), builder.file);
+    let bytes = match image.source() {
+        Source::View { view, .. } => {
+            let bytes = file.buffers.view(&view).map_err(|why| file.damaged(why))?;
+            bytes.to_vec()
+        }
+        Source::Uri { uri, .. } if uri.starts_with("data:") => file.data(uri)?,
+        Source::Uri { uri, .. } => return Ok(file.path(uri)),
+    };
+    builder.textures.embedded.insert(name.clone(), bytes);
+    Ok(name)
+}
+
+fn color(channels: [f32; 3]) -> Spectrum {
+    Spectrum::from(channels.map(|channel| f64::from(channel).max(0.0)))
+}

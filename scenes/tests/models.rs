@@ -1,0 +1,459 @@
+//! Models in other formats than COLLADA: glTF, OBJ, PLY. The files are made here.
+
+use kit::{Light, Material, Scene, Spectrum, Vec2, Vec3};
+use scenes::{Loaded, SceneError};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Writes files into a folder and reads the first.
+fn load(files: &[(&str, &[u8])]) -> Result<Loaded, SceneError> {
+    let folder = tempfile::tempdir().expect("a folder");
+    for (name, bytes) in files {
+        fs::write(folder.path().join(name), bytes).expect("a file");
+    }
+    scenes::load(folder.path().join(files[0].0))
+}
+
+fn loaded(files: &[(&str, &[u8])]) -> Loaded {
+    load(files).unwrap_or_else(|e| panic!("{e}"))
+}
+
+fn titles(loaded: &Loaded) -> Vec<&str> {
+    loaded.warnings.iter().map(|w| w.0.title()).collect()
+}
+
+/// A `.glb` file of this JSON and these bytes.
+fn glb(json: &str, bytes: &[u8]) -> Vec<u8> {
+    let padded = |mut bytes: Vec<u8>, with: u8| {
+        bytes.resize(bytes.len().next_multiple_of(4), with);
+        bytes
+    };
+    let (json, bytes) = (padded(json.into(), b' '), padded(bytes.to_vec(), 0));
+    let length = 12 + 8 + json.len() + 8 + bytes.len();
+    let mut file = b"glTF".to_vec();
+    file.extend(2_u32.to_le_bytes());
+    file.extend((length as u32).to_le_bytes());
+    for (kind, chunk) in [(b"JSON", json), (b"BIN\0", bytes)] {
+        file.extend((chunk.len() as u32).to_le_bytes());
+        file.extend(kind);
+        file.extend(chunk);
+    }
+    file
+}
+
+/// The numbers of the square of [`square`]: positions, texture coordinates, then indices.
+fn square_bytes() -> Vec<u8> {
+    let positions: [f32; 12] = [0., 0., 0., 1., 0., 0., 1., 1., 0., 0., 1., 0.];
+    let coordinates: [f32; 8] = [0., 1., 1., 1., 1., 0., 0., 0.];
+    let indices: [u16; 6] = [0, 1, 2, 0, 2, 3];
+    let floats = positions.iter().chain(&coordinates);
+    let mut bytes: Vec<u8> = floats.flat_map(|x| x.to_le_bytes()).collect();
+    bytes.extend(indices.iter().flat_map(|i| i.to_le_bytes()));
+    bytes
+}
+
+/// A glTF file with a square, whose node has `node`, and with `more` at its top.
+fn square(material: &str, node: &str, more: &str) -> Vec<u8> {
+    let json = format!(
+        r#"{{"asset":{{"version":"2.0"}},"scene":0,"scenes":[{{"nodes":[0]}}],
+        "nodes":[{{"name":"wall","mesh":0{node}}}],
+        "meshes":[{{"primitives":[{{"attributes":{{"POSITION":0,"TEXCOORD_0":1}},"indices":2,"material":0}}]}}],
+        "materials":[{material}],
+        "buffers":[{{"byteLength":92}}],
+        "bufferViews":[{{"buffer":0,"byteLength":48}},{{"buffer":0,"byteOffset":48,"byteLength":32}},
+          {{"buffer":0,"byteOffset":80,"byteLength":12}}],
+        "accessors":[{{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}},
+          {{"bufferView":1,"componentType":5126,"count":4,"type":"VEC2"}},
+          {{"bufferView":2,"componentType":5123,"count":6,"type":"SCALAR"}}]{more}}}"#
+    );
+    glb(&json, &square_bytes())
+}
+
+const RED: &str = r#"{"name":"red","pbrMetallicRoughness":{"baseColorFactor":[0.5,0.25,0.125,1],"metallicFactor":0}}"#;
+
+#[test]
+fn a_glb_without_camera_and_light_is_framed_and_lit() {
+    let file = square(RED, r#","translation":[10,0,0]"#, "");
+    let loaded = loaded(&[("a.glb", &file)]);
+    assert_eq!(titles(&loaded), [""; 0]);
+    let scene = &loaded.scene;
+    assert_eq!(scene.triangles.len(), 2);
+    assert_eq!(scene.triangles[1].p1, Vec3::new(11.0, 1.0, 0.0));
+    // No normals: flat, as the format says.
+    assert_eq!(scene.triangles[0].n0, Vec3::Z);
+    assert_eq!(scene.objects[0].name, "wall");
+    let reflectance = Spectrum::new(0.5, 0.25, 0.125);
+    assert_eq!(
+        scene.materials[0].material,
+        Material::Diffuse { reflectance }
+    );
+    assert!(loaded.added_light);
+    assert!(
+        scene
+            .lights
+            .iter()
+            .any(|l| matches!(l.light, Light::Hemisphere { .. }))
+    );
+    let camera = scene.camera.expect("a camera that frames the scene");
+    let center = scene.bounds().centroid();
+    let aimed = (center - camera.pos).normalize().dot(-camera.c2w.z_axis);
+    assert!((aimed - 1.0).abs() < 1e-12 && camera.pos.y > center.y);
+}
+
+/// Each material of glTF, its material here, and what is said about it.
+#[test]
+fn materials_of_gltf_become_those_of_the_course() {
+    let pbr = |factors: &str, more: &str| {
+        format!(
+            r#"{{"name":"m","pbrMetallicRoughness":{{"baseColorFactor":[0.5,0.5,0.5,1],{factors}}}{more}}}"#
+        )
+    };
+    let reflectance = Spectrum::grey(0.5);
+    let cases = [
+        (
+            pbr(r#""metallicFactor":0.2"#, ""),
+            Material::Diffuse { reflectance },
+            "",
+        ),
+        (
+            pbr(r#""roughnessFactor":0"#, ""),
+            Material::Mirror { reflectance },
+            "",
+        ),
+        (
+            pbr(r#""roughnessFactor":0.5"#, ""),
+            Material::Glossy {
+                reflectance,
+                shininess: 30.0,
+            },
+            "",
+        ),
+        (
+            pbr(
+                r#""metallicFactor":0"#,
+                r#","emissiveFactor":[1,1,0.5],"extensions":{"KHR_materials_emissive_strength":{"emissiveStrength":4}}"#,
+            ),
+            Material::Emission {
+                radiance: Spectrum::new(4.0, 4.0, 2.0),
+            },
+            "",
+        ),
+        (
+            pbr(
+                r#""metallicFactor":0,"roughnessFactor":0"#,
+                r#","extensions":{"KHR_materials_transmission":{"transmissionFactor":1},"KHR_materials_ior":{"ior":1.25}}"#,
+            ),
+            Material::Glass {
+                reflectance: Spectrum::WHITE,
+                transmittance: reflectance,
+                roughness: 0.0,
+                ior: 1.25,
+            },
+            "",
+        ),
+        (
+            pbr(r#""metallicFactor":0"#, r#","alphaMode":"MASK""#),
+            Material::Diffuse { reflectance },
+            "materials with transparent parts",
+        ),
+    ];
+    for (json, material, warning) in cases {
+        let loaded = loaded(&[("a.glb", &square(&json, "", ""))]);
+        assert_eq!(loaded.scene.materials[0].material, material, "{json}");
+        assert_eq!(titles(&loaded).join(", "), warning, "{json}");
+        assert_eq!(loaded.added_light, material.emission().is_black());
+    }
+}
+
+/// An image in the file, one beside it, and texture coordinates whose v points down.
+#[test]
+fn textures_of_gltf_are_found() {
+    let material =
+        r#"{"pbrMetallicRoughness":{"metallicFactor":0,"baseColorTexture":{"index":0}}}"#;
+    let more = |image: &str| format!(r#","textures":[{{"source":0}}],"images":[{image}]"#);
+    let beside = square(material, "", &more(r#"{"uri":"my%20tiles.png"}"#));
+    let scene = loaded(&[("a.glb", &beside)]).scene;
+    assert_eq!(scene.textures.files, ["my tiles.png"]);
+    assert_eq!(scene.textures.of_material(0), Some(0));
+    let corners = [Vec2::ZERO, Vec2::X, Vec2::ONE];
+    assert_eq!(scene.textures.coordinates[0], corners);
+    for image in [
+        r#"{"bufferView":2,"mimeType":"image/png"}"#,
+        r#"{"uri":"data:image/png;base64,AAABAAIAAAACAAMA"}"#,
+    ] {
+        let scene = loaded(&[("a.glb", &square(material, "", &more(image)))]).scene;
+        let bytes = &scene.textures.embedded[&scene.textures.files[0]];
+        assert_eq!(bytes[..], square_bytes()[80..], "{image}");
+    }
+    let transform = r#"{"pbrMetallicRoughness":{"metallicFactor":0,"baseColorTexture":{"index":0,
+        "extensions":{"KHR_texture_transform":{"offset":[0.5,0],"scale":[2,1]}}}}}"#;
+    let scene = loaded(&[("a.glb", &square(transform, "", &more(r#"{"uri":"a.png"}"#)))]).scene;
+    assert_eq!(scene.textures.coordinates[0][1], Vec2::new(2.5, 0.0));
+}
+
+/// Lights and cameras; Blender's lamps are in lumens of 683 to the watt.
+#[test]
+fn lights_and_cameras_of_gltf_are_read() {
+    let light = |kind: &str| {
+        format!(
+            r#","cameras":[{{"type":"perspective","perspective":{{"yfov":0.5,"znear":0.1,"aspectRatio":2}}}}],
+            "extensionsUsed":["KHR_lights_punctual"],
+            "extensions":{{"KHR_lights_punctual":{{"lights":[{{"type":"{kind}","intensity":683,"color":[1,0.5,0]}}]}}}}"#
+        )
+    };
+    let node =
+        r#","camera":0,"translation":[0,3,0],"extensions":{"KHR_lights_punctual":{"light":0}}"#;
+    let file = square(RED, node, &light("point"));
+    let scene = loaded(&[("a.glb", &file)]).scene;
+    let strength = |watts: f64| Spectrum::new(watts, 0.5 * watts, 0.0);
+    let position = Vec3::new(0.0, 3.0, 0.0);
+    assert_eq!(scene.lights.len(), 1);
+    assert_eq!(
+        scene.lights[0].light,
+        Light::Point {
+            position,
+            intensity: strength(683.0)
+        }
+    );
+    let camera = scene.camera.expect("a camera");
+    assert!((camera.v_fov.to_radians() - 0.5).abs() < 1e-7 && camera.pos == position);
+    let json = String::from_utf8_lossy(&file).into_owned();
+    assert!(json.contains("\"version\":\"2.0\""));
+    let sun = light("directional").replace("\"cameras\"", "\"extras\":{},\"cameras\"");
+    let scene = loaded(&[("a.glb", &square(RED, node, &sun))]).scene;
+    let direction = Vec3::NEG_Z;
+    assert_eq!(
+        scene.lights[0].light,
+        Light::Directional {
+            direction,
+            irradiance: strength(683.0)
+        }
+    );
+}
+
+/// A skin whose only joint is moved: its vertices move with the joint, not with their node.
+#[test]
+fn skins_are_placed_by_their_joints() {
+    let mut bytes = square_bytes();
+    let weights: Vec<f32> = [1.0, 0.0, 0.0, 0.0].repeat(4);
+    bytes.extend([0_u8; 16]);
+    bytes.extend(weights.iter().flat_map(|x| x.to_le_bytes()));
+    let json = r#"{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0,1]}],
+        "nodes":[{"mesh":0,"skin":0,"translation":[100,0,0]},{"translation":[0,0,7]}],
+        "skins":[{"joints":[1]}],
+        "meshes":[{"primitives":[{"attributes":{"POSITION":0,"JOINTS_0":2,"WEIGHTS_0":3},"indices":1}]}],
+        "buffers":[{"byteLength":172}],
+        "bufferViews":[{"buffer":0,"byteLength":48},{"buffer":0,"byteOffset":80,"byteLength":12},
+          {"buffer":0,"byteOffset":92,"byteLength":16},{"buffer":0,"byteOffset":108,"byteLength":64}],
+        "accessors":[{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3","min":[0,0,0],"max":[1,1,0]},
+          {"bufferView":1,"componentType":5123,"count":6,"type":"SCALAR"},
+          {"bufferView":2,"componentType":5121,"count":4,"type":"VEC4"},
+          {"bufferView":3,"componentType":5126,"count":4,"type":"VEC4"}]}"#;
+    let scene = loaded(&[("a.glb", &glb(json, &bytes))]).scene;
+    assert_eq!(scene.triangles[0].p1, Vec3::new(1.0, 0.0, 7.0));
+}
+
+#[test]
+fn a_gltf_that_cannot_be_read_is_an_error_with_its_reason() {
+    let message = |bytes: &[u8]| load(&[("a.glb", bytes)]).unwrap_err().to_string();
+    let whole = square(RED, "", "");
+    assert!(message(&whole[..whole.len() - 40]).contains("not a valid glTF file"));
+    assert!(message(b"").contains("not a valid glTF file"));
+    let compressed = r#","extensionsRequired":["KHR_draco_mesh_compression"],"extensionsUsed":["KHR_draco_mesh_compression"]"#;
+    let error = message(&square(RED, "", compressed));
+    assert!(
+        error.contains("requires KHR_draco_mesh_compression"),
+        "{error}"
+    );
+    let text = String::from_utf8_lossy(&whole).into_owned();
+    let start = text.find('{').expect("JSON");
+    let json = text[start..text.find("BIN").expect("bytes") - 4]
+        .trim_end()
+        .to_owned();
+    let short = json.replace("\"count\":6", "\"count\":600");
+    let error = message(&glb(&short, &square_bytes()));
+    assert!(error.contains("accessor 2 has 600 elements"), "{error}");
+}
+
+/// No damaged file makes a reader panic.
+#[test]
+fn damaged_models_do_not_panic() {
+    let files: [(&str, Vec<u8>); 3] = [
+        ("a.glb", square(RED, "", "")),
+        ("a.obj", OBJ.into()),
+        ("a.ply", PLY.into()),
+    ];
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut state = 1_u64;
+    let mut random = |below: usize| {
+        state = state
+            .wrapping_mul(6364136223846793005)
+            .wrapping_add(1442695040888963407);
+        (state >> 33) as usize % below
+    };
+    for (name, bytes) in files {
+        let path = folder.path().join(name);
+        for _ in 0..300 {
+            let mut damaged = bytes.clone();
+            for _ in 0..=random(3) {
+                let at = random(damaged.len());
+                match random(3) {
+                    0 => damaged[at] = random(256) as u8,
+                    1 => damaged.truncate(at.max(1)),
+                    _ => damaged[at] = b'9',
+                }
+            }
+            fs::write(&path, &damaged).expect("a file");
+            let _ = scenes::load(&path);
+        }
+    }
+}
+
+const OBJ: &str = "mtllib a.mtl\no house\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0.5 0.5 0\n\
+                   vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nusemtl red\nf 1/1 2/2 3/3 4/4\nf 1 2 5 4\n";
+
+const MTL: &str = "newmtl red\nKd 0.5 0.25 0.125\nKs 0.5 0.5 0.5\nNs 250\nillum 2\n";
+
+/// The second polygon is not convex.
+#[test]
+fn obj_files_are_read_with_their_materials() {
+    let loaded = loaded(&[("a.obj", OBJ.as_bytes()), ("a.mtl", MTL.as_bytes())]);
+    assert_eq!(titles(&loaded), [""; 0]);
+    let scene = &loaded.scene;
+    let area: f64 = (scene.triangles.iter())
+        .map(|t| (t.p1 - t.p0).cross(t.p2 - t.p0).length() / 2.0)
+        .sum();
+    assert!((area - 1.5).abs() < 1e-12, "{area}");
+    assert_eq!(scene.objects[0].name, "house");
+    let reflectance = Spectrum::new(0.5, 0.25, 0.125);
+    assert_eq!(
+        scene.materials[0].material,
+        Material::Diffuse { reflectance }
+    );
+}
+
+#[test]
+fn materials_of_obj_become_those_of_the_course() {
+    for (mtl, material, warning) in [
+        (
+            "Ke 2 2 2",
+            Material::Emission {
+                radiance: Spectrum::grey(2.0),
+            },
+            "",
+        ),
+        (
+            "Kd 0 0 0\nKs 0.75 0.75 0.75\nillum 3",
+            Material::Mirror {
+                reflectance: Spectrum::grey(0.75),
+            },
+            "",
+        ),
+        (
+            "illum 7\nNi 1.25",
+            Material::Glass {
+                reflectance: Spectrum::WHITE,
+                transmittance: Spectrum::WHITE,
+                roughness: 0.0,
+                ior: 1.25,
+            },
+            "",
+        ),
+        (
+            "Kd 0.5 0.5 0.5\nd 0.5",
+            Material::Diffuse {
+                reflectance: Spectrum::grey(0.5),
+            },
+            "materials with transparent parts",
+        ),
+        (
+            "Kd 0.5 0.5 0.5\nKs 1 1 1\nillum 2",
+            Material::Diffuse {
+                reflectance: Spectrum::grey(0.5),
+            },
+            "highlights of materials",
+        ),
+    ] {
+        let mtl = format!("newmtl red\n{mtl}\n");
+        let loaded = loaded(&[("a.obj", OBJ.as_bytes()), ("a.mtl", mtl.as_bytes())]);
+        assert_eq!(loaded.scene.materials[0].material, material, "{mtl}");
+        assert_eq!(titles(&loaded).join(", "), warning, "{mtl}");
+    }
+    let textured = loaded(&[
+        ("a.obj", OBJ.as_bytes()),
+        ("a.mtl", b"newmtl red\nmap_Kd maps\\wall.png\n"),
+    ]);
+    assert_eq!(textured.scene.textures.files, ["maps/wall.png"]);
+    let missing = loaded(&[("a.obj", OBJ.as_bytes())]);
+    assert_eq!(
+        titles(&missing),
+        [
+            "the material library cannot be read: open file failed",
+            "meshes without a material"
+        ]
+    );
+}
+
+const PLY: &str = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n\
+                   property uchar red\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n\
+                   0 0 0 255\n1 0 0 0\n1 1 0 0\n0 1 0 0\n4 0 1 2 3\n";
+
+#[test]
+fn ply_files_are_read_as_text_and_in_binary() {
+    let text = loaded(&[("a.ply", PLY.as_bytes())]);
+    assert_eq!(titles(&text), ["the colours of vertices are ignored"]);
+    assert_eq!(text.scene.triangles.len(), 2);
+    let header = PLY.split("0 0 0 255").next().expect("a header");
+    for (format, is_little) in [("binary_little_endian", true), ("binary_big_endian", false)] {
+        let mut bytes = header.replace("ascii", format).into_bytes();
+        let float = |x: f32| {
+            if is_little {
+                x.to_le_bytes()
+            } else {
+                x.to_be_bytes()
+            }
+        };
+        let int = |x: i32| {
+            if is_little {
+                x.to_le_bytes()
+            } else {
+                x.to_be_bytes()
+            }
+        };
+        for [x, y] in [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]] {
+            bytes.extend([x, y, 0.0].into_iter().flat_map(float));
+            bytes.push(0);
+        }
+        bytes.push(4);
+        bytes.extend((0..4).flat_map(int));
+        let binary = loaded(&[("a.ply", &bytes)]);
+        assert_eq!(binary.scene.triangles, text.scene.triangles, "{format}");
+    }
+    let message = |bytes: &[u8]| load(&[("a.ply", bytes)]).unwrap_err().to_string();
+    assert!(message(b"ply\nformat ascii 1.0\nend_header\n").contains("has no faces"));
+    let outside = PLY.replace("4 0 1 2 3", "4 0 1 2 9");
+    assert!(message(outside.as_bytes()).contains("refers to vertex 9, but has 4"));
+    assert!(message(b"plx").contains("not a valid PLY file"));
+}
+
+/// A folder is no file, and a file that is missing says so.
+#[test]
+fn missing_models_are_errors() {
+    for name in ["missing.glb", "missing.obj", "missing.PLY"] {
+        let error = scenes::load(PathBuf::from("/nowhere").join(Path::new(name))).unwrap_err();
+        assert!(error.to_string().contains("cannot be read"), "{error}");
+    }
+}
+
+/// An edge of a box is smoothed in a format without flat shading, which is reported.
+#[test]
+fn smoothed_models_are_reported() {
+    let folded = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 0 1\nf 1 2 3\nf 2 1 4\n";
+    let loaded = loaded(&[("a.obj", folded.as_bytes())]);
+    assert_eq!(loaded.smoothed.len(), 1);
+    let mut scene: Scene = loaded.scene;
+    let before = scene.triangles[0].n0;
+    scene.flatten_normals();
+    assert_eq!(scene.triangles[0].n0, Vec3::Z);
+    assert_ne!(before, Vec3::Z);
+}

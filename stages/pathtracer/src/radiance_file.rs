@@ -1,0 +1,59 @@
+//! Reads picture files: also what `image` leaves to its callers in `.hdr` and `.exr` files.
+
+use exr::meta::MetaData;
+use image::codecs::hdr::HdrDecoder;
+use image::{DynamicImage, ImageFormat, ImageReader, ImageResult};
+use std::io::Cursor;
+
+/// The picture in these bytes of a file, and what is to be said about it. `.hdr` and `.exr` files
+/// have linear values, those of other formats are sRGB.
+///
+/// The values of an `.hdr` file are divided by its `EXPOSURE` and `COLORCORR`, as its format says:
+/// the results are radiances. Of an `.exr` file with several parts the first one with colours is
+/// used, which the sentence says.
+pub(crate) fn decode(bytes: &[u8]) -> ImageResult<(DynamicImage, Option<String>)> {
+    let reader = ImageReader::new(Cursor::new(bytes)).with_guessed_format()?;
+    match reader.format() {
+        Some(ImageFormat::Hdr) => Ok((decode_hdr(bytes)?, None)),
+        Some(ImageFormat::OpenExr) => Ok((reader.decode()?, several_parts(bytes))),
+        _ => Ok((reader.decode()?, None)),
+    }
+}
+
+fn decode_hdr(bytes: &[u8]) -> ImageResult<DynamicImage> {
+    let decoder = HdrDecoder::new(Cursor::new(bytes))?;
+    let header = decoder.metadata();
+    let exposure = header.exposure.unwrap_or(1.0);
+    let (r, g, b) = header.color_correction.unwrap_or((1.0, 1.0, 1.0));
+    let mut picture = DynamicImage::from_decoder(decoder)?.into_rgb32f();
+    if [exposure, r, g, b] != [1.0; 4] {
+        for pixel in picture.pixels_mut() {
+            for (channel, correction) in pixel.0.iter_mut().zip([r, g, b]) {
+                *channel /= exposure * correction;
+            }
+        }
+    }
+    Ok(DynamicImage::ImageRgb32F(picture))
+}
+
+/// If an `.exr` file has several parts: which one is used.
+fn several_parts(bytes: &[u8]) -> Option<String> {
+    let headers = MetaData::read_from_buffered(bytes, false).ok()?.headers;
+    if headers.len() < 2 {
+        return None;
+    }
+    let has_colors = |header: &exr::meta::header::Header| {
+        let names = header.channels.list.iter().map(|channel| &channel.name);
+        ["R", "G", "B"]
+            .iter()
+            .all(|color| names.clone().any(|name| name.eq(color)))
+    };
+    let used = headers.iter().position(has_colors)?;
+    let name = headers[used].own_attributes.layer_name.as_ref();
+    let name = name.map_or(String::new(), |name| format!(", `{name}`"));
+    Some(format!(
+        "the file has {} parts; using the first one with R, G and B: number {}{name}",
+        headers.len(),
+        used + 1
+    ))
+}

@@ -1,9 +1,7 @@
 //! A name keeps its meaning: a chain or a better name says more than the same name, bound again on
 //! the next line.
 
-use crate::student_loop::root;
-use std::fs;
-use std::process::Command;
+use crate::sizes::{files, read};
 
 /// How often it happens. Whoever needs one more finds another that can go.
 const MOST: usize = 210;
@@ -31,15 +29,11 @@ fn names_are_seldom_bound_again_on_the_next_line() {
         bound_again("let a = 1;\n\nlet a = a;\nlet (b, c) = a;\n"),
         0
     );
-    let command = ["ls-files", "--", "*.rs", ":!grader/mutants"];
-    let listed = Command::new("git")
-        .args(command)
-        .current_dir(root())
-        .output();
-    let files =
-        String::from_utf8(listed.expect("git lists the files").stdout).expect("paths are text");
-    let count = |file| bound_again(&fs::read_to_string(root().join(file)).expect("a text file"));
-    let sum: usize = files.lines().map(count).sum();
+    let sources = files(&[".rs"]);
+    let ours = sources
+        .iter()
+        .filter(|file| !file.starts_with("grader/mutants"));
+    let sum: usize = ours.map(|file| bound_again(&read(file))).sum();
     assert!(
         sum <= MOST,
         "{sum} names are bound again, expected at most {MOST}"

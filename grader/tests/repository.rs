@@ -1,15 +1,17 @@
-//! Habits of the repository: subjects of commits, rights of workflows, the oldest compilers.
+//! Habits of the repository: subjects of commits, rights of workflows, the oldest compilers, links
+//! of the documents.
 
+use crate::sizes::{files, read};
 use crate::student_loop::root;
-use std::fs;
-use std::path::PathBuf;
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
 
 #[cfg(unix)]
 #[test]
 fn the_hook_takes_a_subject_with_a_scope_and_at_most_72_characters() {
     let message = tempfile::NamedTempFile::new().expect("a file");
     let accepts = |subject: &str| {
-        fs::write(
+        std::fs::write(
             message.path(),
             format!("# A comment\n\n{subject}\n\nWhy.\n"),
         )
@@ -46,35 +48,27 @@ fn the_hook_takes_a_subject_with_a_scope_and_at_most_72_characters() {
 }
 
 /// The workflows of this repository, and those that `grader` writes for others.
-fn workflows() -> Vec<(PathBuf, String)> {
+fn workflows() -> Vec<PathBuf> {
     let folders = [
         ".github/workflows",
         "grader/authoring/src/term/new",
         "grader/export/templates/actions",
     ];
-    let files = folders.iter().flat_map(|folder| {
-        let entries = fs::read_dir(root().join(folder)).expect("a folder");
-        entries.map(|entry| entry.expect("an entry").path())
-    });
-    let workflows = files.filter(|path| path.extension().is_some_and(|end| end == "yml"));
-    workflows
-        .map(|path| (path.clone(), fs::read_to_string(&path).expect("text")))
-        .collect()
+    let is_one = |path: &PathBuf| folders.iter().any(|folder| path.starts_with(folder));
+    files(&[".yml"]).into_iter().filter(is_one).collect()
 }
 
 #[test]
 fn workflows_have_few_rights_and_keep_no_credentials() {
     let workflows = workflows();
     assert!(workflows.len() >= 8, "{workflows:?}");
-    for (path, text) in workflows {
-        let path = path.display();
+    for path in workflows {
+        let (text, path) = (read(&path), path.display());
         assert!(text.contains("\npermissions:\n  contents: "), "{path}");
         for (at, _) in text.match_indices("actions/checkout@") {
             let step = text[at..].split("\n      - ").next().expect("the step");
-            assert!(
-                step.contains("persist-credentials: false"),
-                "{path}: {step}"
-            );
+            let keeps_none = step.contains("persist-credentials: false");
+            assert!(keeps_none, "{path}: {step}");
         }
     }
 }
@@ -82,33 +76,26 @@ fn workflows_have_few_rights_and_keep_no_credentials() {
 /// Every manifest that names a compiler is one that this step builds with.
 #[test]
 fn the_oldest_compilers_are_tested() {
-    let read = |file: &str| fs::read_to_string(root().join(file)).expect("a file");
-    let step = read(".ci/steps/oldest");
-    let named = step
+    let step = read(Path::new(".ci/steps/oldest"));
+    let named: BTreeSet<PathBuf> = step
         .lines()
-        .filter_map(|line| line.split_once("version_of ")?.1.split_once(".toml)"));
-    let mut named: Vec<String> = named.map(|(file, _)| format!("{file}.toml")).collect();
-    named.sort();
-    let command = ["grep", "-l", "^rust-version = ", "--", "*Cargo.toml"];
-    let found = std::process::Command::new("git")
-        .args(command)
-        .current_dir(root())
-        .output();
-    let found = String::from_utf8(found.expect("git searches").stdout).expect("paths are text");
-    assert_eq!(named, found.lines().collect::<Vec<_>>());
-    assert!(read(".github/workflows/ci.yml").contains(".ci/steps/oldest"));
-    assert!(read(".ci/nightly").contains(".ci/steps/oldest"));
+        .filter_map(|line| line.split_once("version_of ")?.1.split_once(')'))
+        .map(|(file, _)| PathBuf::from(file))
+        .collect();
+    let names_one = |path: &PathBuf| read(path).contains("\nrust-version = ");
+    let manifests = files(&["Cargo.toml"]).into_iter().filter(names_one);
+    assert_eq!(named, manifests.collect());
+    for caller in [".github/workflows/ci.yml", ".ci/nightly"] {
+        let calls = read(Path::new(caller)).contains(".ci/steps/oldest");
+        assert!(calls, "{caller}");
+    }
 }
 
 /// The anchor of a heading, as GitHub makes it.
 fn anchor(heading: &str) -> String {
     let is_kept = |c: &char| c.is_alphanumeric() || [' ', '-', '_'].contains(c);
-    let kept = heading
-        .trim()
-        .to_lowercase()
-        .chars()
-        .filter(is_kept)
-        .collect::<String>();
+    let lower = heading.trim().to_lowercase();
+    let kept: String = lower.chars().filter(is_kept).collect();
     kept.replace(' ', "-")
 }
 
@@ -117,44 +104,25 @@ fn anchor(heading: &str) -> String {
 #[test]
 fn links_of_documents_lead_to_files_and_headings() {
     assert_eq!(anchor("I want to add …"), "i-want-to-add-");
-    let command = [
-        "ls-files",
-        "--cached",
-        "--others",
-        "--exclude-standard",
-        "--",
-        "*.md",
-    ];
-    let listed = std::process::Command::new("git")
-        .args(command)
-        .current_dir(root())
-        .output();
-    let listed = String::from_utf8(listed.expect("git lists the files").stdout);
-    let listed = listed.expect("paths are text");
-    let read = |path: &PathBuf| fs::read_to_string(path).unwrap_or_default();
+    let documents = files(&[".md"]).into_iter();
     let mut links = 0;
-    for document in listed.lines().filter(|path| !path.contains("/src/")) {
-        let path = root().join(document);
-        let text = read(&path);
+    for path in documents.filter(|path| path.iter().all(|folder| folder != "src")) {
+        let (text, document) = (read(&path), path.display());
         let prose: String = text.split("```").step_by(2).collect();
-        let targets = prose
-            .split("](")
-            .skip(1)
-            .filter_map(|rest| rest.split(')').next());
-        for link in targets.filter(|link| !link.contains("://")) {
+        let targets = prose.split("](").skip(1).filter_map(|rest| {
+            let target = rest.split(')').next()?;
+            (!target.contains("://")).then_some(target)
+        });
+        for link in targets {
             let (file, heading) = link.split_once('#').unwrap_or((link, ""));
             let file = match file {
                 "" => path.clone(),
                 _ => path.with_file_name(file),
             };
-            assert!(file.exists(), "{document} links to {link}");
-            let lines = read(&file);
-            let mut headings = lines.lines().filter(|line| line.starts_with('#'));
+            assert!(root().join(&file).exists(), "{document} links to {link}");
             let is_there = |line: &str| anchor(line.trim_start_matches('#')) == heading;
-            assert!(
-                heading.is_empty() || headings.any(is_there),
-                "{document}: no heading {link}"
-            );
+            let is_found = heading.is_empty() || read(&file).lines().any(is_there);
+            assert!(is_found, "{document}: no heading {link}");
             links += 1;
         }
     }

@@ -50,21 +50,21 @@ impl Lines {
 }
 
 /// The files that git has or would add, and that end in one of `endings`.
-fn files(endings: &[&str]) -> Vec<PathBuf> {
-    let listed = Command::new("git")
+pub(crate) fn files(endings: &[&str]) -> Vec<PathBuf> {
+    let output = Command::new("git")
         .args(["ls-files", "--cached", "--others", "--exclude-standard"])
         .current_dir(root())
         .output();
-    let listed = String::from_utf8(listed.expect("git lists the files").stdout);
-    let listed = listed.expect("paths are text");
-    let paths: BTreeSet<&str> = listed.lines().collect();
+    let stdout = output.expect("git lists the files").stdout;
+    let paths = String::from_utf8(stdout).expect("paths are text");
+    let sorted: BTreeSet<&str> = paths.lines().collect();
     let wanted = |path: &&str| endings.iter().any(|end| path.ends_with(end));
-    let found = paths.into_iter().filter(wanted).map(PathBuf::from);
+    let found = sorted.into_iter().filter(wanted).map(PathBuf::from);
     // What is removed and not yet committed is listed, too.
     found.filter(|path| root().join(path).is_file()).collect()
 }
 
-fn read(path: &Path) -> String {
+pub(crate) fn read(path: &Path) -> String {
     fs::read_to_string(root().join(path)).unwrap_or_else(|e| panic!("{}: {e}", path.display()))
 }
 
@@ -122,8 +122,10 @@ fn counted() -> BTreeMap<String, Lines> {
     crates.sort_by_key(|folder| std::cmp::Reverse(folder.components().count()));
 
     let sources = files(&[".rs"]);
-    let counts = sources.iter().map(|file| (file, lines_of(&read(file))));
-    let counts: Vec<(&PathBuf, (Lines, Vec<String>))> = counts.collect();
+    let counts: Vec<(&PathBuf, (Lines, Vec<String>))> = sources
+        .iter()
+        .map(|file| (file, lines_of(&read(file))))
+        .collect();
     let of_tests: BTreeSet<PathBuf> = counts
         .iter()
         .flat_map(|(file, (_, modules))| modules.iter().map(|name| place(file, name)))

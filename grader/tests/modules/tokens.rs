@@ -140,8 +140,8 @@ pub(crate) fn items_of_tests(tokens: &[Token]) -> Vec<Range<usize>> {
     while at < tokens.len() {
         if attributes.iter().any(|it| tokens[at..].starts_with(it)) {
             // The attribute ends with the first `]` at its depth.
-            let end = tokens[at..].iter().position(|it| *it == Token::Mark(']'));
-            let end = item_end(tokens, at + end.map_or(0, |length| length + 1));
+            let length = tokens[at..].iter().position(|it| *it == Token::Mark(']'));
+            let end = item_end(tokens, at + length.map_or(0, |length| length + 1));
             found.push(at..end);
             at = end;
         } else {

@@ -260,9 +260,11 @@ fn what_is_said_of_the_full_checkout_is_true_there() {
     let accuracy = Chapter::read(Path::new("accuracy.md")).expect("the chapter");
     let mut rows = accuracy.text.lines();
     let row = rows.find_map(|line| line.strip_prefix("| Möller-Trumbore, f64 | "));
-    let leaks = row.and_then(|row| row.split(" | ").nth(1));
-    let leaks = leaks.expect("the number of leaks");
-    let leaks: f64 = leaks.parse().expect("a number");
+    let cell = row.and_then(|row| row.split(" | ").nth(1));
+    let leaks: f64 = cell
+        .expect("the number of leaks")
+        .parse()
+        .expect("a number");
     let triangles = Chapter::read(Path::new("part1/task3.md"))
         .expect("the chapter")
         .text;

@@ -7,12 +7,11 @@
 use super::mistakes::{TRIANGLE_MISTAKES, TriangleMistake};
 use crate::shared::{AfterTheGoldens, SPECS, reference};
 use base::Workspace;
-use grader::course::Course;
-use grader::diagnosis;
+use grader::course::{Course, Task};
+use grader::diagnosis::{self, Explanation};
 use grader::report::claims;
-use grader::score::regularity::{self, Regularity, Shared};
-use grader::score::{CaseResult, Status};
-use grader::signature::Signature;
+use grader::score::regularity::{Regularity, Shared};
+use grader::score::{CaseResult, Status, TaskResult};
 use judge::Tier;
 use judge::cases::Spec;
 use judge::findings::{Aspect, Class, WrongAnswer};
@@ -48,12 +47,11 @@ fn planted(spec: &Spec, right: &Answer, mistakes: &[TriangleMistake]) -> Answer 
 
 /// The results of code that makes these mistakes.
 fn results(
-    course: &Course,
+    task: &Task,
     right: &[(&Spec, Answer)],
     mistakes: &[TriangleMistake],
 ) -> Vec<CaseResult> {
-    let task = course.tasks().find(|task| task.key == TASK);
-    let entries = &task.expect("the task is in the course").cases;
+    let entries = &task.cases;
     let one = |(spec, answer): &(&Spec, Answer)| {
         let entry = entries.iter().find(|entry| entry.name == spec.name)?;
         let answer = planted(spec, answer, mistakes);
@@ -136,6 +134,8 @@ fn no_sentence_is_false_of_planted_mistakes() {
     let _begin = AfterTheGoldens;
     let workspace = Workspace::above(Path::new(env!("CARGO_MANIFEST_DIR"))).expect("a workspace");
     let course = Course::read(&workspace).expect("the course is sound");
+    let mut tasks = course.tasks().filter(|task| task.key == TASK);
+    let task = tasks.next().expect("the task is in the course");
     let known = diagnosis::known(&workspace, TASK).expect("the signatures can be read");
     let right = right_answers();
     let next = TRIANGLE_MISTAKES.iter().cycle().skip(1);
@@ -143,14 +143,18 @@ fn no_sentence_is_false_of_planted_mistakes() {
     let mut said = 0;
     for ((name, mistake), (second, other)) in pairs {
         for mistakes in [&[*mistake][..], &[*mistake, *other]] {
-            let cases = results(&course, &right, mistakes);
-            let common = regularity::of(TASK, &cases, &SPECS);
-            let diagnosis = diagnosis::diagnose(&known, &Signature::of(&cases));
-            said += common.len() + usize::from(diagnosis.is_some());
+            let result = TaskResult::new(task, results(task, &right, mistakes));
+            let cases = &result.cases;
+            let Explanation {
+                diagnosis,
+                regularities,
+            } = diagnosis::explain(&result, cases, &known, (&SPECS, 0), &[]);
+            said += regularities.len() + usize::from(diagnosis.is_some());
             let of = |common: &[Regularity]| {
-                claims::false_ones(TASK, &cases, &SPECS, common, diagnosis.as_ref())
+                claims::false_ones(TASK, cases, &SPECS, common, diagnosis.as_ref())
             };
-            assert_eq!(of(&common), [""; 0], "{name}, {second}: {}", mistakes.len());
+            let planted = mistakes.len();
+            assert_eq!(of(&regularities), [""; 0], "{name}, {second}: {planted}");
             // A sentence that nothing is right about is seen.
             if !cases
                 .iter()

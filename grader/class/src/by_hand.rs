@@ -19,6 +19,7 @@ use formats::gradebook::points_text as points;
 use formats::gradebook::text;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
+use std::io::ErrorKind;
 use submission::Untrusted;
 
 /// The name of the file in `OUT`.
@@ -110,7 +111,10 @@ impl ByHand {
         roster: Option<(&Roster, &Join)>,
     ) -> Result<ByHand, GraderError> {
         let path = out.join(FILE);
-        if !path.exists() {
+        // A link whose file is away for a moment, on a disk of the network, is no missing file: the
+        // marks would be lost without a word.
+        let found = path.symlink_metadata();
+        if found.is_err_and(|e| e.kind() == ErrorKind::NotFound) {
             return Ok(ByHand::default());
         }
         let bytes = read_regular(&path).map_err(|e| GraderError::file("read", &path, e))?;
@@ -609,6 +613,18 @@ mod tests {
             error.starts_with("line 2: it names a student, and there is no roster"),
             "{error}"
         );
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_link_without_its_file_loses_no_marks() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let out = Out::create(folder.path()).expect("a folder");
+        let read = || ByHand::read(&out, &plan(), None);
+        assert_eq!(read().expect("no file"), ByHand::default());
+        std::os::unix::fs::symlink("away.csv", out.join(FILE)).expect("a link");
+        let error = read().expect_err("the file is away").to_string();
+        assert!(error.contains(FILE), "{error}");
     }
 
     #[test]

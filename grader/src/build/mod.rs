@@ -20,7 +20,7 @@ use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::sync::Arc;
-use std::time::{Duration, Instant};
+use std::time::{Duration, Instant, SystemTime};
 
 /// The result of building a worker.
 #[derive(Clone, Debug)]
@@ -131,6 +131,7 @@ impl BuildRoot<'_> {
         let built = run_cargo(command, WORKER, show, self.most_time())?;
         match self.without_foreign_files(built, features)? {
             Ok(program) => {
+                ensure_not_of_the_future(&program, SystemTime::now())?;
                 let worker = copy_under_own_name(program, features)?;
                 Ok(BuildOutcome::Worker(Worker {
                     launcher: self.launcher.cloned(),
@@ -368,6 +369,25 @@ fn build_arguments(command: &mut Command, package: &str, colours: bool) {
         .stdout(Stdio::piped());
 }
 
+/// A clock may be set by less than this while somebody works; the files of a shared disk have the
+/// time of another machine.
+const CLOCK_SLACK: Duration = Duration::from_secs(60);
+
+/// Returns an error if `program` was built later than `now`: then cargo, which compares times, may
+/// not see what was changed since the clock went back, and older code would be graded.
+fn ensure_not_of_the_future(program: &Path, now: SystemTime) -> Result<(), GraderError> {
+    let read = |e| GraderError::file("read", program, e);
+    let built = program.metadata().map_err(read)?.modified().map_err(read)?;
+    match built.duration_since(now) {
+        Ok(ahead) if ahead > CLOCK_SLACK => Err(GraderError::new(format!(
+            "{} is of a time that this machine's clock has not reached yet, so cargo does not see what was changed since. Nothing was graded. If the clock is right, remove {} and run again",
+            program.display(),
+            program.parent().unwrap_or(program).display()
+        ))),
+        _ => Ok(()),
+    }
+}
+
 /// Copies the worker to a name that contains its features, because the next build with other
 /// features overwrites the original.
 fn copy_under_own_name(program: PathBuf, features: &[&str]) -> Result<PathBuf, GraderError> {
@@ -387,6 +407,20 @@ fn copy_under_own_name(program: PathBuf, features: &[&str]) -> Result<PathBuf, G
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_program_from_the_future_is_not_run() {
+        let folder = tempfile::tempdir().unwrap();
+        let program = folder.path().join("worker");
+        std::fs::write(&program, "").unwrap();
+        let built = program.metadata().unwrap().modified().unwrap();
+        let at = |now| ensure_not_of_the_future(&program, now).map_err(|why| why.to_string());
+        assert_eq!(at(built), Ok(()));
+        assert_eq!(at(built + 100 * CLOCK_SLACK), Ok(()));
+        assert_eq!(at(built - CLOCK_SLACK / 2), Ok(()));
+        let why = at(built - 2 * CLOCK_SLACK).unwrap_err();
+        assert!(why.contains("clock has not reached yet"), "{why}");
+    }
 
     /// The compiler does not say where it met a first file that is no text.
     #[test]

@@ -3,6 +3,7 @@
 use super::blame::Blame;
 use crate::course::Task;
 use crate::course::sources::SourceFile;
+use crate::diagnosis::Diagnosis;
 use crate::diagnosis::simplest::SimplestCall;
 use crate::grade::one_by_one::{Graded, is_whole};
 use crate::report::{HintLevel, TaskReport, message};
@@ -11,9 +12,10 @@ use crate::score::{CaseResult, Status, TaskResult, order};
 use crate::workers::crash::CrashKind;
 use base::GraderError;
 use judge::cases::checked;
-use judge::findings::Finding as Counted;
+use judge::findings::{Aspect, Fault, Finding as Counted};
 use judge::{Tier, plural};
 use serde::{Deserialize, Serialize};
+use std::cmp::Reverse;
 
 /// What is wrong in a function of a task. It is stored until a file that it depends on changes.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -72,6 +74,8 @@ impl Finding {
             return Ok(finding.into_iter().collect());
         }
         let mut findings = Vec::new();
+        // How many of their wrong answers the likely mistake of the task explains.
+        let mut explained = Vec::new();
         for function in functions {
             let choice = |findings| blame.only(function, findings);
             let of_function = failed.iter().map(|case| CaseResult {
@@ -89,12 +93,16 @@ impl Finding {
                 ..TaskReport::from(result)
             };
             let failed: Vec<&CaseResult> = alone.result.cases.iter().collect();
-            findings.extend(Finding::of(&alone, task, &failed, Some(function)));
+            if let Some(finding) = Finding::of(&alone, task, &failed, Some(function)) {
+                findings.push(finding);
+                explained.push(explained_by(report, &failed));
+            }
         }
         let shown = report.simplest.as_ref().map(shown);
-        let named = findings.iter().position(|one| one.simplest == shown);
-        if let Some(finding) = findings.get_mut(named.unwrap_or(0)) {
-            finding.name_mistake(report);
+        let best = (0..findings.len())
+            .max_by_key(|&at| (explained[at], findings[at].simplest == shown, Reverse(at)));
+        if let Some(best) = best {
+            findings[best].name_mistake(report);
         }
         Ok(findings)
     }
@@ -130,9 +138,12 @@ impl Finding {
             (None, Some(call)) => counted(task, call).unwrap_or_else(|| worst(first)),
             (None, None) => worst(first),
         };
-        let of_worst = || first.worst().map(|(_, worst)| &worst.message);
-        let names = simplest.map(|call| &call.result).or_else(of_worst);
-        let named = || function_of(&names?.result, &graded.holes);
+        let named = || {
+            let of_worst = || first.worst().and_then(|(_, worst)| worst.function);
+            let name = simplest.map_or_else(of_worst, |call| call.function)?;
+            let mut functions = graded.holes.iter();
+            functions.find(|hole| *hole == name).cloned()
+        };
         let mut finding = Finding {
             function: function.map(str::to_owned).or_else(named),
             only_with_others: task.fails_only_with_neighbours(),
@@ -215,6 +226,25 @@ fn ends_the_task(task: &Task, report: &TaskReport, case: &CaseResult) -> bool {
     kind == Some(CrashKind::Endless) && !is_whole(task, report)
 }
 
+/// How many wrong answers of `cases` are in places that the mistake of the task explains.
+fn explained_by(report: &TaskReport, cases: &[&CaseResult]) -> usize {
+    let Some(Diagnosis { places, .. }) = &report.diagnosis else {
+        return 0;
+    };
+    let is_explained = |aspect: Aspect, fault: &Fault| {
+        let mut of_aspect = places.iter().filter(|(other, _)| *other == aspect);
+        of_aspect.any(|(_, function)| {
+            let functions = function.as_deref().zip(fault.named_function());
+            functions.is_none_or(|(place, own)| place == own)
+        })
+    };
+    let findings = cases.iter().flat_map(|case| &case.findings);
+    let faults = findings.flat_map(|of| of.faults.iter().map(|fault| (of.aspect, fault)));
+    faults
+        .filter(|(aspect, fault)| is_explained(*aspect, fault))
+        .count()
+}
+
 /// The simplest call with the result and the expected one.
 fn shown(call: &SimplestCall) -> String {
     let (input, found) = (message::input(call), message::found(call));
@@ -271,16 +301,6 @@ fn listed(failed: &[&CaseResult]) -> String {
     format!("{fail}: {}{more}", names.join(", "))
 }
 
-/// The function that a message about an answer begins with.
-fn function_of(message: &str, functions: &[String]) -> Option<String> {
-    let mut functions = functions.iter();
-    let of = |name: &&String| {
-        let rest = message.strip_prefix(name.as_str());
-        rest.is_some_and(|rest| !rest.starts_with(|c: char| c == '_' || c.is_alphanumeric()))
-    };
-    functions.find(of).cloned()
-}
-
 /// What the wrong answers have in common, and what else may be wrong instead.
 fn others(report: &TaskReport) -> Vec<String> {
     let mut notes = Vec::new();
@@ -309,16 +329,47 @@ impl Finding {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::course::Course;
+    use judge::findings::Findings;
+    use std::collections::BTreeSet;
 
+    /// Two mistakes, of which the likely one explains the second: it is named there, not at the first
+    /// function.
     #[test]
-    fn a_message_names_its_function_whole() {
-        let functions = ["test".to_owned(), "test_triangle".to_owned()];
-        let of = |message: &str| function_of(message, &functions);
-        assert_eq!(
-            of("test_triangle: your result: miss").as_deref(),
-            Some("test_triangle")
-        );
-        assert_eq!(of("test: your result: miss").as_deref(), Some("test"));
-        assert_eq!(of("your result: miss"), None);
+    fn a_mistake_is_named_at_the_function_whose_answers_it_explains() {
+        const CODE: &str = "pub fn intersect_triangle(r: &mut Ray) -> Option<Hit> {\n    let hit = test_triangle(r)?;\n    Some(record_triangle(r, hit))\n}\n";
+        let text = include_str!("../../../stages/course.toml");
+        let course = Course::parse(text).expect("it is valid");
+        let mut tasks = course.tasks().filter(|task| task.key == "part1.task3");
+        let task = tasks.next().expect("it has triangles");
+        let mut found = Findings::default();
+        for (function, call, aspect) in [
+            ("test_triangle", 1, Aspect::HitOrMiss),
+            ("intersect_triangle", 2, Aspect::Normal),
+            ("intersect_triangle", 3, Aspect::Normal),
+        ] {
+            found.count_for(function);
+            found.judge(aspect, call, false, 1.0, String::new);
+        }
+        let mut result = TaskResult::new(task, Vec::new());
+        result.cases = vec![CaseResult::failed("front_face", found.into_vec())];
+        let files = [SourceFile {
+            path: "a.rs".into(),
+            text: CODE.into(),
+        }];
+        let named_at = |place| {
+            let mut report = TaskReport::from(result.clone());
+            report.diagnosis = Some(Diagnosis {
+                hint: "Look.".into(),
+                places: BTreeSet::from([place]),
+                ..Diagnosis::default()
+            });
+            let graded = Graded::for_tests(report);
+            let findings = Finding::all(&graded, task, &files, false).expect("nothing is asked");
+            let named = findings.into_iter().filter(|one| one.remedy.is_some());
+            named.filter_map(|one| one.function).collect::<Vec<_>>()
+        };
+        assert_eq!(named_at((Aspect::Normal, None)), ["record_triangle"]);
+        assert_eq!(named_at((Aspect::HitOrMiss, None)), ["test_triangle"]);
     }
 }

@@ -155,6 +155,7 @@ mod tests {
             equal: 3,
             of: 3,
             certainty: crate::diagnosis::Certainty::Likely,
+            ..Default::default()
         });
         let graded = Graded::for_tests(report);
         Finding::all(&graded, &task, &files(), false).expect("nothing is asked more")

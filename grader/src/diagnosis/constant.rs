@@ -1,18 +1,137 @@
-//! Answers that are the same in every call, as those of code that is not finished. A known mistake
-//! may give the same answers; that they never change is said first.
+//! Answers that are the same in every call, or a field of them that is, as those of code that is not
+//! finished. A known mistake may give the same answers; that they never change is said first.
 
-use super::mistake::{Certainty, Diagnosis};
+use super::diagnose;
+use super::mistake::{Certainty, Claim, Diagnosis, Known, Place};
 use crate::score::{CaseResult, Status};
+use crate::signature::Signature;
 use judge::Tier;
+use judge::findings::{Aspect, WrongNumbers};
 use judge::snapshot;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use wire::{Answer, Work};
 
 /// Fewer equal answers may be chance, or right.
 const FEWEST_ANSWERS: usize = 10;
 
-/// From this share of the failed cases on, the equal answers are what is wrong.
+/// From this share of the failed cases on, the equal answers are what is wrong; of the answers of a
+/// field, from this share on.
 const SHARE: f64 = 2.0 / 3.0;
+
+/// The same for a field that is 0 in each wrong answer: where 0 is right, it is also 0.
+const SHARE_OF_EMPTY: f64 = 0.4;
+
+/// So many constant fields are named.
+const NAMED: usize = 3;
+
+/// What does not change from call to call.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Constants {
+    /// The whole answer.
+    Answer {
+        /// The answer, as text.
+        text: String,
+        /// The calls that have it.
+        calls: usize,
+        /// The failed cases whose answers are all the same, and all failed ones.
+        cases: [usize; 2],
+    },
+    /// Fields of the answers.
+    Fields(Vec<ConstantField>),
+}
+
+/// A field whose wrong answers are the same number or vector in all core cases, where others are
+/// expected.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ConstantField {
+    /// The field.
+    pub aspect: Aspect,
+    /// The function that gives it, if cases call several.
+    pub function: Option<&'static str>,
+    /// Its numbers.
+    pub numbers: Vec<f64>,
+    /// How many wrong answers have them, which are all.
+    pub wrong: usize,
+}
+
+impl Constants {
+    /// The fields that never change, if it is not the whole answer.
+    pub(super) fn places(&self) -> impl Iterator<Item = Place> {
+        let fields = match self {
+            Constants::Answer { .. } => &[][..],
+            Constants::Fields(fields) => fields,
+        };
+        let place = |field: &ConstantField| (field.aspect, field.function.map(str::to_owned));
+        fields.iter().map(place)
+    }
+
+    /// The functions that give them.
+    fn functions(&self) -> BTreeSet<&'static str> {
+        match self {
+            Constants::Answer { .. } => BTreeSet::new(),
+            Constants::Fields(fields) => fields.iter().filter_map(|it| it.function).collect(),
+        }
+    }
+
+    /// The sentence, without a full stop.
+    fn says(&self) -> String {
+        match self {
+            Constants::Answer {
+                text,
+                calls,
+                cases: [count, of],
+            } => format!(
+                "your code {SAME_ANSWER}: all {calls} answers in {count} of {of} failed cases are {text}"
+            ),
+            Constants::Fields(fields) => {
+                let named = fields.iter().take(NAMED).map(ConstantField::says);
+                let more = match fields.len().saturating_sub(NAMED) {
+                    0 => String::new(),
+                    more => format!("; {more} more"),
+                };
+                let named = named.collect::<Vec<_>>().join("; ");
+                format!("your code {SAME_FIELD}: {named}{more}")
+            }
+        }
+    }
+}
+
+/// What code does whose whole answer never changes.
+const SAME_ANSWER: &str = "gives the same answer to every call";
+
+/// What code does a field of whose answers never changes.
+const SAME_FIELD: &str = "gives the same value where other calls need other values";
+
+impl ConstantField {
+    fn says(&self) -> String {
+        let label = self.aspect.label();
+        let of = self
+            .function
+            .map_or(String::new(), |name| format!(" of {name}"));
+        let are = if self.aspect.is_plural() { "are" } else { "is" };
+        let numbers: Vec<String> = self.numbers.iter().copied().map(short).collect();
+        let value = match &numbers[..] {
+            [number] => number.clone(),
+            numbers => format!("({})", numbers.join(", ")),
+        };
+        format!(
+            "{label}{of} {are} {value} in all {} wrong answers",
+            self.wrong
+        )
+    }
+
+    /// Whether there is nothing in it: 0, black.
+    fn is_empty(&self) -> bool {
+        self.numbers.iter().all(|number| *number == 0.0)
+    }
+}
+
+/// A number with four digits.
+fn short(number: f64) -> String {
+    let rounded: f64 = format!("{number:.3e}").parse().unwrap_or(number);
+    // Adding 0 turns -0 into 0.
+    format!("{}", rounded + 0.0)
+}
 
 /// The answer to every call of a case, if there is only one.
 pub(crate) fn answer_to_all(work: &Work, answer: &Answer) -> Option<String> {
@@ -27,9 +146,74 @@ pub(crate) fn answer_to_all(work: &Work, answer: &Answer) -> Option<String> {
     })
 }
 
-/// What is said of code that gives one answer to all calls of its failed cases, or else of the
-/// known mistake that the answers look like.
-pub(super) fn or_known(cases: &[CaseResult], known: Option<Diagnosis>) -> Option<Diagnosis> {
+/// What is said of code that gives one answer to all calls of its failed cases, or one value in a
+/// field of its answers, or else of the known mistake that the answers of `student` look like.
+pub(super) fn or_known(
+    cases: &[CaseResult],
+    known: &[Known],
+    student: &Signature,
+) -> Option<Diagnosis> {
+    let guess = diagnose(known, student);
+    let fields = constant_fields(cases);
+    let constants = match whole_answer(cases) {
+        Some(answer) => answer,
+        None if fields.is_empty() => return guess,
+        None => Constants::Fields(fields),
+    };
+    let is_empty = match &constants {
+        Constants::Answer { .. } => true,
+        Constants::Fields(fields) => fields.iter().any(ConstantField::is_empty),
+    };
+    let exact = guess.as_ref().filter(|guess| guess.is_exact());
+    if exact.is_some() && !is_empty {
+        // A name says more than that a value never changes.
+        return guess;
+    }
+    let functions = constants.functions();
+    let rest = student.elsewhere(&functions);
+    let of_rest = || {
+        let known = known.iter().map(|known| Known {
+            signature: known.signature.elsewhere(&functions),
+            ..known.clone()
+        });
+        let known: Vec<Known> = known.filter(|known| !known.signature.is_empty()).collect();
+        let is_alike = |guess: &Diagnosis| matches!(guess.claim, Claim::Alike(_));
+        diagnose(&known, &rest).filter(|guess| guess.is_likely() && is_alike(guess))
+    };
+    let (before, other) = match (exact, &constants) {
+        (Some(exact), _) => ("", Some(exact.clone())),
+        (None, Constants::Fields(_)) if rest.has_core_faults() => ("elsewhere ", of_rest()),
+        // That nothing is given is no sign of a mistake that gives something.
+        (None, _) => ("", guess.filter(|guess| guess.is_likely() && !is_empty)),
+    };
+    let hint = "Is this part finished? What it gives must depend on its arguments.";
+    let name = match &constants {
+        Constants::Answer { .. } => "constant_answers",
+        Constants::Fields(_) => "constant_field",
+    };
+    let (also, hints, others) = other.map_or_else(Default::default, |other| {
+        let also = format!("; {before}{}", other.says);
+        (also, format!(" Or: {}", other.hint), other.mistakes)
+    });
+    let (equal, description) = match &constants {
+        Constants::Answer { calls, .. } => (*calls, SAME_ANSWER),
+        Constants::Fields(fields) => (fields.iter().map(|field| field.wrong).sum(), SAME_FIELD),
+    };
+    Some(Diagnosis {
+        mistakes: [name.to_owned()].into_iter().chain(others).collect(),
+        says: constants.says() + &also,
+        description: description.into(),
+        hint: hint.to_owned() + &hints,
+        equal,
+        of: equal,
+        certainty: Certainty::Likely,
+        claim: Claim::Constant(constants),
+        ..Diagnosis::default()
+    })
+}
+
+/// The answer to all calls of the failed cases, if it is the same in most of them.
+fn whole_answer(cases: &[CaseResult]) -> Option<Constants> {
     let failed: Vec<&CaseResult> = cases
         .iter()
         .filter(|case| case.tier == Tier::Core && case.status == Status::Failed)
@@ -44,44 +228,70 @@ pub(super) fn or_known(cases: &[CaseResult], known: Option<Diagnosis>) -> Option
         }
     }
     let most = calls_with.iter().max_by_key(|(_, counts)| **counts);
-    let Some((answer, &(count, calls))) = most else {
-        return known;
-    };
-    if calls < FEWEST_ANSWERS || (count as f64) < SHARE * failed.len() as f64 {
-        return known;
-    }
-    let what = "gives the same answer to every call";
-    let hint = "Is the function finished? Its answer must depend on its arguments.";
-    let (mut mistakes, also, hints) = match known {
-        Some(known) if known.is_likely() => (
-            known.mistakes,
-            format!("; code that {} does so, too", known.description),
-            format!("{hint} Or: {}", known.hint),
-        ),
-        _ => (Vec::new(), String::new(), hint.to_string()),
-    };
-    mistakes.insert(0, "constant_answers".into());
-    Some(Diagnosis {
-        mistakes,
-        says: format!(
-            "your code {what}: all {calls} answers in {count} of {} failed cases are {answer}{also}",
-            failed.len()
-        ),
-        description: what.into(),
-        hint: hints,
-        equal: calls,
-        of: calls,
-        certainty: Certainty::Likely,
+    let (answer, &(count, calls)) = most?;
+    let is_most = calls >= FEWEST_ANSWERS && count as f64 >= SHARE * failed.len() as f64;
+    is_most.then(|| Constants::Answer {
+        text: answer.to_string(),
+        calls,
+        cases: [count, failed.len()],
     })
+}
+
+/// The fields that are nearly always wrong in core cases, with the same numbers each time, although
+/// different ones are expected.
+pub(crate) fn constant_fields(cases: &[CaseResult]) -> Vec<ConstantField> {
+    let counts = |case: &&CaseResult| case.tier == Tier::Core && !case.with_neighbours;
+    let findings = cases.iter().filter(counts).flat_map(|case| &case.findings);
+    let mut judged: BTreeMap<(Aspect, Option<&str>), u32> = BTreeMap::new();
+    let mut all: BTreeMap<(Aspect, Option<&'static str>, usize), WrongNumbers> = BTreeMap::new();
+    for finding in findings.filter(|finding| may_be_constant(finding.aspect)) {
+        let of_all = [(None, finding.judged)].into_iter();
+        let of_each = finding.functions.iter();
+        for (function, count) in of_all.chain(of_each.map(|own| (Some(own.function), own.judged))) {
+            *judged.entry((finding.aspect, function)).or_default() += count;
+        }
+        for numbers in &finding.numbers {
+            let key = (finding.aspect, numbers.function, numbers.expected.len());
+            all.entry(key)
+                .and_modify(|before| before.add(numbers))
+                .or_insert_with(|| numbers.clone());
+        }
+    }
+    let constant = all.into_iter().filter_map(|((aspect, function, _), of)| {
+        let judged = [function, None].map(|name| judged.get(&(aspect, name)));
+        let judged = judged.into_iter().flatten().next().copied().unwrap_or(0);
+        let field = ConstantField {
+            aspect,
+            function,
+            numbers: of.same?,
+            wrong: of.count as usize,
+        };
+        let share = match field.is_empty() {
+            true => SHARE_OF_EMPTY,
+            false => SHARE,
+        };
+        let is_most = f64::from(of.count) >= share * f64::from(judged);
+        (field.wrong >= FEWEST_ANSWERS && is_most && of.expected_differ).then_some(field)
+    });
+    constant.collect()
+}
+
+/// Whether the field is computed in each call. Hit or miss has no numbers; a count, a range or the
+/// ray after the call may be what the caller gave.
+fn may_be_constant(aspect: Aspect) -> bool {
+    !aspect.is_decision()
+        && !aspect.is_of_all_calls()
+        && !matches!(
+            aspect,
+            Aspect::Calls | Aspect::Rays | Aspect::Range | Aspect::RayAfter | Aspect::UnitLength
+        )
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::diagnosis::diagnose;
     use crate::diagnosis::tests::known;
-    use crate::signature::Signature;
-    use judge::findings::{Aspect, Class, Findings};
+    use judge::findings::{Class, Findings, Message};
 
     /// A failed case of `calls` calls, all black where they should be bright.
     fn case(name: &str, calls: usize, answer_to_all: Option<&str>) -> CaseResult {
@@ -97,19 +307,20 @@ mod tests {
         }
     }
 
-    fn says(cases: &[CaseResult]) -> String {
-        let signature = Signature::of(cases);
-        let known = diagnose(&[known("this", signature.clone())], &signature);
-        or_known(cases, known).expect("the mistake is known").says
+    fn said(cases: &[CaseResult], mistake: &[CaseResult]) -> Diagnosis {
+        let all = [known("this", Signature::of(mistake))];
+        or_known(cases, &all, &Signature::of(cases)).expect("something is said")
     }
 
     #[test]
     fn what_never_changes_is_said_before_a_known_mistake() {
         let black = Some("radiance = (0,0,0)");
+        let says = |cases: &[CaseResult]| said(cases, cases).says;
         assert_eq!(
             says(&[case("one", 8, black), case("two", 7, black)]),
             "your code gives the same answer to every call: all 15 answers in 2 of 2 failed cases \
-             are radiance = (0,0,0); code that does this does so, too"
+             are radiance = (0,0,0); your answers equal those of code that does this: on 15 of 15 \
+             calls"
         );
         let equal = "your answers equal those of code that does this";
         let others = [
@@ -120,5 +331,77 @@ mod tests {
         for cases in others {
             assert!(says(&cases).starts_with(equal), "{}", says(&cases));
         }
+    }
+
+    /// Code that gives nothing does not make a mistake of which only most answers are the same.
+    #[test]
+    fn nothing_is_no_sign_of_a_mistake_that_gives_something() {
+        let black = Some("radiance = (0,0,0)");
+        let cases = [case("one", 100, black)];
+        let mistake = [case("one", 97, None)];
+        let says = diagnose(
+            &[known("this", Signature::of(&mistake))],
+            &Signature::of(&cases),
+        );
+        assert!(says.is_some_and(|known| known.is_likely()));
+        assert_eq!(said(&cases, &mistake).mistakes, ["constant_answers"]);
+    }
+
+    /// A case of two functions with `wrong` answers of the second, and what is expected there.
+    fn of_field(name: &str, yours: impl Fn(u32) -> [f64; 2], missed: u32) -> CaseResult {
+        let mut findings = Findings::default();
+        for call in 0..20 + missed {
+            let class = (call >= 20).then_some(Class::FalseMiss);
+            let number = call as usize;
+            findings.count_for("hits");
+            findings.judge_class(Aspect::HitOrMiss, number, class, 1.0, String::new);
+            if class.is_none() {
+                let yours = yours(call);
+                let expected = [f64::from(call + 1), 0.5];
+                findings.judge(Aspect::Barycentrics, number, yours == expected, 1.0, || {
+                    Message::default().compares(yours, expected)
+                });
+            }
+        }
+        CaseResult::failed(name, findings.into_vec())
+    }
+
+    #[test]
+    fn a_field_that_never_changes_is_said_first() {
+        let zero = |_| [0.0; 2];
+        let both = |missed| [of_field("one", zero, missed), of_field("two", zero, 0)];
+        // The mistake misses in the same calls and has right weights.
+        let right = |call| [f64::from(call + 1), 0.5];
+        let misses = [of_field("one", right, 12)];
+        let weights = "your code gives the same value where other calls need other values: \
+                       barycentric weights of hits are (0, 0) in all 40 wrong answers";
+        let alone = said(&both(0), &misses);
+        assert_eq!(alone.says, weights);
+        assert_eq!(alone.mistakes, ["constant_field"]);
+        let two = said(&both(12), &misses);
+        let elsewhere = "; elsewhere your answers are all wrong in the same way as those of code \
+                         that does this: on 12 of 12 calls";
+        assert_eq!(two.says, weights.to_owned() + elsewhere);
+        assert_eq!(two.mistakes, ["constant_field", "this"]);
+        // Numbers that change, and numbers that are right most of the time.
+        for yours in [
+            |call| [f64::from(call), 0.0],
+            |call| {
+                if call < 9 {
+                    [0.0; 2]
+                } else {
+                    [f64::from(call + 1), 0.5]
+                }
+            },
+        ] {
+            let cases = [of_field("one", yours, 0), of_field("two", yours, 0)];
+            assert_eq!(constant_fields(&cases), []);
+        }
+    }
+
+    #[test]
+    fn a_number_has_few_digits() {
+        let of = [0.318309886, -0.0, 1.0, 1234567.0, 1e-9, f64::INFINITY].map(short);
+        assert_eq!(of, ["0.3183", "0", "1", "1235000", "0.000000001", "inf"]);
     }
 }

@@ -1,7 +1,10 @@
 //! A known mistake, and what is said of code that makes it.
 
-use crate::signature::Signature;
+use super::constant::Constants;
+use crate::signature::{Evidence, Signature};
+use judge::findings::Aspect;
 use serde::Serialize;
+use std::collections::BTreeSet;
 
 /// From this likeness on, the report says that the answers are those of the mistake.
 pub(super) const SURE: f64 = 0.95;
@@ -22,7 +25,7 @@ pub struct Known {
 }
 
 /// What a student's wrong answers look like.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Diagnosis {
     /// The mistakes' names; several if they cannot be distinguished or are made together.
     pub mistakes: Vec<String>,
@@ -38,22 +41,54 @@ pub struct Diagnosis {
     pub of: usize,
     /// How certain it is.
     pub certainty: Certainty,
+    /// What the sentence says of the answers.
+    #[serde(skip)]
+    pub claim: Claim,
+    /// Where it explains wrong answers: their fields, and the functions that gave them.
+    #[serde(skip)]
+    pub places: BTreeSet<Place>,
 }
+
+/// A field of the answers of a function, if cases call several.
+pub type Place = (Aspect, Option<String>);
 
 impl Diagnosis {
     /// Whether it likely explains the wrong answers.
     pub fn is_likely(&self) -> bool {
         self.certainty == Certainty::Likely
     }
+
+    /// Whether the answers are those of the known mistake, each of them.
+    pub(super) fn is_exact(&self) -> bool {
+        let is_exact = self.claim == Claim::Alike(Evidence::Exact);
+        self.is_likely() && is_exact && self.equal == self.of
+    }
+}
+
+/// What a diagnosis says of the answers.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub enum Claim {
+    /// They are like those of the mistake.
+    Alike(Evidence),
+    /// They look most like those of the mistake.
+    #[default]
+    MostAlike,
+    /// Of two mistakes, each explains so many of the wrong values.
+    Pair([usize; 2]),
+    /// The mistake explains some of the wrong values, and another, which has no name, the rest.
+    OneOfSeveral(Evidence),
+    /// They do not change from call to call.
+    Constant(Constants),
 }
 
 /// How certain a diagnosis is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Certainty {
     /// The answers are those of the mistake, but for a few.
     Likely,
     /// The answers look like those of the mistake, but many of them differ, or a whole case does.
+    #[default]
     Perhaps,
 }
 

@@ -5,20 +5,24 @@
 //! signature is compared with all of them.
 
 pub(crate) mod constant;
-pub(crate) mod fresh_cases;
+mod fresh_cases;
 pub(crate) mod mistake;
 mod ruled_out;
 mod several;
 pub mod simplest;
 
-use mistake::SURE;
-pub use mistake::{Certainty, Diagnosis, Known};
-pub use ruled_out::is_ruled_out;
+pub use constant::Constants;
+pub use mistake::{Certainty, Claim, Diagnosis, Known, Place};
 
-use crate::score::{CaseResult, Status};
+use crate::score::regularity::{self, Regularity};
+use crate::score::{CaseResult, Status, TaskResult};
 use crate::signature::{Agreement, Signature, stored};
 use base::{GraderError, Workspace, write_whole};
+use fresh_cases::FreshCases;
+use judge::cases::Spec;
 use judge::findings::Aspect;
+use mistake::SURE;
+use ruled_out::is_ruled_out;
 use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
@@ -98,7 +102,7 @@ pub fn candidates(known: &[Known], student: &Signature) -> Vec<(Vec<String>, f64
 /// Leaves out of the known mistakes the cases of which nothing is written yet, and of other cases
 /// the aspects that only answers of functions have which are not written yet: a mistake in the
 /// function that is written does not show there.
-pub fn leave_out_unwritten(known: &mut [Known], cases: &[CaseResult]) {
+fn leave_out_unwritten(known: &mut [Known], cases: &[CaseResult]) {
     let is_unwritten = |case: &&CaseResult| case.status == Status::NotAttempted;
     let unwritten: BTreeSet<&str> = cases
         .iter()
@@ -123,10 +127,64 @@ pub fn leave_out_unwritten(known: &mut [Known], cases: &[CaseResult]) {
     }
 }
 
-/// What is wrong with the code whose answers gave `student` and `cases`: that it always gives the
-/// same answer, or what its answers look like.
-pub fn of_task(known: &[Known], student: &Signature, cases: &[CaseResult]) -> Option<Diagnosis> {
-    constant::or_known(cases, diagnose(known, student))
+/// What a report says of the wrong answers of a task: what explains them, and what they have in
+/// common.
+#[derive(Clone, Debug, Default)]
+pub struct Explanation {
+    /// What they look like.
+    pub diagnosis: Option<Diagnosis>,
+    /// What they have in common.
+    pub regularities: Vec<Regularity>,
+}
+
+/// Explains the wrong answers of `result`, to questions that were made with `seed`: `cases` are its
+/// cases with the questions that students have, and `wrong_where` the circumstances of wrong simple
+/// calls. Where only cases fail that also run other tasks, nothing is explained.
+pub fn explain(
+    result: &TaskResult,
+    cases: &[CaseResult],
+    known: &[Known],
+    (specs, seed): (&[Spec], u64),
+    wrong_where: &[Vec<&str>],
+) -> Explanation {
+    if result.fails_only_with_neighbours() {
+        return Explanation::default();
+    }
+    let fresh = FreshCases::of(&result.key, specs, seed);
+    let mut known = known.to_vec();
+    for known in &mut known {
+        known.signature = fresh.removed_from(&known.signature);
+    }
+    leave_out_unwritten(&mut known, cases);
+    let student = fresh.removed_from(&Signature::of(cases));
+    let regularities = regularity::beside(&result.key, cases, specs, wrong_where);
+    let guess = constant::or_known(cases, &known, &student).filter(|guess| {
+        let of_task = (result.key.as_str(), specs);
+        !is_ruled_out(guess, &known, &student, &regularities, of_task)
+    });
+    Explanation {
+        diagnosis: guess.map(|guess| Diagnosis {
+            places: places(&guess, &known, &student),
+            ..guess
+        }),
+        regularities,
+    }
+}
+
+/// Where wrong answers of `student` are those of a mistake that `guess` names.
+fn places(guess: &Diagnosis, known: &[Known], student: &Signature) -> BTreeSet<Place> {
+    let is_named = |known: &&Known| {
+        let mut names = known.mistakes.iter();
+        names.all(|name| guess.mistakes.contains(name))
+    };
+    let named = known.iter().filter(is_named);
+    let mut places: BTreeSet<Place> = named
+        .flat_map(|known| student.places_alike(&known.signature.as_seen_by(student)))
+        .collect();
+    if let Claim::Constant(constants) = &guess.claim {
+        places.extend(constants.places());
+    }
+    places
 }
 
 /// What `student` looks like, if it looks like anything known.
@@ -175,17 +233,21 @@ pub fn diagnose(known: &[Known], student: &Signature) -> Option<Diagnosis> {
         true => Certainty::Perhaps,
         false => Certainty::of(likeness, student),
     };
+    let claim = match certainty {
+        Certainty::Perhaps if !is_extra => Claim::MostAlike,
+        _ => Claim::Alike(student.evidence()),
+    };
     let preface = match is_extra {
         true => EXTRA_CREDIT,
         false => "",
     };
-    let answers = match certainty {
-        Certainty::Perhaps if !is_extra => {
+    let answers = match claim {
+        Claim::Alike(evidence) => evidence.says(&says, equal, of),
+        _ => {
             format!(
                 "your answers look most like those of code that {says}: on {equal} of {of} calls"
             )
         }
-        _ => student.evidence().says(&says, equal, of),
     };
     Some(Diagnosis {
         mistakes,
@@ -195,6 +257,8 @@ pub fn diagnose(known: &[Known], student: &Signature) -> Option<Diagnosis> {
         equal,
         of,
         certainty,
+        claim,
+        ..Diagnosis::default()
     })
 }
 

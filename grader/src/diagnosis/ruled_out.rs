@@ -8,7 +8,7 @@ use judge::cases::Spec;
 /// Whether the sentences about what the wrong answers of `student` have in `common` rule out a
 /// guess: however the mistake is made, it makes at least `REFUTING` answers wrong elsewhere than
 /// where the sentences say that all wrong answers are. A likely mistake is no guess.
-pub fn is_ruled_out(
+pub(super) fn is_ruled_out(
     guess: &Diagnosis,
     known: &[Known],
     student: &Signature,

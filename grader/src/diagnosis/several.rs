@@ -1,6 +1,6 @@
 //! Diagnoses of code that makes several mistakes at once.
 
-use super::{Certainty, Diagnosis, FEWEST_CALLS, Named, Ranked, SURE, with_twins};
+use super::{Certainty, Claim, Diagnosis, FEWEST_CALLS, Named, Ranked, SURE, with_twins};
 use crate::signature::{Alone, Evidence, Signature};
 use std::cmp::Reverse;
 
@@ -123,6 +123,8 @@ pub(super) fn two_at_once(ranked: &[Ranked], student: &Signature) -> Option<Diag
         equal: together.equal,
         of: together.either,
         certainty: Certainty::of(likeness, student),
+        claim: Claim::Pair([by_first, by_second]),
+        ..Diagnosis::default()
     })
 }
 
@@ -149,7 +151,8 @@ pub(super) fn one_of_several(ranked: &[Ranked], student: &Signature) -> Option<D
         others,
         hint,
     } = with_twins(ranked, best)?;
-    let are = match student.evidence() {
+    let evidence = student.evidence();
+    let are = match evidence {
         Evidence::Exact => "equal",
         _ => "are wrong in the same way as",
     };
@@ -164,6 +167,8 @@ pub(super) fn one_of_several(ranked: &[Ranked], student: &Signature) -> Option<D
         equal,
         of: wrong,
         certainty: Certainty::Perhaps,
+        claim: Claim::OneOfSeveral(evidence),
+        ..Diagnosis::default()
     })
 }
 

@@ -28,6 +28,9 @@ pub struct SimplestCall {
     pub case: String,
     /// What is wrong; `None` if the code crashes.
     pub aspect: Option<Aspect>,
+    /// The function that gave the wrong answer, in tasks of several.
+    #[serde(skip)]
+    pub function: Option<&'static str>,
     /// What the function is called with.
     pub input: String,
     /// Its result and the expected one, or how it crashes. In a report without the question, which
@@ -326,6 +329,7 @@ fn alike(case: &CaseResult, answered: &[Asked<'_>]) -> Option<SimplestCall> {
                 let number = fault.call as usize;
                 return Some(SimplestCall {
                     aspect: Some(target.aspect),
+                    function: fault.named_function(),
                     result: told.message.clone(),
                     shown: match asked.spec.shown(case.tier, number, Some(asked.answer)) {
                         // Another function, whose answers are drawn, may have found a hit.
@@ -438,6 +442,7 @@ fn call(case: &CaseResult, spec: &Spec, call: u32) -> SimplestCall {
     SimplestCall {
         case: case.name.clone(),
         aspect: None,
+        function: None,
         input: spec.input(call as usize).unwrap_or_default(),
         result: Message::default(),
         test: repro::of_work(

@@ -6,12 +6,10 @@ pub mod speedup;
 
 use crate::build::{BuildLimit, BuildRoot};
 use crate::course::{Course, Task, stages_of};
-use crate::diagnosis::{self, fresh_cases::FreshCases, simplest};
+use crate::diagnosis::{self, Explanation, simplest};
 use crate::examples;
 use crate::report::{Report, TaskReport};
-use crate::score::regularity;
 use crate::score::{CaseResult, Status, TaskResult};
-use crate::signature::Signature;
 use crate::workers::crash::{Crash, CrashKind, Ended};
 use crate::workers::printed::Printed;
 use crate::workers::runner::Ending;
@@ -283,29 +281,16 @@ fn explain(
             None => None,
         };
         let cases = unmoved.as_ref().unwrap_or(&result.cases);
-        let fresh = FreshCases::of(&result.key, specs, seed);
-        let mut known = diagnosis::known(workspace, &result.key)?;
-        for known in &mut known {
-            known.signature = fresh.removed_from(&known.signature);
-        }
-        diagnosis::leave_out_unwritten(&mut known, cases);
-        let signature = fresh.removed_from(&Signature::of(cases));
+        let known = diagnosis::known(workspace, &result.key)?;
         let simplest = match &of_stage {
             Some(workers) => simplest::of_task(workers, &result, specs)?,
             None => None,
         };
         let wrong_where = simplest.as_ref().map_or(&[][..], |call| &call.wrong_where);
-        let (diagnosis, regularities) = match result.fails_only_with_neighbours() {
-            true => (None, Vec::new()),
-            false => (
-                diagnosis::of_task(&known, &signature, cases),
-                regularity::beside(&result.key, cases, specs, wrong_where),
-            ),
-        };
-        let diagnosis = diagnosis.filter(|guess| {
-            let of_task = (result.key.as_str(), specs);
-            !diagnosis::is_ruled_out(guess, &known, &signature, &regularities, of_task)
-        });
+        let Explanation {
+            diagnosis,
+            regularities,
+        } = diagnosis::explain(&result, cases, &known, (specs, seed), wrong_where);
         let simplest_test = simplest.as_ref().and_then(|call| call.test.as_ref());
         let worst_as_test = match simplest_test {
             Some(test) => Some(repro::as_file(SIMPLEST, &result.key, test)),
@@ -401,8 +386,9 @@ pub fn score_tasks(
             }
             let holes = named_in_order(task, holes(ending));
             let crash = ending.as_ref().ok().and_then(Crash::of);
-            let (status, findings) = match answered(&task.key, ending, course)? {
-                Err(status) => (with_input(status, crash, spec), Vec::new()),
+            let answer = answered(&task.key, ending, course)?;
+            let (status, findings) = match &answer {
+                Err(status) => (with_input(status.clone(), crash, spec), Vec::new()),
                 Ok(answer) => {
                     let called: Vec<String> =
                         holes.iter().map(|hole| hole.called.clone()).collect();
@@ -411,8 +397,7 @@ pub fn score_tasks(
                 }
             };
             let result = CaseResult::new(entry, spec.about, status, findings, &holes);
-            let answer = answered(&task.key, ending, course)?.ok();
-            let failed = answer.filter(|_| result.status == Status::Failed);
+            let failed = answer.ok().filter(|_| result.status == Status::Failed);
             case_results.push(CaseResult {
                 with_neighbours: spec.needs_all_stages(),
                 calls: judge::calls(&spec.work),

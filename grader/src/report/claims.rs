@@ -7,11 +7,11 @@
 use super::message;
 use super::screen::WHOLE;
 use super::wrap::wrap;
-use crate::diagnosis::Diagnosis;
 use crate::diagnosis::simplest::SimplestCall;
+use crate::diagnosis::{Claim, Constants, Diagnosis};
 use crate::score::regularity::{self, Regularity, Shared, told_class};
 use crate::score::{CaseResult, Status};
-use crate::signature::{Evidence, Signature};
+use crate::signature::Signature;
 use crate::sketch::Sketch;
 use crate::workers::crash::CrashKind;
 use judge::Tier;
@@ -37,10 +37,9 @@ pub fn false_ones(
     let of_common = common
         .iter()
         .map(|says| (says.to_string(), answers.contradict(says)));
-    let of_diagnosis = diagnosis.into_iter().map(|it| {
-        let why = contradict_diagnosis(it, &Signature::of(cases));
-        (it.says.clone(), why)
-    });
+    let of_diagnosis = diagnosis
+        .into_iter()
+        .map(|it| (it.says.clone(), contradict_diagnosis(it, cases)));
     let of_ends = cases.iter().filter_map(|case| {
         let Status::Crashed(how) = &case.status else {
             return None;
@@ -176,40 +175,52 @@ pub fn false_of_drawing(call: &ShownCall) -> Vec<String> {
     sketch.map_or_else(Vec::new, |sketch| sketch.false_signs())
 }
 
-/// What contradicts the numbers of a diagnosis; `None` if they agree with the answers.
-fn contradict_diagnosis(diagnosis: &Diagnosis, answers: &Signature) -> Option<String> {
+/// What contradicts a diagnosis; `None` if it agrees with the answers.
+fn contradict_diagnosis(diagnosis: &Diagnosis, cases: &[CaseResult]) -> Option<String> {
     let Diagnosis {
-        says, equal, of, ..
+        claim, equal, of, ..
     } = diagnosis;
     if equal > of {
         return Some("more are equal than there are".into());
     }
-    if says.contains("your answers equal") && equal < of {
-        return Some("some are not equal".into());
-    }
-    if says.contains(" equal those of") && answers.evidence() != Evidence::Exact {
-        return Some("they are alike, which is not equal".into());
-    }
-    if says.starts_with("several mistakes") && *of != answers.wrong() {
-        return Some(format!("{} values are wrong", answers.wrong()));
-    }
-    let guesses = 1 + says.matches("another guess").count();
-    if guesses > 3 && !says.starts_with("two mistakes") {
-        return Some(format!("{guesses} guesses"));
-    }
-    let (_, explained) = says.split_once(": the first explains ")?;
-    let numbers: Vec<usize> = explained
-        .split(|c: char| !c.is_ascii_digit())
-        .filter_map(|digits| digits.parse().ok())
-        .take(3)
-        .collect();
-    let [first, wrong, second] = numbers[..] else {
-        return Some("it does not say how much each explains".into());
+    let answers = Signature::of(cases);
+    let all_wrong = answers.wrong();
+    let is_of_all = |wrong: usize| {
+        (wrong != all_wrong).then(|| format!("{all_wrong} values are wrong, not {wrong}"))
     };
-    if wrong != answers.wrong() {
-        return Some(format!("{} values are wrong", answers.wrong()));
+    match claim {
+        Claim::Alike(evidence) => (*evidence != answers.evidence())
+            .then(|| format!("they are alike by {:?}", answers.evidence())),
+        Claim::MostAlike => None,
+        Claim::Pair([first, second]) => {
+            (first + second > all_wrong).then(|| format!("{first} and {second} of {all_wrong}"))
+        }
+        Claim::OneOfSeveral(evidence) => is_of_all(*of).or_else(|| {
+            (*evidence != answers.evidence())
+                .then(|| format!("they are alike by {:?}", answers.evidence()))
+        }),
+        Claim::Constant(constants) => contradict_constants(constants, cases),
     }
-    let is_rest = first + second == wrong;
-    (first + second > wrong || explained.contains("the other") != is_rest)
-        .then(|| format!("{first} and {second} of {wrong}"))
+}
+
+/// What contradicts that answers, or fields of them, never change.
+fn contradict_constants(constants: &Constants, cases: &[CaseResult]) -> Option<String> {
+    let core = || cases.iter().filter(|case| case.tier == Tier::Core);
+    match constants {
+        Constants::Answer { text, calls, .. } => {
+            let same = core().filter(|case| case.answer_to_all.as_ref() == Some(text));
+            let found: usize = same.map(|case| case.calls).sum();
+            (found != *calls).then(|| format!("{found} answers are {text}"))
+        }
+        Constants::Fields(fields) => fields.iter().find_map(|field| {
+            let counted = core().filter(|case| !case.with_neighbours);
+            let findings = counted.flat_map(|case| &case.findings);
+            let faults = findings
+                .filter(|finding| finding.aspect == field.aspect)
+                .flat_map(|finding| &finding.faults);
+            let own = faults.filter(|fault| fault.named_function() == field.function);
+            let wrong = own.count();
+            (wrong < field.wrong).then(|| format!("only {wrong} answers are wrong"))
+        }),
+    }
 }

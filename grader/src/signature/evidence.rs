@@ -6,7 +6,7 @@ use judge::findings::Aspect;
 
 /// What two signatures with the same codes have in common.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Evidence {
+pub enum Evidence {
     /// Answers whose error is known exactly: a miss, a negated number, a fault with a name.
     Exact,
     /// Answers that are wrong in the same way. The numbers may differ.

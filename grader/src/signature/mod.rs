@@ -12,7 +12,7 @@ pub(crate) mod stored;
 mod together;
 
 use codes::{Codes, TELLING_KINDS, codes_of};
-pub(crate) use evidence::Evidence;
+pub use evidence::Evidence;
 pub use key::Side;
 use key::SignatureKey;
 use together::Hiding;
@@ -204,6 +204,30 @@ impl Signature {
                 _ => true,
             },
         )
+    }
+
+    /// The part of the signature that does not follow from wrong fields of these functions: other
+    /// functions, and hits and misses, without which no field is judged.
+    pub fn elsewhere(&self, functions: &BTreeSet<&str>) -> Signature {
+        self.keys(|key| {
+            let function = key.side.function();
+            let is_other = function.is_some_and(|function| !functions.contains(function));
+            key.side.is_decision() || is_other
+        })
+    }
+
+    /// The fields, and the functions that gave them, in which both are wrong in the same way on a
+    /// call.
+    pub fn places_alike(&self, other: &Signature) -> BTreeSet<(Aspect, Option<String>)> {
+        let keys = self.cases().iter().filter(|(key, codes)| {
+            let others = codes_at(other.cases(), key).iter();
+            let mut pairs = codes.0.iter().zip(others);
+            pairs.any(|(a, b)| *a != 0 && a == b)
+        });
+        let places = keys.filter_map(|(key, _)| key.side.place());
+        places
+            .map(|(aspect, function)| (aspect, function.map(str::to_owned)))
+            .collect()
     }
 
     /// The part of the signature whose keys satisfy `is_kept`.

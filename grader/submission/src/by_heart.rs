@@ -186,6 +186,7 @@ mod tests {
             spread: None,
             errors: Vec::new(),
             judged_calls: Vec::new(),
+            numbers: Vec::new(),
         };
         CaseResult {
             name: name.into(),

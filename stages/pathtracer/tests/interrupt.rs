@@ -1,6 +1,7 @@
 //! Ctrl-C while the `pathtracer` program renders.
 #![cfg(unix)]
 
+use pathtracer::SumsFile;
 use std::fs;
 use std::io::{BufRead, BufReader};
 use std::path::Path;
@@ -17,11 +18,12 @@ const SCENE: &str = concat!(
 /// A hundred times what a program takes that ends after its first signal, on a slow machine.
 const LIMIT: Duration = Duration::from_secs(1000);
 
-/// Starts a long rendering to `folder/a.png`, and returns when the program handles Ctrl-C.
-fn start(folder: &Path) -> Child {
+/// Starts a long rendering in `folder`, and returns when the program handles Ctrl-C.
+fn start(folder: &Path, flags: &[&str]) -> Child {
     let mut program = Command::new(env!("CARGO_BIN_EXE_pathtracer"))
         .current_dir(folder)
-        .args(["-s", "1048576", "-r", "64", "64", "-f", "a.png", SCENE])
+        .args(["-s", "1048576", "-r", "64", "64", SCENE])
+        .args(flags)
         .stdout(Stdio::piped())
         .stderr(Stdio::null())
         .spawn()
@@ -61,9 +63,22 @@ fn end(mut program: Child) -> ExitStatus {
 #[test]
 fn two_signals_at_once_are_one_ctrl_c() {
     let folder = tempfile::tempdir().expect("a temporary folder");
-    let program = start(folder.path());
+    let program = start(folder.path(), &["-f", "a.png"]);
     interrupt_twice(&program);
     assert_eq!(end(program).code(), Some(130));
     let picture = fs::metadata(folder.path().join("a.png")).expect("a picture");
     assert!(picture.len() > 0);
+}
+
+/// Each pixel has samples, those of a first pass at least, and the file can be merged.
+#[test]
+fn an_adaptive_part_that_is_interrupted_keeps_its_samples() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let program = start(folder.path(), &["-a", "1048576", "-f", "a.sums"]);
+    interrupt_twice(&program);
+    assert_eq!(end(program).code(), Some(130));
+    let file = SumsFile::read(&folder.path().join("a.sums")).expect("a file of sums");
+    assert!(file.head.adaptive && file.head.samples == 1 << 20);
+    let samples = file.pixels.iter().map(|pixel| pixel.mean().samples);
+    assert_eq!(samples.min(), Some(2));
 }

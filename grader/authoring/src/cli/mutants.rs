@@ -16,9 +16,8 @@ use base::program::{Exit, path_argument, whole_number};
 use base::{GraderError, Workspace, out, outln};
 use clap::{Arg, ArgAction, ArgMatches, Command};
 use grader::course::Course;
-use grader::diagnosis::{self, Diagnosis, Known};
+use grader::diagnosis::{self, Diagnosis, Explanation, Known};
 use grader::report::{claims, message};
-use grader::score::regularity;
 use grader::signature::Signature;
 use grader::sketch::Sketch;
 use judge::{cases, plural};
@@ -288,12 +287,11 @@ fn false_claims(task: &str, graded: &[run::Graded], known: &[Known]) -> Vec<Stri
     let specs = cases::all(0);
     let each = graded.par_iter().flat_map_iter(|graded| {
         let cases = &graded.result.cases;
-        let common = regularity::of(task, cases, &specs);
-        let signature = Signature::of(cases);
-        let diagnosis = diagnosis::diagnose(known, &signature).filter(|guess| {
-            !diagnosis::is_ruled_out(guess, known, &signature, &common, (task, &specs))
-        });
-        let claims = claims::false_ones(task, cases, &specs, &common, diagnosis.as_ref());
+        let Explanation {
+            diagnosis,
+            regularities,
+        } = diagnosis::explain(&graded.result, cases, known, (&specs, 0), &[]);
+        let claims = claims::false_ones(task, cases, &specs, &regularities, diagnosis.as_ref());
         let name = &graded.name;
         claims
             .into_iter()
@@ -344,24 +342,21 @@ fn show_unlisted(task: &str, graded: &[run::Graded], known: &[Known]) {
         } else {
             "SURVIVES".to_string()
         };
-        let signature = Signature::of(&result.cases);
-        let mut known = known.to_vec();
-        diagnosis::leave_out_unwritten(&mut known, &result.cases);
-        let common = regularity::of(task, &result.cases, &specs);
-        let diagnosis = diagnosis::diagnose(&known, &signature).filter(|guess| {
-            !diagnosis::is_ruled_out(guess, &known, &signature, &common, (task, &specs))
-        });
+        let Explanation {
+            diagnosis,
+            regularities,
+        } = diagnosis::explain(result, &result.cases, known, (&specs, 0), &[]);
         let says = match &diagnosis {
             Some(diagnosis) => format!("{}: {}", diagnosis.certainty.label(), diagnosis.says),
             None => "no mistake is named".to_string(),
         };
         outln!("  {}: {lost}\n    {says}", graded.name);
         if !diagnosis.as_ref().is_some_and(Diagnosis::is_likely) {
-            for sentence in common {
+            for sentence in regularities {
                 outln!("    - {sentence}");
             }
         }
-        let nearest = diagnosis::candidates(&known, &signature);
+        let nearest = diagnosis::candidates(known, &Signature::of(&result.cases));
         for (mistakes, likeness, contradicted) in nearest.into_iter().take(NEAREST) {
             let but = if contradicted { ", contradicted" } else { "" };
             outln!("      {likeness:.2} {}{but}", mistakes.join(" + "));

@@ -146,6 +146,7 @@ mod tests {
             call: Some(SimplestCall {
                 case: String::new(),
                 aspect: None,
+                function: None,
                 input: input.into(),
                 result: Message::default(),
                 test: None,

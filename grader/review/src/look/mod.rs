@@ -15,7 +15,6 @@ use grader::diagnosis::{self, Diagnosis};
 use grader::grade;
 use grader::grade::picture::{self, Rendered};
 use grader::score::{CaseResult, Status, TaskResult};
-use grader::signature::Signature;
 use grader::workers::worker_set::WorkerSet;
 use judge::Tier;
 use judge::cases::Spec;
@@ -92,16 +91,17 @@ impl Look {
                 picture,
             });
         }
-        let diagnosis = match result.status {
-            Status::Passed | Status::NotAttempted => None,
+        let (simplest, diagnosis) = match result.status {
+            Status::Passed | Status::NotAttempted => (None, None),
             _ => {
                 let known = diagnosis::known(workspace, &task.key)?;
-                diagnosis::of_task(&known, &Signature::of(&result.cases), &result.cases)
+                let simplest = simplest::of_task(&of_stage, &result, specs)?;
+                let wrong_where = simplest.as_ref().map_or(&[][..], |call| &call.wrong_where);
+                let questions = (specs, 0);
+                let explanation =
+                    diagnosis::explain(&result, &result.cases, &known, questions, wrong_where);
+                (simplest, explanation.diagnosis)
             }
-        };
-        let simplest = match result.status {
-            Status::Passed | Status::NotAttempted => None,
-            _ => simplest::of_task(&of_stage, &result, specs)?,
         };
         Ok(Look {
             diagnosis,

@@ -345,6 +345,7 @@ mod tests {
             wrong: 3,
             worst: Some(Worst {
                 call: 1,
+                function: None,
                 badness: 1.0,
                 message: message.into(),
             }),
@@ -354,6 +355,7 @@ mod tests {
             spread: None,
             errors: Vec::new(),
             judged_calls: Vec::new(),
+            numbers: Vec::new(),
             functions: Vec::new(),
             main: true,
         };

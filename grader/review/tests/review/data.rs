@@ -162,6 +162,7 @@ fn the_mistake_that_the_answers_look_like_is_named() {
         equal: 3,
         of: 4,
         certainty: Certainty::Perhaps,
+        ..Diagnosis::default()
     };
     review.diagnoses.insert("part2.task2".into(), diagnosis);
     let page = page::write(&review, &Author::Reference);

@@ -77,6 +77,7 @@ fn talkative(key: &str) -> TaskReport {
             equal: 1,
             of: 2,
             certainty: Certainty::Perhaps,
+            ..Diagnosis::default()
         }),
         regularities: vec![common(&nasty(30)), common(&nasty(30)), common(&nasty(30))],
         test_file: Some(PathBuf::from("target/first-light/part1_task3.rs")),
@@ -245,6 +246,7 @@ fn each_level_reveals_more() {
         equal: 1,
         of: 1,
         certainty: Certainty::Likely,
+        ..Diagnosis::default()
     };
     let wrong = TaskReport {
         diagnosis: Some(found),
@@ -356,6 +358,7 @@ fn full_marks_are_a_success() {
     inviting.simplest = Some(crate::diagnosis::simplest::SimplestCall {
         case: "by_a_hair".into(),
         aspect: Some(Aspect::HitOrMiss),
+        function: None,
         input: "a triangle".into(),
         result: "your result: miss; expected: hit at t = 1.0".into(),
         test: None,

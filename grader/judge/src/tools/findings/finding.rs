@@ -40,6 +40,57 @@ pub struct Finding {
     /// The calls that were judged, in order.
     #[serde(skip)]
     pub judged_calls: Vec<u32>,
+    /// The numbers of the wrong answers of each function.
+    #[serde(skip)]
+    pub numbers: Vec<WrongNumbers>,
+}
+
+/// The numbers of a function's wrong answers in one aspect, as long as they are the same in each.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WrongNumbers {
+    /// The function, in cases or tasks with several.
+    pub function: Option<&'static str>,
+    /// The wrong answers so far.
+    pub count: u32,
+    /// The code's numbers in each of them; `None` if they differ.
+    pub same: Option<Vec<f64>>,
+    /// The numbers that are expected in the first.
+    pub expected: Vec<f64>,
+    /// Whether other numbers are expected in others.
+    pub expected_differ: bool,
+}
+
+/// Numbers that differ by less than this share are the same: their difference is rounding.
+const SAME_NUMBER: f64 = 1e-9;
+
+impl WrongNumbers {
+    /// Those of one answer, each number with the expected one.
+    fn of(function: Option<&'static str>, compared: &[[f64; 2]]) -> WrongNumbers {
+        WrongNumbers {
+            function,
+            count: 1,
+            same: (!compared.is_empty())
+                .then(|| compared.iter().map(|[yours, _]| *yours).collect()),
+            expected: compared.iter().map(|[_, expected]| *expected).collect(),
+            expected_differ: false,
+        }
+    }
+
+    /// Adds the wrong answers of another case. Both have as many numbers.
+    pub fn add(&mut self, other: &WrongNumbers) {
+        self.count += other.count;
+        self.same = self.same.take().filter(|same| {
+            let others = other.same.as_ref();
+            others.is_some_and(|others| are_equal(same, others))
+        });
+        self.expected_differ |=
+            other.expected_differ || !are_equal(&self.expected, &other.expected);
+    }
+}
+
+fn are_equal(these: &[f64], those: &[f64]) -> bool {
+    let is_equal = |(a, b): (&f64, &f64)| a == b || (a - b).abs() <= SAME_NUMBER * b.abs();
+    these.len() == those.len() && these.iter().zip(those).all(is_equal)
 }
 
 /// How many answers of one function were judged in an aspect.
@@ -72,6 +123,9 @@ impl FunctionCount {
 pub struct Worst {
     /// Which call of the case, counted from 0.
     pub call: u32,
+    /// The function that returned it, in cases or tasks with several.
+    #[serde(skip)]
+    pub function: Option<&'static str>,
     /// Rank among wrong answers; larger is worse.
     pub badness: f64,
     /// The student's result, the expected one and the input.
@@ -87,6 +141,7 @@ impl Finding {
             faults: Vec::new(),
             errors: Vec::new(),
             judged_calls: Vec::new(),
+            numbers: Vec::new(),
             ..*self
         }
     }
@@ -124,6 +179,26 @@ impl Finding {
 }
 
 impl Finding {
+    /// Whether the numbers of the next wrong answer of `function` may be those of the ones before.
+    pub(super) fn may_be_the_same(&self, function: Option<&'static str>) -> bool {
+        let mut own = self.numbers.iter().filter(|own| own.function == function);
+        let first = own.next();
+        first.is_none_or(|first| first.same.is_some() || own.any(|own| own.same.is_some()))
+    }
+
+    /// Adds the numbers of a wrong answer of `function`, each with the expected one. Answers with
+    /// another number of them are about something else, such as a density beside a colour.
+    pub(super) fn add_numbers(&mut self, function: Option<&'static str>, compared: &[[f64; 2]]) {
+        let one = WrongNumbers::of(function, compared);
+        let is_alike = |other: &&mut WrongNumbers| {
+            other.function == function && other.expected.len() == compared.len()
+        };
+        match self.numbers.iter_mut().find(is_alike) {
+            Some(before) => before.add(&one),
+            None => self.numbers.push(one),
+        }
+    }
+
     pub(super) fn of_function(&mut self, function: &'static str) -> &mut FunctionCount {
         let same = |own: &FunctionCount| own.function == function;
         let at = self.functions.iter().position(same).unwrap_or_else(|| {
@@ -163,6 +238,14 @@ pub struct Fault {
     /// How it is wrong.
     pub class: Class,
 }
+
+impl Fault {
+    /// The function that it counts for, or else the one that returned it.
+    pub fn named_function(&self) -> Option<&'static str> {
+        self.counts_for.or(self.function)
+    }
+}
+
 /// A wrong aspect of the answer to one call.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WrongAnswer {

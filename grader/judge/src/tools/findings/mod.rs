@@ -11,7 +11,7 @@ pub use aspect::Aspect;
 pub(crate) use class::SAME;
 pub use class::{BLACK_CHANNEL, Class};
 pub use distribution::{COUNTS, DirectionCounts};
-pub use finding::{Fault, Finding, FunctionCount, Worst, WrongAnswer};
+pub use finding::{Fault, Finding, FunctionCount, Worst, WrongAnswer, WrongNumbers};
 pub use message::Message;
 pub(crate) use message::told_apart;
 pub use not_judged::NotJudged;
@@ -149,18 +149,24 @@ impl Findings {
         let size = |badness: f64| badness.log2().floor();
         let worst = finding.worst.as_ref();
         let compared = worst.map(|worst| size(badness).total_cmp(&size(worst.badness)));
-        if compared == Some(Ordering::Less) && !keeps_messages {
+        let named = fault.named_function();
+        let may_be_the_same = finding.may_be_the_same(named);
+        if compared == Some(Ordering::Less) && !keeps_messages && !may_be_the_same {
             return;
         }
         let message: Message = message().into();
+        if may_be_the_same {
+            finding.add_numbers(named, &message.compared);
+        }
         // Of errors of about the same size, the one with the fewest digits to read.
-        let is_worst = match (compared, worst) {
+        let is_worst = match (compared, &finding.worst) {
             (Some(Ordering::Equal), Some(worst)) => digits(&message) < digits(&worst.message),
             (compared, _) => compared != Some(Ordering::Less),
         };
         if is_worst {
             finding.worst = Some(Worst {
                 call,
+                function: named,
                 badness,
                 message: message.clone(),
             });
@@ -251,6 +257,7 @@ impl Findings {
                     spread: None,
                     errors: Vec::new(),
                     judged_calls: Vec::new(),
+                    numbers: Vec::new(),
                 });
                 self.list.len() - 1
             });

@@ -41,6 +41,13 @@ pub(crate) fn note_interrupted(job: &Job, taken: u32) -> String {
     }
 }
 
+/// What an adaptive part has that was interrupted after `samples` samples of all pixels.
+pub(crate) fn note_interrupted_adaptive(samples: u64) -> String {
+    format!(
+        "note: interrupted: the file has {samples} samples. With -a a pixel gets all of its samples at once; those that had none yet have the samples of a first pass, and cannot be rendered further"
+    )
+}
+
 /// Identifies what the samples depend on: the files that are read, the camera, the size of the
 /// picture, the random numbers and the settings. Neither the part nor the threads, nor how
 /// intersections are found.

@@ -137,22 +137,25 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
     }
     match outputs.picture {
         PictureFile::Picture(file) => file.write(&rendered.film, cell)?,
-        PictureFile::Sums(_) if stop.is_interrupted() && light.adaptive.is_some() => {
-            errln!(
-                "error: interrupted: {} is not written, because with -a a pixel takes all its samples at once",
-                path.display()
-            );
-            return Ok(ExitCode::from(INTERRUPTED));
-        }
         PictureFile::Sums(file) => {
-            let taken = Job {
-                samples: (rendered.samples() / cell.area()) as u32,
-                ..job
+            let is_adaptive = light.adaptive.is_some() && is_lit;
+            let taken = match is_adaptive {
+                true => job,
+                false => Job {
+                    samples: (rendered.samples() / cell.area()) as u32,
+                    ..job
+                },
             };
             part::write(&file, args, &taken, &light, &prepared, &rendered)?;
             if stop.is_interrupted() {
                 outln!("Wrote       {}", path.display());
-                errln!("{}", part::note_interrupted(&job, taken.samples));
+                errln!(
+                    "{}",
+                    match is_adaptive {
+                        true => part::note_interrupted_adaptive(rendered.samples()),
+                        false => part::note_interrupted(&job, taken.samples),
+                    }
+                );
                 return Ok(ExitCode::from(INTERRUPTED));
             }
         }

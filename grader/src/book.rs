@@ -37,10 +37,11 @@ const SOURCES: [&str; 4] = [TEXT, "stages/book/code", "stages/book/theme", SITE_
 const COPIED: [&str; 2] = ["figures", "mistakes"];
 
 /// Files that the site is also made of.
-const SOURCE_FILES: [&str; 3] = [
+const SOURCE_FILES: [&str; 4] = [
     "stages/book/book.toml",
     "Cargo.lock",
     "grader/pictures/triangles.svg",
+    "grader/pictures/world.svg",
 ];
 
 /// The folder of the site, whether it exists or not.

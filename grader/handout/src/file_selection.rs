@@ -32,8 +32,11 @@ const ONLY_RENDERED: [&str; 2] = ["src/hosting.md", "src/hard-cases.md"];
 /// and large ones of mistakes.
 const ONLY_PUBLISHED: [&str; 2] = ["src/so-far", "src/mistakes-large"];
 
-/// A plot of `grader cost` that the book shows.
-const PLOT_IN_BOOK: &str = "grader/pictures/triangles.svg";
+/// Plots of `grader cost` that the book shows.
+const PLOTS_IN_BOOK: [&str; 2] = [
+    "grader/pictures/triangles.svg",
+    "grader/pictures/world.svg",
+];
 
 /// Files in the root folder that a handout contains.
 const ROOT_FILES: [&str; 4] = ["Cargo.lock", ".gitignore", "clippy.toml", "rustfmt.toml"];
@@ -106,7 +109,7 @@ impl<'a> FileSelection<'a> {
                 .any(|folder| inside.starts_with(folder));
             return inside.starts_with("src") && !is_script && !is_only_rendered && !is_published;
         }
-        if path == Path::new(PLOT_IN_BOOK) {
+        if PLOTS_IN_BOOK.iter().any(|plot| path == Path::new(plot)) {
             return true;
         }
         let Some(owner) = members::containing_member(self.members, path) else {

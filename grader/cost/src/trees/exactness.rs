@@ -4,7 +4,7 @@
 use crate::measure_kernels::precision;
 use crate::report::Precision;
 use crate::timing::Timing;
-use crate::world::terrain;
+use crate::world::{Random, terrain};
 use judge::cases::probes::{ProbeRng, through};
 use kernels::{ClosestHit, RoundedTree, brute_force};
 use kit::{Ray, Triangle, Vec3};
@@ -134,8 +134,8 @@ pub(super) struct Grid {
 
 impl Grid {
     pub(super) fn new(seed: u64) -> Grid {
+        let triangles = terrain(&mut Random(seed), GRID).flat_triangles();
         let mut dice = ProbeRng::new("cost grid", seed);
-        let triangles = terrain(&mut dice, GRID).flat_triangles();
         let rays = (0..GRID_RAYS).map(|i| {
             let mut inner = || 1.0 + dice.below(GRID - 2) as f64;
             let off = [[0.0, 0.0], [0.5, 0.0], [0.5, 0.5]][i % 3];

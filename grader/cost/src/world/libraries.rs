@@ -40,7 +40,7 @@ pub fn write_cases(folder: &Path, seed: u64, rays: usize) -> Result<(), GraderEr
             case.write(&folder.join(column.name).with_extension("case"))?;
             truth::answers(&case).write(&truth_file(folder, column.name))?;
         }
-        speed(seed, rays).write(&folder.join("speed.case"))
+        speed(seed, 2 * rays).write(&folder.join("speed.case"))
     };
     write().map_err(|e: io::Error| GraderError::new(format!("{}: {e}", folder.display())))
 }

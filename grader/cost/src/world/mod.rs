@@ -13,6 +13,7 @@ mod column;
 mod libraries;
 mod outcome;
 pub mod plot;
+mod random;
 pub mod row;
 mod shape;
 pub(crate) mod table;
@@ -21,6 +22,7 @@ mod truth;
 pub use case::{Answers, Case, RayAnswer};
 pub use column::{COLUMNS, Column, Measure};
 pub use libraries::{judge, stored, write_cases};
+pub(crate) use random::Random;
 pub use row::{Cell, Row};
 pub(crate) use shape::terrain;
 

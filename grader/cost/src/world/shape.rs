@@ -1,20 +1,18 @@
 //! The meshes of the hard cases, with vertices in single precision.
 
 use super::case::Rounded;
-use judge::cases::probes::ProbeRng;
+use super::random::Random;
 use kit::{Vec3, math};
-use meshes::IndexedMesh;
+use meshes::{IndexedMesh, MeshKind};
 use std::collections::HashMap;
 
-/// The mesh with its vertices rounded.
-fn rounded(mut positions: Vec<Vec3>, faces: Vec<[u32; 3]>) -> IndexedMesh {
-    for p in &mut positions {
-        *p = p.rounded();
-    }
+/// A mesh with its vertices rounded.
+fn mesh(vertices: impl IntoIterator<Item = Vec3>, faces: Vec<[u32; 3]>) -> IndexedMesh {
+    let positions = vertices.into_iter().map(Vec3::rounded).collect();
     IndexedMesh { positions, faces }
 }
 
-/// A sphere of about `triangles` triangles with bumps: vertices that triangles share are one.
+/// A smooth mesh of about `triangles` triangles: vertices that triangles share are one.
 pub(super) fn smooth(triangles: usize) -> IndexedMesh {
     let mut numbers: HashMap<[u64; 3], u32> = HashMap::new();
     let mut positions = Vec::new();
@@ -25,56 +23,58 @@ pub(super) fn smooth(triangles: usize) -> IndexedMesh {
             positions.len() as u32 - 1
         })
     };
-    let triangles = meshes::generate(meshes::MeshKind::Smooth, triangles);
+    let triangles = meshes::generate(MeshKind::Smooth, triangles);
     let faces = triangles
         .iter()
         .map(|t| [t.p0, t.p1, t.p2].map(&mut number));
     let faces = faces.collect();
-    rounded(positions, faces)
+    mesh(positions, faces)
 }
-
-/// The faces of an icosahedron.
-const FACES: [[u32; 3]; 20] = [
-    [0, 2, 1],
-    [0, 1, 6],
-    [0, 8, 2],
-    [0, 6, 4],
-    [0, 4, 8],
-    [1, 2, 7],
-    [1, 5, 6],
-    [1, 7, 5],
-    [2, 3, 7],
-    [2, 8, 3],
-    [3, 9, 7],
-    [3, 8, 10],
-    [3, 10, 9],
-    [4, 6, 11],
-    [4, 10, 8],
-    [4, 11, 10],
-    [5, 11, 6],
-    [5, 7, 9],
-    [5, 9, 11],
-    [9, 10, 11],
-];
 
 /// The unit icosahedron, each triangle divided into four `levels` times: 20 · 4^`levels` triangles.
 pub(super) fn icosphere(levels: u32) -> IndexedMesh {
+    const FACES: [[u32; 3]; 20] = [
+        [0, 11, 5],
+        [0, 5, 1],
+        [0, 1, 7],
+        [0, 7, 10],
+        [0, 10, 11],
+        [1, 5, 9],
+        [5, 11, 4],
+        [11, 10, 2],
+        [10, 7, 6],
+        [7, 1, 8],
+        [3, 9, 4],
+        [3, 4, 2],
+        [3, 2, 6],
+        [3, 6, 8],
+        [3, 8, 9],
+        [4, 9, 5],
+        [2, 4, 11],
+        [6, 2, 10],
+        [8, 6, 7],
+        [9, 8, 1],
+    ];
     let golden = (1.0 + 5_f64.sqrt()) / 2.0;
+    let corner = |axis: usize, a: f64, b: f64| {
+        let mut p = [0.0; 3];
+        p[axis] = a;
+        p[(axis + 1) % 3] = b * golden;
+        Vec3::from_array(p).normalize()
+    };
     // Three rectangles at right angles to each other.
-    let corners = [-1.0, 1.0].into_iter().flat_map(|a| {
-        let pairs = [-golden, golden].into_iter();
-        pairs.flat_map(move |b| [[a, b, 0.0], [0.0, a, b], [b, 0.0, a]])
-    });
-    let corners = corners.map(|p| Vec3::from_array(p).normalize());
-    let mut positions: Vec<Vec3> = corners.collect();
+    let corners = [(-1.0, 1.0), (1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)];
+    let mut vertices: Vec<Vec3> = (0..3)
+        .flat_map(|axis| corners.map(|(a, b)| corner(axis, a, b)))
+        .collect();
     let mut faces = FACES.to_vec();
     for _ in 0..levels {
         let mut middles: HashMap<(u32, u32), u32> = HashMap::new();
         let mut middle = |a: u32, b: u32| {
             *middles.entry((a.min(b), a.max(b))).or_insert_with(|| {
-                let sum = positions[a as usize] + positions[b as usize];
-                positions.push(sum.normalize());
-                positions.len() as u32 - 1
+                let sum = vertices[a as usize] + vertices[b as usize];
+                vertices.push(sum.normalize());
+                vertices.len() as u32 - 1
             })
         };
         let divide = |[a, b, c]: [u32; 3]| {
@@ -83,24 +83,24 @@ pub(super) fn icosphere(levels: u32) -> IndexedMesh {
         };
         faces = faces.into_iter().flat_map(divide).collect();
     }
-    rounded(positions, faces)
+    mesh(vertices, faces)
 }
 
 /// A unit sphere of `slices` slices around the z axis and `stacks` stacks: long triangles if there
 /// are many more slices.
 pub(super) fn uv_sphere(slices: u32, stacks: u32) -> IndexedMesh {
-    let mut positions = vec![Vec3::Z];
+    let mut vertices = vec![Vec3::Z];
     for stack in 1..stacks {
         let theta = std::f64::consts::PI * f64::from(stack) / f64::from(stacks);
         for slice in 0..slices {
             let phi = std::f64::consts::TAU * f64::from(slice) / f64::from(slices);
             let across = math::sin(theta);
             let (x, y) = (across * math::cos(phi), across * math::sin(phi));
-            positions.push(Vec3::new(x, y, math::cos(theta)));
+            vertices.push(Vec3::new(x, y, math::cos(theta)));
         }
     }
-    positions.push(Vec3::NEG_Z);
-    let south = positions.len() as u32 - 1;
+    vertices.push(Vec3::NEG_Z);
+    let south = vertices.len() as u32 - 1;
     let at = |stack: u32, slice: u32| 1 + (stack - 1) * slices + slice % slices;
     let mut faces = Vec::new();
     for j in 0..slices {
@@ -112,47 +112,25 @@ pub(super) fn uv_sphere(slices: u32, stacks: u32) -> IndexedMesh {
             faces.extend([[a, c, d], [a, d, b]]);
         }
     }
-    rounded(positions, faces)
-}
-
-/// The squares of a grid of `size` by `size` squares, each as two triangles around the diagonal
-/// from its first corner.
-fn squares(size: usize) -> Vec<[u32; 3]> {
-    let n = size as u32;
-    let at = |i: u32, j: u32| i * (n + 1) + j;
-    let square = |(i, j)| {
-        let [a, b, c, d] = [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)];
-        [[a, b, c], [a, c, d]]
-    };
-    let places = (0..n).flat_map(|i| (0..n).map(move |j| (i, j)));
-    places.flat_map(square).collect()
-}
-
-/// The points of that grid, at `height`.
-fn points(size: usize, mut height: impl FnMut() -> f64) -> Vec<Vec3> {
-    let places = (0..=size).flat_map(|i| (0..=size).map(move |j| (i as f64, j as f64)));
-    places.map(|(x, y)| Vec3::new(x, y, height())).collect()
-}
-
-/// The square from 0 to `size` in the plane z = 0, of two triangles for each unit square.
-pub(super) fn plane(size: usize) -> IndexedMesh {
-    rounded(points(size, || 0.0), squares(size))
+    mesh(vertices, faces)
 }
 
 /// A closed block over `size` by `size` squares: heights from 1 to 20 at integer points above, the
 /// plane z = 0 below.
-pub(crate) fn terrain(random: &mut ProbeRng, size: usize) -> IndexedMesh {
-    let mut positions = points(size, || 1.0 + random.below(20) as f64);
-    let below = positions.len() as u32;
-    positions.extend(points(size, || 0.0));
-    let mut faces = squares(size);
-    let floor = faces
-        .iter()
-        .map(|[a, b, c]| [a + below, c + below, b + below]);
-    let floor: Vec<[u32; 3]> = floor.collect();
-    faces.extend(floor);
+pub(crate) fn terrain(random: &mut Random, size: usize) -> IndexedMesh {
+    let points = || (0..=size).flat_map(|i| (0..=size).map(move |j| (i as f64, j as f64)));
+    let top = points().map(|(x, y)| Vec3::new(x, y, 1.0 + random.below(20) as f64));
+    let mut vertices: Vec<Vec3> = top.collect();
+    let below = vertices.len() as u32;
+    vertices.extend(points().map(|(x, y)| Vec3::new(x, y, 0.0)));
     let n = size as u32;
     let at = |i: u32, j: u32| i * (n + 1) + j;
+    let mut faces = Vec::new();
+    for (i, j) in (0..n).flat_map(|i| (0..n).map(move |j| (i, j))) {
+        let [a, b, c, d] = [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)];
+        faces.extend([[a, b, c], [a, c, d]]);
+        faces.extend([[a, c, b], [a, d, c]].map(|face| face.map(|vertex| vertex + below)));
+    }
     for k in 0..n {
         let sides = [
             (at(k, 0), at(k + 1, 0)),
@@ -164,14 +142,14 @@ pub(crate) fn terrain(random: &mut ProbeRng, size: usize) -> IndexedMesh {
             faces.extend([[below + p, below + q, q], [below + p, q, p]]);
         }
     }
-    rounded(positions, faces)
+    mesh(vertices, faces)
 }
 
 /// `count` rectangles in the plane z = 0, 4,096 long and 1 wide, of two triangles each.
 pub(super) fn slivers(count: u32) -> IndexedMesh {
     let rows = 0..=count;
-    let ends = rows.flat_map(|y| [0.0, 4096.0].map(|x| Vec3::new(x, f64::from(y), 0.0)));
-    let firsts = (0..count).map(|row| 2 * row);
-    let faces = firsts.flat_map(|a| [[a, a + 1, a + 3], [a, a + 3, a + 2]]);
-    rounded(ends.collect(), faces.collect())
+    let vertices = rows.flat_map(|y| [0.0, 4096.0].map(|x| Vec3::new(x, f64::from(y), 0.0)));
+    let rows = (0..count).map(|row| 2 * row);
+    let faces = rows.flat_map(|a| [[a, a + 1, a + 3], [a, a + 3, a + 2]]);
+    mesh(vertices, faces.collect())
 }

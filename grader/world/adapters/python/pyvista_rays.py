@@ -19,5 +19,5 @@ def trace(scene, rays):
     return {"t": t / lengths(rays), "count": count}
 
 
-run("pyvista", "pyvista (vtk)", pyvista.__version__, "PolyData.ray_trace", "f64", build, trace, most=1000,
+run("pyvista", "pyvista (vtk)", pyvista.__version__, "PolyData.ray_trace", "f64", build, trace, most=300,
     columns=lambda column: column != "at_start")

@@ -48,7 +48,7 @@ def trace_obb(scene, rays):
 
 version = vtk.vtkVersion.GetVTKVersion()
 for locator in (vtk.vtkCellLocator, vtk.vtkStaticCellLocator, vtk.vtkModifiedBSPTree, vtk.vtkCellTreeLocator):
-    run(locator.__name__, "vtk", version, f"{locator.__name__}, tolerance 0", "f64", build(locator), trace, most=10000,
+    run(locator.__name__, "vtk", version, f"{locator.__name__}, tolerance 0", "f64", build(locator), trace, most=2000,
         columns=lambda column: column != "at_start")
-run("vtkOBBTree", "vtk", version, "vtkOBBTree, tolerance 0", "f64", build(vtk.vtkOBBTree), trace_obb, most=10000,
+run("vtkOBBTree", "vtk", version, "vtkOBBTree, tolerance 0", "f64", build(vtk.vtkOBBTree), trace_obb, most=2000,
     columns=lambda column: column != "at_start")

@@ -1,13 +1,13 @@
-//! This project's trees: the wide one, ray by ray and in tiles, and the plain one in both precisions.
+//! This project's trees: the wide one, and the plain one in both precisions and with tests of textbooks.
 
 #[path = "../../rust/src/lib.rs"]
 mod world_adapters;
 
 use bvh::construct_bvh;
 use kit::{Bvh, PrimId, Triangle, TriangleHit, Vec3};
-use simd_bvh::{RayTile, Subset, TestCounts, TileEnds, TileMemory, WideBvh};
+use simd_bvh::{TestCounts, WideBvh};
 use std::cell::RefCell;
-use world_adapters::{About, Mesh, Ray, run, run_all};
+use world_adapters::{About, Mesh, Ray, run};
 
 const MISS: [f64; 3] = [f64::INFINITY, -1.0, f64::NAN];
 
@@ -38,26 +38,6 @@ fn main() {
     run("first_light", about("WideBvh::closest", "f64"), &[], wide, |(tree, triangles), numbers| {
         let counts = &mut TestCounts::default();
         found(tree.closest(&ray(numbers), None, &mut exact(triangles), counts).map(|(id, hit)| (hit.t, id)))
-    });
-    // Rays that follow each other from one point are one tile.
-    run_all("first_light_tile", about("WideBvh::closest_of_tile", "f64"), &[], wide, |(tree, triangles), rays| {
-        let (mut memory, mut hits, mut answers) = (TileMemory::default(), Vec::new(), Vec::new());
-        let together = |a: &Ray, b: &Ray| a[..3] == b[..3] && a[6..] == b[6..];
-        for rays in rays.chunk_by(together) {
-            let d = [3, 4, 5].map(|axis| rays.iter().map(|ray| ray[axis]).collect::<Vec<f64>>());
-            let first = ray(&rays[0]);
-            let tile = RayTile {
-                o: first.o,
-                d: [&d[0], &d[1], &d[2]],
-                min_t: first.min_t,
-                max_t: TileEnds::All(first.max_t),
-                skips: &[],
-            };
-            let counts = &mut TestCounts::default();
-            tree.closest_of_tile(Subset::All, &tile, &mut exact(triangles), &mut memory, counts, &mut hits);
-            answers.extend(hits.iter().map(|hit| found(hit.as_ref().map(|(id, hit)| (hit.t, *id)))));
-        }
-        answers
     });
     // The plain tree: with exact tests, and with those of textbooks.
     let ours = |precision| About("First Light", "0.1.0", "construct_bvh; Woop's test, Ize's slabs", precision);

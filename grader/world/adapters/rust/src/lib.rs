@@ -34,17 +34,6 @@ pub fn run<S>(
     build: impl Fn(&Mesh) -> S,
     mut trace: impl FnMut(&S, &Ray) -> [f64; 3],
 ) {
-    run_all(row, about, without, build, |scene, rays| rays.iter().map(|ray| trace(scene, ray)).collect());
-}
-
-/// The same with a `trace` that answers all rays of a case.
-pub fn run_all<S>(
-    row: &str,
-    about: About,
-    without: &[&str],
-    build: impl Fn(&Mesh) -> S,
-    mut trace: impl FnMut(&S, &[Ray]) -> Vec<[f64; 3]>,
-) {
     let arguments: Vec<PathBuf> = env::args().skip(1).map(PathBuf::from).collect();
     let [cases, out] = &arguments[..] else {
         panic!("usage: ADAPTER CASES OUT")
@@ -66,7 +55,7 @@ pub fn run_all<S>(
         let answered = catch_unwind(AssertUnwindSafe(|| {
             let scene = build(&mesh);
             let before = thread_seconds();
-            let hits = trace(&scene, &rays);
+            let hits: Vec<[f64; 3]> = rays.iter().map(|ray| trace(&scene, ray)).collect();
             (thread_seconds() - before, hits)
         }));
         match answered {

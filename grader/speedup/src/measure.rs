@@ -160,10 +160,17 @@ fn measure_size(request: &LadderRequest, size: usize, ladder: &mut Ladder) {
 
 /// Runs code that may contain gaps. An error says why the step is not measured.
 fn guarded<T>(kind: RungKind, measure: impl FnOnce() -> T) -> Result<T, String> {
-    panic::catch_unwind(AssertUnwindSafe(measure)).map_err(|payload| {
+    // What the code says when it panics is in the error.
+    let hook = panic::take_hook();
+    panic::set_hook(Box::new(|_| {}));
+    let measured = panic::catch_unwind(AssertUnwindSafe(measure));
+    panic::set_hook(hook);
+    measured.map_err(|payload| {
+        let text = payload.downcast_ref::<&str>().map(ToString::to_string);
+        let text = text.or_else(|| payload.downcast_ref::<String>().cloned());
         let why = match payload.downcast_ref::<Hole>() {
             Some(hole) => hole.to_string(),
-            None => "the code panics".into(),
+            None => format!("the code panics: {}", text.unwrap_or_default()),
         };
         format!("{} is not measured: {why}", kind.name())
     })
@@ -331,12 +338,22 @@ impl Ladder {
         slope(&points)
     }
 
-    /// Says whether all steps find the hits of brute force.
+    /// Says whether all steps find the hits of brute force, or which do not.
     pub fn agreement(&self) -> String {
         let checked: usize = self.rows.iter().map(|row| row.checked_rays).sum();
-        match self.rows.iter().map(|row| row.differing_hits).sum() {
-            0_usize => format!("All steps find the hits of brute force, in {checked} comparisons."),
-            n => format!("{n} of {checked} hits differ from those of brute force."),
+        let differing = self.rows.iter().filter(|row| row.differing_hits > 0);
+        let steps: Vec<String> = differing
+            .map(|row| {
+                let (name, of, n) = (row.kind.name(), row.checked_rays, row.differing_hits);
+                format!("{n} of {of} of {name} on {} triangles", row.triangles)
+            })
+            .collect();
+        match steps.is_empty() {
+            true => format!("All steps find the hits of brute force, in {checked} comparisons."),
+            false => format!(
+                "Hits that differ from those of brute force, in the primitive or in any bit of t: {}.",
+                steps.join("; ")
+            ),
         }
     }
 
@@ -374,6 +391,41 @@ mod tests {
                 assert!(row.bytes > 10 * row.triangles, "{row:?}");
             }
         }
+    }
+
+    #[test]
+    fn hits_that_differ_are_told_with_their_step() {
+        let kind = RungKind::BruteForce;
+        let row = RungCost {
+            kind,
+            triangles: 1000,
+            build_s: 0.0,
+            bytes: 0,
+            rays: Default::default(),
+            checked_rays: 8192,
+            differing_hits: 618,
+        };
+        let ladder = Ladder {
+            mesh: "terrain".into(),
+            rows: vec![row],
+            missing: BTreeSet::new(),
+        };
+        let told = format!("618 of 8192 of {} on 1000 triangles.", kind.name());
+        assert!(
+            ladder.agreement().ends_with(&told),
+            "{}",
+            ladder.agreement()
+        );
+    }
+
+    #[test]
+    fn why_a_step_is_not_measured_has_the_message_of_its_panic() {
+        let why = guarded(RungKind::BruteForce, || -> () { panic!("at {}", 7) });
+        let why = why.expect_err("it panics");
+        assert!(
+            why.ends_with("is not measured: the code panics: at 7"),
+            "{why}"
+        );
     }
 
     #[test]

@@ -138,6 +138,7 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
     match outputs.picture {
         PictureFile::Picture(file) => file.write(&rendered.film, cell)?,
         PictureFile::Sums(file) => {
+            let is_lit = matches!(prepared.picture, Picture::Lit(_));
             let is_adaptive = light.adaptive.is_some() && is_lit;
             let taken = match is_adaptive {
                 true => job,

@@ -239,7 +239,8 @@ fn library(versions: &StageVersions<'_>) -> String {
             arguments,
         } = function;
         let arguments = arguments.join(", ");
-        let _ = writeln!(text, "{signature} {{\n    match choice() {{");
+        // By its path: an argument may be called `choice`, too.
+        let _ = writeln!(text, "{signature} {{\n    match crate::choice() {{");
         for (i, _) in all
             .iter()
             .enumerate()

@@ -6,7 +6,7 @@ use super::mistake::{Certainty, Claim, Diagnosis, Known, Place};
 use crate::score::{CaseResult, Status};
 use crate::signature::Signature;
 use judge::Tier;
-use judge::findings::{Aspect, WrongNumbers};
+use judge::findings::{Aspect, Finding, WrongNumbers};
 use judge::snapshot;
 use std::collections::{BTreeMap, BTreeSet};
 use wire::{Answer, Work};
@@ -14,12 +14,12 @@ use wire::{Answer, Work};
 /// Fewer equal answers may be chance, or right.
 const FEWEST_ANSWERS: usize = 10;
 
-/// From this share of the failed cases on, the equal answers are what is wrong; of the answers of a
-/// field, from this share on.
+/// From this share of the failed cases on, the equal answers are what is wrong.
 const SHARE: f64 = 2.0 / 3.0;
 
-/// The same for a field that is 0 in each wrong answer: where 0 is right, it is also 0.
-const SHARE_OF_EMPTY: f64 = 0.4;
+/// The cases in which a field is wrong must have this share of its answers: in the others it may
+/// change.
+const SHARE_OF_FIELD: f64 = 0.5;
 
 /// So many constant fields are named.
 const NAMED: usize = 3;
@@ -40,8 +40,8 @@ pub enum Constants {
     Fields(Vec<ConstantField>),
 }
 
-/// A field whose wrong answers are the same number or vector in all core cases, where others are
-/// expected.
+/// A field that is the same number or vector in all answers of the core cases in which it is wrong,
+/// where others are expected.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ConstantField {
     /// The field.
@@ -237,19 +237,14 @@ fn whole_answer(cases: &[CaseResult]) -> Option<Constants> {
     })
 }
 
-/// The fields that are nearly always wrong in core cases, with the same numbers each time, although
+/// The fields that are the same in all answers of core cases in which they are wrong, although
 /// different ones are expected.
 pub(crate) fn constant_fields(cases: &[CaseResult]) -> Vec<ConstantField> {
     let counts = |case: &&CaseResult| case.tier == Tier::Core && !case.with_neighbours;
     let findings = cases.iter().filter(counts).flat_map(|case| &case.findings);
-    let mut judged: BTreeMap<(Aspect, Option<&str>), u32> = BTreeMap::new();
+    let findings = findings.filter(|finding| may_be_constant(finding.aspect));
     let mut all: BTreeMap<(Aspect, Option<&'static str>, usize), WrongNumbers> = BTreeMap::new();
-    for finding in findings.filter(|finding| may_be_constant(finding.aspect)) {
-        let of_all = [(None, finding.judged)].into_iter();
-        let of_each = finding.functions.iter();
-        for (function, count) in of_all.chain(of_each.map(|own| (Some(own.function), own.judged))) {
-            *judged.entry((finding.aspect, function)).or_default() += count;
-        }
+    for finding in findings.clone() {
         for numbers in &finding.numbers {
             let key = (finding.aspect, numbers.function, numbers.expected.len());
             all.entry(key)
@@ -258,22 +253,31 @@ pub(crate) fn constant_fields(cases: &[CaseResult]) -> Vec<ConstantField> {
         }
     }
     let constant = all.into_iter().filter_map(|((aspect, function, _), of)| {
-        let judged = [function, None].map(|name| judged.get(&(aspect, name)));
-        let judged = judged.into_iter().flatten().next().copied().unwrap_or(0);
         let field = ConstantField {
             aspect,
             function,
             numbers: of.same?,
             wrong: of.count as usize,
         };
-        let share = match field.is_empty() {
-            true => SHARE_OF_EMPTY,
-            false => SHARE,
-        };
-        let is_most = f64::from(of.count) >= share * f64::from(judged);
+        let of_aspect = findings.clone().filter(|finding| finding.aspect == aspect);
+        let is_wrong =
+            |finding: &Finding| finding.numbers.iter().any(|own| own.function == function);
+        let judged = of_aspect.map(|finding| (judged_of(finding, function), is_wrong(finding)));
+        let (where_wrong, elsewhere): (Vec<_>, Vec<_>) = judged.partition(|(_, wrong)| *wrong);
+        let sum =
+            |judged: Vec<(u32, bool)>| judged.iter().map(|(count, _)| f64::from(*count)).sum();
+        let [where_wrong, elsewhere]: [f64; 2] = [where_wrong, elsewhere].map(sum);
+        let is_most = where_wrong >= SHARE_OF_FIELD * (where_wrong + elsewhere);
         (field.wrong >= FEWEST_ANSWERS && is_most && of.expected_differ).then_some(field)
     });
     constant.collect()
+}
+
+/// How many answers of `function` were judged.
+fn judged_of(finding: &Finding, function: Option<&str>) -> u32 {
+    let mut functions = finding.functions.iter();
+    let own = functions.find(|own| Some(own.function) == function);
+    own.map_or(finding.judged, |own| own.judged)
 }
 
 /// Whether the field is computed in each call. Hit or miss has no numbers; a count, a range or the
@@ -358,7 +362,8 @@ mod tests {
             if class.is_none() {
                 let yours = yours(call);
                 let expected = [f64::from(call + 1), 0.5];
-                findings.judge(Aspect::Barycentrics, number, yours == expected, 1.0, || {
+                let is_right = yours == expected || yours == [9.0; 2];
+                findings.judge(Aspect::Barycentrics, number, is_right, 1.0, || {
                     Message::default().compares(yours, expected)
                 });
             }
@@ -383,20 +388,17 @@ mod tests {
                          that does this: on 12 of 12 calls";
         assert_eq!(two.says, weights.to_owned() + elsewhere);
         assert_eq!(two.mistakes, ["constant_field", "this"]);
-        // Numbers that change, and numbers that are right most of the time.
-        for yours in [
-            |call| [f64::from(call), 0.0],
-            |call| {
-                if call < 9 {
-                    [0.0; 2]
-                } else {
-                    [f64::from(call + 1), 0.5]
-                }
-            },
-        ] {
-            let cases = [of_field("one", yours, 0), of_field("two", yours, 0)];
-            assert_eq!(constant_fields(&cases), []);
-        }
+        // Numbers that change, also in a right answer, and some that may change in other cases.
+        let changing = |call| [f64::from(call), 0.0];
+        let once = |call| if call == 19 { [9.0; 2] } else { [0.0; 2] };
+        assert_eq!(constant_fields(&[of_field("one", changing, 0)]), []);
+        assert_eq!(constant_fields(&[of_field("one", once, 0)]), []);
+        let with = |others: usize| {
+            let others = (0..others).map(|_| of_field("right", right, 0));
+            let cases = [of_field("one", zero, 0)].into_iter().chain(others);
+            constant_fields(&cases.collect::<Vec<_>>()).len()
+        };
+        assert_eq!([0, 1, 2].map(with), [1, 1, 0]);
     }
 
     #[test]

@@ -45,14 +45,15 @@ pub struct Finding {
     pub numbers: Vec<WrongNumbers>,
 }
 
-/// The numbers of a function's wrong answers in one aspect, as long as they are the same in each.
+/// The numbers of a function's wrong answers in one aspect, as long as all answers have the same.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WrongNumbers {
     /// The function, in cases or tasks with several.
     pub function: Option<&'static str>,
     /// The wrong answers so far.
     pub count: u32,
-    /// The code's numbers in each of them; `None` if they differ.
+    /// The code's numbers in each of them, and in the right answers after the first wrong one; `None`
+    /// if they differ.
     pub same: Option<Vec<f64>>,
     /// The numbers that are expected in the first.
     pub expected: Vec<f64>,
@@ -181,9 +182,30 @@ impl Finding {
 impl Finding {
     /// Whether the numbers of the next wrong answer of `function` may be those of the ones before.
     pub(super) fn may_be_the_same(&self, function: Option<&'static str>) -> bool {
+        let has_own = self.numbers.iter().any(|own| own.function == function);
+        !has_own || self.is_the_same_so_far(function)
+    }
+
+    /// Whether all wrong answers of `function` have the same numbers so far, and there is one.
+    pub(super) fn is_the_same_so_far(&self, function: Option<&'static str>) -> bool {
         let mut own = self.numbers.iter().filter(|own| own.function == function);
-        let first = own.next();
-        first.is_none_or(|first| first.same.is_some() || own.any(|own| own.same.is_some()))
+        own.any(|own| own.same.is_some())
+    }
+
+    /// Compares the numbers of a right answer of `function` with those of its wrong ones.
+    pub(super) fn add_right_numbers(
+        &mut self,
+        function: Option<&'static str>,
+        compared: &[[f64; 2]],
+    ) {
+        let own = self
+            .numbers
+            .iter_mut()
+            .filter(|own| own.function == function);
+        let yours: Vec<f64> = compared.iter().map(|[yours, _]| *yours).collect();
+        for own in own.filter(|own| own.expected.len() == yours.len()) {
+            own.same = own.same.take().filter(|same| are_equal(same, &yours));
+        }
     }
 
     /// Adds the numbers of a wrong answer of `function`, each with the expected one. Answers with

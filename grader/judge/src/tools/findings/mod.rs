@@ -130,7 +130,13 @@ impl Findings {
         if let Some(function) = counted_for {
             finding.of_function(function).count(call, class.is_some());
         }
-        let Some(class) = class else { return };
+        let named = counted_for.or(function);
+        let Some(class) = class else {
+            if finding.is_the_same_so_far(named) {
+                finding.add_right_numbers(named, &message().into().compared);
+            }
+            return;
+        };
         let again = finding.faults.last().is_some_and(|last| last.call == call);
         finding.wrong += u32::from(!again);
         let fault = Fault {
@@ -149,7 +155,6 @@ impl Findings {
         let size = |badness: f64| badness.log2().floor();
         let worst = finding.worst.as_ref();
         let compared = worst.map(|worst| size(badness).total_cmp(&size(worst.badness)));
-        let named = fault.named_function();
         let may_be_the_same = finding.may_be_the_same(named);
         if compared == Some(Ordering::Less) && !keeps_messages && !may_be_the_same {
             return;

@@ -33,10 +33,7 @@ const ONLY_RENDERED: [&str; 2] = ["src/hosting.md", "src/hard-cases.md"];
 const ONLY_PUBLISHED: [&str; 2] = ["src/so-far", "src/mistakes-large"];
 
 /// Plots of `grader cost` that the book shows.
-const PLOTS_IN_BOOK: [&str; 2] = [
-    "grader/pictures/triangles.svg",
-    "grader/pictures/world.svg",
-];
+const PLOTS_IN_BOOK: [&str; 2] = ["grader/pictures/triangles.svg", "grader/pictures/world.svg"];
 
 /// Files in the root folder that a handout contains.
 const ROOT_FILES: [&str; 4] = ["Cargo.lock", ".gitignore", "clippy.toml", "rustfmt.toml"];

@@ -18,4 +18,4 @@ function trace(world, ray, vertices) {
 }
 
 run("cannon", { library: "cannon-es", version: version("cannon-es"), interface: "World.raycastClosest on a Trimesh", precision: "f64" },
-  build, trace, { most: 2000, columns: (column) => column !== "at_start" });
+  build, trace, { most: 300, columns: (column) => column !== "at_start" });

@@ -12,6 +12,8 @@ def build(vertices, faces):
 def trace(intersector, rays):
     o, d = rays[:, :3], rays[:, 3:6]
     points, ray, triangle = intersector.intersects_location(o, d, multiple_hits=True)
+    # Without any hit the points have no columns.
+    points = np.reshape(points, (-1, 3))
     t = np.full(len(rays), np.inf)
     along = np.einsum("ij,ij->i", points - o[ray], d[ray]) / lengths(rays)[ray] ** 2
     np.minimum.at(t, ray, along)

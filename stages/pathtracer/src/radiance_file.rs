@@ -49,8 +49,8 @@ fn several_parts(bytes: &[u8]) -> Option<String> {
             .all(|color| names.clone().any(|name| name.eq(color)))
     };
     let used = headers.iter().position(has_colors)?;
-    let name = headers[used].own_attributes.layer_name.as_ref();
-    let name = name.map_or(String::new(), |name| format!(", `{name}`"));
+    let layer = headers[used].own_attributes.layer_name.as_ref();
+    let name = layer.map_or(String::new(), |layer| format!(", `{layer}`"));
     Some(format!(
         "the file has {} parts; using the first one with R, G and B: number {}{name}",
         headers.len(),

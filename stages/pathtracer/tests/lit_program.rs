@@ -339,10 +339,16 @@ fn a_scene_is_exported_for_mitsuba() {
     assert!(mesh.contains("element vertex 6") && mesh.ends_with("3 3 4 5\n"));
     refused("--export blender a.xml lit.dae", "use --export mitsuba");
     refused("--export mitsuba a.txt lit.dae", "ends in .xml");
-    refused("--export mitsuba a.xml -r 40 30 -e missing.exr lit.dae", "omit -e");
+    refused(
+        "--export mitsuba a.xml -r 40 30 -e missing.exr lit.dae",
+        "omit -e",
+    );
     let flags = "--export mitsuba out.xml -r 40 30 -p 0 0 4 4 -H -a 8 0.1 -l 4 lit.dae";
     let (_, output) = pathtracer(folder.path(), flags);
-    assert!(output.contains("no effect: -p -l -a -H: --export"), "{output}");
+    assert!(
+        output.contains("no effect: -p -l -a -H: --export"),
+        "{output}"
+    );
     refused(
         "--export mitsuba a.xml -r 40 30 --lens-radius 1 --focus 2 lit.dae",
         "omit --lens-radius",

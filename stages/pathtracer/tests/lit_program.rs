@@ -255,7 +255,7 @@ fn a_picture_in_which_nothing_is_seen_has_a_note() {
         let exposure = exposure.trim().trim_matches('`');
         assert_eq!(notes(lamp, &format!("--exposure {exposure}")), "");
     }
-    assert!(notes("5 5 5", "-m 0").contains("no ray reaches anything that is lit"));
+    assert!(notes("5 5 5", "-m 0").contains("black: `-m 0` shows lamps only"));
     let camera = "50 35 1.33 0.1 100\n0 0 9 0 0 10\n0 0 1 0.1 100\n1 0 0 0 -1 0 0 0 -1\n20 20 30\n";
     fs::write(folder.path().join("away.txt"), camera).expect("a camera file");
     let note = notes("5 5 5", "--shade normals -c away.txt");

@@ -28,7 +28,11 @@ fn measured(loaded: &Loaded) -> String {
             (min, max) = (min.min(p), max.max(p));
         }
     }
-    let lights = if loaded.added_light { 0 } else { scene.lights.len() };
+    let lights = if loaded.added_light {
+        0
+    } else {
+        scene.lights.len()
+    };
     let mut columns = vec![
         loaded.warnings.len().to_string(),
         scene.triangles.len().to_string(),

@@ -91,7 +91,8 @@ pub fn darkness(lit: &LitScene, accel: &Accel, job: &Job, settings: &LightSettin
                 passes(Darkness::FacingAway);
                 let wi = surface.frame.to_local(light.wi);
                 let is_opaque = !surface.material.lets_light_through();
-                let faces_away = wo.z * wi.z <= 0.0 || Sides::of(&surface).block(surface.material, wo, wi);
+                let faces_away =
+                    wo.z * wi.z <= 0.0 || Sides::of(&surface).block(surface.material, wo, wi);
                 if is_opaque && faces_away {
                     continue;
                 }

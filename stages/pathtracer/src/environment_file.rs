@@ -50,7 +50,7 @@ pub fn load_environment(path: &Path) -> Result<LoadedEnvironment, EnvironmentFil
     }
     let decoded = std::fs::read(path)
         .map_err(ImageError::IoError)
-        .and_then(|bytes| radiance_file::decode(&bytes));
+        .and_then(|bytes| radiance_file::decode(&bytes, path));
     let (picture, note) =
         decoded.map_err(|why| EnvironmentFileError::Unreadable(path.to_owned(), why))?;
     let picture = picture.into_rgb32f();

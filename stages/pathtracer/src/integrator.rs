@@ -182,8 +182,8 @@ impl<'a, T: RayTracer> PathIntegrator<'a, T> {
             },
             &mut |ray| {
                 let role = RayRole::of_path(origin.is_some());
-                let hit = self.closest(role, ray, self.skip(origin, ray))?;
-                let hit = towards_viewer(self.lit, hit, ray.d);
+                let found = self.closest(role, ray, self.skip(origin, ray))?;
+                let hit = towards_viewer(self.lit, found, ray.d);
                 origin = Some(RayOrigin::from(&hit));
                 place.set(self.place(&hit, &self.lit.surface(&hit)));
                 Some(hit)

@@ -53,9 +53,10 @@ const EXPORTED_SIZE: f64 = 32.0;
 /// box: farther away, single precision moves the points that rays hit.
 const MAX_DISTANCE: f64 = 300.0;
 
-/// The largest angle between the normal of a vertex and that of its triangle is 60 degrees: from
-/// there on, Mitsuba's pictures differ, because light passes where only shading normals face it.
-const MIN_NORMAL_COS: f64 = 0.5;
+/// The cosine of the largest angle between the normal of a vertex and that of its triangle, 45
+/// degrees. From there on, Mitsuba's pictures differ: light passes where only shading normals face
+/// it, and surfaces are black where their shading normals face away from the camera.
+const MIN_NORMAL_COS: f64 = 0.707;
 
 impl Units {
     fn of(scene: &Scene, camera: Vec3) -> Units {
@@ -233,7 +234,7 @@ fn check_normals(scene: &Scene, problems: &mut Vec<String>) {
         });
     if let Some((_, object)) = turned {
         problems.push(format!(
-            "object {}: normals of vertices are more than 60 degrees from those of the triangles, where \
+            "object {}: normals of vertices are more than 45 degrees from those of the triangles, where \
              Mitsuba lets light through: use --normals flat",
             scene.objects[*object as usize].name
         ));

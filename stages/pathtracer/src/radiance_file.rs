@@ -4,20 +4,31 @@ use exr::meta::MetaData;
 use image::codecs::hdr::HdrDecoder;
 use image::{DynamicImage, ImageFormat, ImageReader, ImageResult};
 use std::io::Cursor;
+use std::path::Path;
 
-/// The picture in these bytes of a file, and what is to be said about it. `.hdr` and `.exr` files
-/// have linear values, those of other formats are sRGB.
+/// The picture in these bytes of the file `path`, and what is to be said about it. `.hdr` and `.exr`
+/// files have linear values, those of other formats are sRGB.
 ///
 /// The values of an `.hdr` file are divided by its `EXPOSURE` and `COLORCORR`, as its format says:
 /// the results are radiances. Of an `.exr` file with several parts the first one with colours is
 /// used, which the sentence says.
-pub(crate) fn decode(bytes: &[u8]) -> ImageResult<(DynamicImage, Option<String>)> {
-    let reader = ImageReader::new(Cursor::new(bytes)).with_guessed_format()?;
+pub(crate) fn decode(bytes: &[u8], path: &Path) -> ImageResult<(DynamicImage, Option<String>)> {
+    let reader = open(bytes, path)?;
     match reader.format() {
         Some(ImageFormat::Hdr) => Ok((decode_hdr(bytes)?, None)),
         Some(ImageFormat::OpenExr) => Ok((reader.decode()?, several_parts(bytes))),
         _ => Ok((reader.decode()?, None)),
     }
+}
+
+/// A reader of the format that the bytes begin with, else that of the extension: `.tga` files begin
+/// with nothing of their own.
+pub(crate) fn open<'b>(bytes: &'b [u8], path: &Path) -> ImageResult<ImageReader<Cursor<&'b [u8]>>> {
+    let mut reader = ImageReader::new(Cursor::new(bytes)).with_guessed_format()?;
+    if let (None, Ok(format)) = (reader.format(), ImageFormat::from_path(path)) {
+        reader.set_format(format);
+    }
+    Ok(reader)
 }
 
 fn decode_hdr(bytes: &[u8]) -> ImageResult<DynamicImage> {
@@ -49,8 +60,8 @@ fn several_parts(bytes: &[u8]) -> Option<String> {
             .all(|color| names.clone().any(|name| name.eq(color)))
     };
     let used = headers.iter().position(has_colors)?;
-    let name = headers[used].own_attributes.layer_name.as_ref();
-    let name = name.map_or(String::new(), |name| format!(", `{name}`"));
+    let layer = headers[used].own_attributes.layer_name.as_ref();
+    let name = layer.map_or(String::new(), |layer| format!(", `{layer}`"));
     Some(format!(
         "the file has {} parts; using the first one with R, G and B: number {}{name}",
         headers.len(),

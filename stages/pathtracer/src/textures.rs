@@ -5,7 +5,6 @@ use image::{DynamicImage, ImageError};
 use kit::math::pow;
 use kit::{Hit, Scene, Spectrum, Texture, Vec2};
 use std::fmt;
-use std::io::Cursor;
 use std::path::{Path, PathBuf};
 
 /// The largest number of texels of one texture: with 24 bytes each, 1.6 GB.
@@ -79,10 +78,10 @@ impl Textures {
             // If there is none, the error of opening `path` says so.
             let found = texture_file::find(folder, file).unwrap_or_else(|| path.clone());
             let decoded = match scene.textures.embedded.get(file) {
-                Some(bytes) => decode(bytes),
+                Some(bytes) => decode(bytes, &found),
                 None => std::fs::read(&found)
                     .map_err(|why| why.to_string())
-                    .and_then(|bytes| decode(&bytes)),
+                    .and_then(|bytes| decode(&bytes, &found)),
             };
             match decoded {
                 Ok((texture, note)) => {
@@ -124,22 +123,20 @@ impl Textures {
     }
 }
 
-/// The texture in the bytes of an image file, and what is to be said about the file.
-fn decode(bytes: &[u8]) -> Result<(Texture, Option<String>), String> {
+/// The texture in the bytes of the image file `path`, and what is to be said about the file.
+fn decode(bytes: &[u8], path: &Path) -> Result<(Texture, Option<String>), String> {
     let describe = |why: ImageError| match why {
         ImageError::IoError(why) => why.to_string(),
         other => format!("{other} (png, jpg, bmp, tga, exr and hdr can be read)"),
     };
-    let reader = image::ImageReader::new(Cursor::new(bytes))
-        .with_guessed_format()
-        .map_err(|why| why.to_string())?;
+    let reader = radiance_file::open(bytes, path).map_err(describe)?;
     let (width, height) = reader.into_dimensions().map_err(describe)?;
     if u64::from(width) * u64::from(height) > MAX_TEXELS {
         return Err(format!(
             "it has {width} x {height} texels, more than {MAX_TEXELS}: make it smaller"
         ));
     }
-    let (picture, note) = radiance_file::decode(bytes).map_err(describe)?;
+    let (picture, note) = radiance_file::decode(bytes, path).map_err(describe)?;
     let texture = Texture::new(width as usize, texels(&picture));
     Ok((texture.ok_or("it is empty")?, note))
 }

@@ -81,14 +81,25 @@ fn value(xml: &str, name: &str) -> f64 {
 fn clip_planes_and_units_fit_the_scene() {
     for scale in [1e-4, 1.0, 1e5] {
         let center = Vec3::new(6e6, 0.0, -4e6) * scale;
-        let (xml, ply) = exported(scene(center, scale, GREY, 0.0), &job(center, scale, ALL)).unwrap();
+        let (xml, ply) =
+            exported(scene(center, scale, GREY, 0.0), &job(center, scale, ALL)).unwrap();
         let unit = value(&xml, "radius");
         assert!((0.2..8.0).contains(&unit), "{scale}: {unit}");
-        let (near, far) = (value(&xml, "near_clip") / unit, value(&xml, "far_clip") / unit);
-        assert!(near > 1e-3 && near < 4.0 && far > 15.6 && far < 1e3, "{near} {far}");
+        let (near, far) = (
+            value(&xml, "near_clip") / unit,
+            value(&xml, "far_clip") / unit,
+        );
+        assert!(
+            near > 1e-3 && near < 4.0 && far > 15.6 && far < 1e3,
+            "{near} {far}"
+        );
         assert!(xml.contains("lookat origin=\"0.0, 0.0, 0.0\""), "{xml}");
-        let corner = ply.lines().find(|line| line.split(' ').count() == 6 && line.starts_with('-'));
-        let x: f64 = corner.and_then(|line| line.split(' ').next()?.parse().ok()).expect("a corner");
+        let corner = ply
+            .lines()
+            .find(|line| line.split(' ').count() == 6 && line.starts_with('-'));
+        let x: f64 = corner
+            .and_then(|line| line.split(' ').next()?.parse().ok())
+            .expect("a corner");
         assert!((x / unit + 9.0).abs() < 1e-6, "{x} {unit}");
     }
 }
@@ -98,9 +109,15 @@ fn clip_planes_and_units_fit_the_scene() {
 #[test]
 fn clip_distances_are_exported_or_refused() {
     let planes = |clip: [f64; 2]| {
-        let (xml, _) = exported(scene(Vec3::ZERO, 1.0, GREY, 0.0), &job(Vec3::ZERO, 1.0, clip))?;
+        let (xml, _) = exported(
+            scene(Vec3::ZERO, 1.0, GREY, 0.0),
+            &job(Vec3::ZERO, 1.0, clip),
+        )?;
         let unit = value(&xml, "radius");
-        Ok::<_, Vec<String>>([value(&xml, "near_clip") / unit, value(&xml, "far_clip") / unit])
+        Ok::<_, Vec<String>>([
+            value(&xml, "near_clip") / unit,
+            value(&xml, "far_clip") / unit,
+        ])
     };
     // The ball is from 4 to 6, the wall at a depth of 15 and up to 16.9 away.
     assert_eq!(planes([7.0, 1e30]).unwrap()[0], 7.0);
@@ -121,8 +138,13 @@ fn clip_distances_are_exported_or_refused() {
 #[test]
 fn emitting_triangles_are_exported_flat() {
     let normal = |material: Material, tilt: f64| -> Result<f64, Vec<String>> {
-        let (_, ply) = exported(scene(Vec3::ZERO, 1.0, material, tilt), &job(Vec3::ZERO, 1.0, ALL))?;
-        let vertex = ply.lines().find(|line| line.split(' ').count() == 6 && line.starts_with('-'));
+        let (_, ply) = exported(
+            scene(Vec3::ZERO, 1.0, material, tilt),
+            &job(Vec3::ZERO, 1.0, ALL),
+        )?;
+        let vertex = ply
+            .lines()
+            .find(|line| line.split(' ').count() == 6 && line.starts_with('-'));
         let x = vertex.and_then(|line| line.split(' ').nth(3)?.parse().ok());
         Ok(x.expect("a normal"))
     };
@@ -134,13 +156,21 @@ fn emitting_triangles_are_exported_flat() {
 #[test]
 fn the_number_of_samples_is_kept() {
     let center = Vec3::ZERO;
-    for (samples, sampler) in [(16, "multijitter"), (17, "independent"), (12, "multijitter"), (1, "multijitter")] {
+    for (samples, sampler) in [
+        (16, "multijitter"),
+        (17, "independent"),
+        (12, "multijitter"),
+        (1, "multijitter"),
+    ] {
         let job = Job {
             samples,
             ..job(center, 1.0, ALL)
         };
         let (xml, _) = exported(scene(center, 1.0, GREY, 0.0), &job).unwrap();
-        assert!(xml.contains(&format!("<sampler type=\"{sampler}\">")), "{samples}");
+        assert!(
+            xml.contains(&format!("<sampler type=\"{sampler}\">")),
+            "{samples}"
+        );
         assert_eq!(value(&xml, "sample_count"), f64::from(samples));
     }
 }
@@ -162,7 +192,10 @@ fn point_lights_are_scaled_with_the_scene() {
     assert!(scale > 1.0);
     let start = xml.find("\"intensity\" value=\"").expect("a lamp");
     let intensity = xml[start..].split('"').nth(3).expect("a value");
-    assert_eq!(intensity.split(',').next(), Some(&*format!("{:?}", scale * scale)));
+    assert_eq!(
+        intensity.split(',').next(),
+        Some(&*format!("{:?}", scale * scale))
+    );
 }
 
 #[test]

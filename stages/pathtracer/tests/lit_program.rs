@@ -255,7 +255,7 @@ fn a_picture_in_which_nothing_is_seen_has_a_note() {
         let exposure = exposure.trim().trim_matches('`');
         assert_eq!(notes(lamp, &format!("--exposure {exposure}")), "");
     }
-    assert!(notes("5 5 5", "-m 0").contains("no ray reaches anything that is lit"));
+    assert!(notes("5 5 5", "-m 0").contains("black: `-m 0` shows lamps only"));
     let camera = "50 35 1.33 0.1 100\n0 0 9 0 0 10\n0 0 1 0.1 100\n1 0 0 0 -1 0 0 0 -1\n20 20 30\n";
     fs::write(folder.path().join("away.txt"), camera).expect("a camera file");
     let note = notes("5 5 5", "--shade normals -c away.txt");
@@ -339,10 +339,16 @@ fn a_scene_is_exported_for_mitsuba() {
     assert!(mesh.contains("element vertex 6") && mesh.ends_with("3 3 4 5\n"));
     refused("--export blender a.xml lit.dae", "use --export mitsuba");
     refused("--export mitsuba a.txt lit.dae", "ends in .xml");
-    refused("--export mitsuba a.xml -r 40 30 -e missing.exr lit.dae", "omit -e");
+    refused(
+        "--export mitsuba a.xml -r 40 30 -e missing.exr lit.dae",
+        "omit -e",
+    );
     let flags = "--export mitsuba out.xml -r 40 30 -p 0 0 4 4 -H -a 8 0.1 -l 4 lit.dae";
     let (_, output) = pathtracer(folder.path(), flags);
-    assert!(output.contains("no effect: -p -l -a -H: --export"), "{output}");
+    assert!(
+        output.contains("no effect: -p -l -a -H: --export"),
+        "{output}"
+    );
     refused(
         "--export mitsuba a.xml -r 40 30 --lens-radius 1 --focus 2 lit.dae",
         "omit --lens-radius",

@@ -35,7 +35,12 @@ fn the_part_of_an_exr_file_that_is_used_is_named() {
         let layers = parts.iter().map(|(name, channels)| {
             let channel = |name: &&str| AnyChannel::new(*name, FlatSamples::F32(vec![0.5; 2]));
             let channels = AnyChannels::sort(channels.iter().map(channel).collect());
-            Layer::new((2, 1), LayerAttributes::named(*name), Encoding::UNCOMPRESSED, channels)
+            Layer::new(
+                (2, 1),
+                LayerAttributes::named(*name),
+                Encoding::UNCOMPRESSED,
+                channels,
+            )
         });
         let attributes = ImageAttributes::new(IntegerBounds::from_dimensions((2, 1)));
         let image = Image::from_layers(attributes, layers.collect::<Vec<_>>());

@@ -8,6 +8,8 @@ CUBE_QUADS = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 
 OCTAHEDRON = [(0.5, 0, 0), (-0.5, 0, 0), (0, 0.5, 0), (0, -0.5, 0), (0, 0, 0.5), (0, 0, -0.5)]
 OCTAHEDRON_FACES = [(0, 2, 4), (2, 1, 4), (1, 3, 4), (3, 0, 4), (2, 0, 5), (1, 2, 5), (3, 1, 5), (0, 3, 5)]
 
+IMAGES = '<library_images><image id="img"><init_from>a.png</init_from></image></library_images>'
+
 
 def numbers(points):
     return " ".join(repr(float(x)) for p in points for x in p)
@@ -93,7 +95,7 @@ def scene(scale=1.0, origin=(0, 0, 0), near=0.1, far=100.0, aspect=1.0, lamp=Non
     return (
         '<?xml version="1.0"?><COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">'
         "<asset><up_axis>Y_UP</up_axis></asset>"
-        f"<library_cameras>{camera}</library_cameras>{lights}<library_effects>{effects}</library_effects>"
+        f"<library_cameras>{camera}</library_cameras>{lights}{IMAGES}<library_effects>{effects}</library_effects>"
         f"<library_materials>{materials}</library_materials>"
         f"<library_geometries>{''.join(g for _, g, _, _ in shapes)}</library_geometries>"
         f'<library_visual_scenes><visual_scene id="s">{nodes}</visual_scene></library_visual_scenes>'
@@ -127,7 +129,7 @@ def variations():
         ("plain", scene(), square),
         ("scale 1e-4", scene(scale=1e-4), square),
         ("scale 1e5", scene(scale=1e5), square),
-        ("far origin", scene(origin=(4e6, -3e6, 5e6)), square),
+        ("far origin", scene(origin=(4e4, -3e4, 5e4)), square),
         ("cube lamp", scene(lamp=cube_lamp), square),
         ("octahedron lamp, mirrored", scene(lamp=octahedron_lamp, mirrored=True), square),
         ("lamp with tilted normals", scene(lamp=tilted_lamp), square),

@@ -60,9 +60,7 @@ fn reason(why: Darkness) -> &'static str {
              window (without `-f`)"
         }
         Darkness::NoLight => "the scene has no light",
-        Darkness::DepthZero => {
-            "`-m 0` shows lamps only, and the camera sees none. Try `-m 1`"
-        }
+        Darkness::DepthZero => "`-m 0` shows lamps only, and the camera sees none. Try `-m 1`",
         Darkness::OnlyDeltaLights => {
             "`-H` finds no point, spot or directional lights, and there are no others: omit `-H`"
         }

@@ -1,5 +1,6 @@
 //! This project's trees: the wide one, and the plain one in both precisions and with tests of textbooks.
 
+#[allow(dead_code, reason = "the other adapters use all of it")]
 #[path = "../../rust/src/lib.rs"]
 mod world_adapters;
 

@@ -72,8 +72,8 @@ fn of_compiler(messages: &str, sources: &[SourceFile]) -> Vec<Annotation> {
         } else if line.starts_with("warning") {
             title = None;
         }
-        let place = line.trim_start().strip_prefix("--> ");
-        let place = place.and_then(|place| crash::place(place.trim()));
+        let arrow = line.trim_start().strip_prefix("--> ");
+        let place = arrow.and_then(|place| crash::place(place.trim()));
         let Some((file, line)) = place.and_then(|place| located(&place, sources)) else {
             continue;
         };

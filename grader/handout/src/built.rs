@@ -63,8 +63,8 @@ pub fn copy(checkout: &Path, out: &Path) -> Result<(), GraderError> {
 /// What cargo prints when it is called with these arguments in the project `root`.
 fn cargo(root: &Path, arguments: &[&str]) -> Result<String, GraderError> {
     let mut command = Command::new(child_processes::cargo());
-    let output = child_processes::output(command.current_dir(root).args(arguments));
-    let output = output.map_err(|e| GraderError::new(format!("cannot run cargo: {e}")))?;
+    let ended = child_processes::output(command.current_dir(root).args(arguments));
+    let output = ended.map_err(|e| GraderError::new(format!("cannot run cargo: {e}")))?;
     match output.status.success() {
         true => Ok(String::from_utf8_lossy(&output.stdout).into_owned()),
         false => Err(GraderError::new(format!(
@@ -86,8 +86,8 @@ fn target_folder(root: &Path) -> Result<PathBuf, GraderError> {
     ];
     let metadata: Value = serde_json::from_str(&cargo(root, &arguments)?)
         .map_err(|e| GraderError::new(format!("cannot read the output of cargo metadata: {e}")))?;
-    let folder = metadata["target_directory"].as_str();
-    let folder = folder.ok_or_else(|| GraderError::new("cargo metadata names no target folder"))?;
+    let named = metadata["target_directory"].as_str();
+    let folder = named.ok_or_else(|| GraderError::new("cargo metadata names no target folder"))?;
     Ok(folder.into())
 }
 
@@ -101,8 +101,8 @@ fn hashes_of_the_grader(checkout: &Path) -> Result<BTreeSet<String>, GraderError
         "--message-format",
         "json",
     ];
-    let messages = cargo(checkout, &build)?;
-    let messages = messages
+    let printed = cargo(checkout, &build)?;
+    let messages = printed
         .lines()
         .filter_map(|line| serde_json::from_str::<Value>(line).ok());
     let mut hashes = BTreeSet::new();

@@ -195,8 +195,8 @@ impl Handout {
 
     /// The files that students do not write.
     pub fn given(&self) -> impl Iterator<Item = &Path> {
-        let list = self.files.get(Path::new(given::LIST));
-        let list = list.map(|list| String::from_utf8_lossy(list));
+        let file = self.files.get(Path::new(given::LIST));
+        let list = file.map(|list| String::from_utf8_lossy(list));
         let given = GivenFiles::parse(&list.unwrap_or_default());
         let files = self.files.iter();
         files

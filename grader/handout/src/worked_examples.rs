@@ -53,8 +53,8 @@ mod tests {
 
     #[test]
     fn examples_of_open_tasks_alone_are_ignored() {
-        let course = include_str!("../../../stages/course.toml");
-        let course = Course::parse(course).expect("it is valid");
+        let text = include_str!("../../../stages/course.toml");
+        let course = Course::parse(text).expect("it is valid");
         let tasks = || course.tasks().filter(|task| task.key == "part1.task4");
         let path = PathBuf::from("stages/intersect/tests/worked_example.rs");
         let test = "#[test]\nfn part1_task3_a() {}\n\n#[test]\nfn part1_task4_b() {}\n";

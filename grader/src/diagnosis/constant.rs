@@ -241,8 +241,8 @@ fn whole_answer(cases: &[CaseResult]) -> Option<Constants> {
 /// different ones are expected.
 pub(crate) fn constant_fields(cases: &[CaseResult]) -> Vec<ConstantField> {
     let counts = |case: &&CaseResult| case.tier == Tier::Core && !case.with_neighbours;
-    let findings = cases.iter().filter(counts).flat_map(|case| &case.findings);
-    let findings = findings.filter(|finding| may_be_constant(finding.aspect));
+    let all = cases.iter().filter(counts).flat_map(|case| &case.findings);
+    let findings = all.filter(|finding| may_be_constant(finding.aspect));
     let mut all: BTreeMap<(Aspect, Option<&'static str>, usize), WrongNumbers> = BTreeMap::new();
     for finding in findings.clone() {
         for numbers in &finding.numbers {

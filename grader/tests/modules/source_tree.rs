@@ -83,6 +83,12 @@ impl SourceTree {
                 ([Token::Name(word), Token::Name(name), Token::Mark(';'), ..], _)
                     if word == "mod" =>
                 {
+                    at += 3;
+                    // A file of another crate, which has it as a module of its own.
+                    let before = &tokens[..at - 3];
+                    if is_elsewhere(before) {
+                        continue;
+                    }
                     let inside = folder.join(name);
                     let candidates = [folder.join(format!("{name}.rs")), inside.join("mod.rs")];
                     let found = candidates.into_iter().find(|path| read(path).is_some());
@@ -90,7 +96,6 @@ impl SourceTree {
                         .unwrap_or_else(|| panic!("{}: no file for `mod {name};`", file.display()));
                     let child = self.add_file(path, inside, Some(this), read);
                     self.modules[this].children.insert(name.clone(), child);
-                    at += 3;
                 }
                 ([Token::Name(word), Token::Name(name), Token::Mark('{'), ..], _)
                     if word == "mod" =>
@@ -254,4 +259,18 @@ fn add_import(module: &mut Module, mut path: Vec<String>, name: &str) {
     if path != [name.clone()] {
         module.imports.insert(name, path);
     }
+}
+
+/// Whether the attribute `#[path = "…"]` stands before a module.
+fn is_elsewhere(before: &[Token]) -> bool {
+    let is_pub = |token: &Token| matches!(token, Token::Name(word) if word == "pub");
+    let before = match before {
+        [before @ .., last] if is_pub(last) => before,
+        all => all,
+    };
+    matches!(
+        before,
+        [.., Token::Mark('['), Token::Name(word), Token::Mark('='), Token::Literal, Token::Mark(']')]
+            if word == "path"
+    )
 }

@@ -282,8 +282,8 @@ fn warn_of_transparency<'a>(doc: &Document<'a>, effect: &EffectInstance<'a>, sha
     let transparency = child(shader, "transparency");
     let amount = numbers(transparency, &["float"]).and_then(|list| list.first().copied());
     let color = numbers(transparent, COLORS).filter(|list| list.len() == 4);
-    let mode = transparent.and_then(|transparent| transparent.attribute("opaque"));
-    let mode = mode.unwrap_or("A_ONE");
+    let written = transparent.and_then(|transparent| transparent.attribute("opaque"));
+    let mode = written.unwrap_or("A_ONE");
     let strengths = match &color {
         None => &[1.0][..],
         Some(color) if mode.starts_with("A_") => &color[3..],

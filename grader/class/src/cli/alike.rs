@@ -64,8 +64,8 @@ pub(super) fn run(
     let mut unread = Vec::new();
     for (i, entry) in entries.iter().enumerate() {
         progress(i, entries.len());
-        let name = Untrusted::from(entry.name.as_str());
-        let name = labels.get(&entry.name).cloned().unwrap_or(name);
+        let label = labels.get(&entry.name).cloned();
+        let name = label.unwrap_or_else(|| Untrusted::from(entry.name.as_str()));
         let read = match reader.read_entry(class, entry, revision) {
             Ok(read) => read,
             Err(unreadable) => {

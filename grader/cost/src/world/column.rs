@@ -256,8 +256,7 @@ const SIZE: usize = 100;
 /// boxes: one component of the direction is 0, and the planes of many boxes contain the ray.
 fn slanted(random: &mut Random, rays: usize) -> Case {
     let mesh = terrain(random, SIZE);
-    let rays = rays.min(SIZE * SIZE);
-    let rays = (0..rays).map(|_| {
+    let rays = (0..rays.min(SIZE * SIZE)).map(|_| {
         let mut integer = |first: usize, last: usize| (first + random.below(last - first)) as f64;
         let o = Vec3::new(integer(1, SIZE), integer(1, 50), 64.0);
         Ray::new(o, Vec3::new(0.0, integer(0, 2), -4.0))

@@ -85,8 +85,8 @@ pub(crate) fn show(report: &WorldReport) -> String {
 /// The worst cell of these columns: a row has errors, or the largest number, or the smallest where
 /// hits are found.
 fn worst(row: &Row, names: &[&str]) -> String {
-    let cells = COLUMNS.iter().zip(&row.cells);
-    let cells: Vec<&Cell> = cells
+    let all = COLUMNS.iter().zip(&row.cells);
+    let cells: Vec<&Cell> = all
         .filter(|(column, _)| names.contains(&column.name))
         .map(|(_, cell)| cell)
         .collect();

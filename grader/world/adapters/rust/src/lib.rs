@@ -67,9 +67,8 @@ pub fn run<S>(
                 fs::write(out.join(column + ".answer"), bytes).expect("OUT can be written");
             }
             Err(payload) => {
-                let text = payload.downcast_ref::<String>().cloned();
-                let text = text.or_else(|| payload.downcast_ref::<&str>().map(|text| text.to_string()));
-                let text = text.unwrap_or_default();
+                let literal = || payload.downcast_ref::<&str>().map(|text| text.to_string());
+                let text = payload.downcast_ref::<String>().cloned().or_else(literal).unwrap_or_default();
                 let first = text.lines().next().unwrap_or_default();
                 fs::write(out.join(column + ".error"), format!("panic: {first}\n")).expect("OUT can be written");
             }

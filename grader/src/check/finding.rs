@@ -345,6 +345,7 @@ mod tests {
         let mut found = Findings::default();
         for (function, call, aspect) in [
             ("test_triangle", 1, Aspect::HitOrMiss),
+            ("intersect_triangle", 1, Aspect::HitOrMiss),
             ("intersect_triangle", 2, Aspect::Normal),
             ("intersect_triangle", 3, Aspect::Normal),
         ] {

@@ -1,7 +1,7 @@
 //! Where truth is a formula in `f64`, a handout has its results and not the formula.
 
-use base::Workspace;
 use crate::handouts::handout;
+use base::Workspace;
 use std::collections::BTreeSet;
 use std::path::Path;
 use submission::file_tree::{self, Files};

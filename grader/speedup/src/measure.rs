@@ -166,8 +166,8 @@ fn guarded<T>(kind: RungKind, measure: impl FnOnce() -> T) -> Result<T, String> 
     let measured = panic::catch_unwind(AssertUnwindSafe(measure));
     panic::set_hook(hook);
     measured.map_err(|payload| {
-        let text = payload.downcast_ref::<&str>().map(ToString::to_string);
-        let text = text.or_else(|| payload.downcast_ref::<String>().cloned());
+        let literal = payload.downcast_ref::<&str>().map(ToString::to_string);
+        let text = literal.or_else(|| payload.downcast_ref::<String>().cloned());
         let why = match payload.downcast_ref::<Hole>() {
             Some(hole) => hole.to_string(),
             None => format!("the code panics: {}", text.unwrap_or_default()),
@@ -420,8 +420,8 @@ mod tests {
 
     #[test]
     fn why_a_step_is_not_measured_has_the_message_of_its_panic() {
-        let why = guarded(RungKind::BruteForce, || -> () { panic!("at {}", 7) });
-        let why = why.expect_err("it panics");
+        let measured = guarded(RungKind::BruteForce, || -> () { panic!("at {}", 7) });
+        let why = measured.expect_err("it panics");
         assert!(
             why.ends_with("is not measured: the code panics: at 7"),
             "{why}"

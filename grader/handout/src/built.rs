@@ -4,8 +4,8 @@
 //! Cargo names what it builds by the path of a package inside its workspace, and builds it again if
 //! a file of it is newer than the last build. So the copy is current in a handout whose given files
 //! have the times of the checkout's. Where they differ from the checkout's, they compute the same:
-//! without unit tests, and with the results of formulas as a table (`judge::packed_truth`). Nothing
-//! in the handout names the checkout, which may be moved or deleted.
+//! without unit tests, and with a stub or a table (`judge::packed_truth`) for each formula that is a
+//! solution. Nothing that is copied names the checkout, which may be moved or deleted.
 
 use crate::Handout;
 use base::{GraderError, child_processes};
@@ -63,8 +63,8 @@ pub fn copy(checkout: &Path, out: &Path) -> Result<(), GraderError> {
 /// What cargo prints when it is called with these arguments in the project `root`.
 fn cargo(root: &Path, arguments: &[&str]) -> Result<String, GraderError> {
     let mut command = Command::new(child_processes::cargo());
-    let ended = child_processes::output(command.current_dir(root).args(arguments));
-    let output = ended.map_err(|e| GraderError::new(format!("cannot run cargo: {e}")))?;
+    let output = child_processes::output(command.current_dir(root).args(arguments))
+        .map_err(|e| GraderError::new(format!("cannot run cargo: {e}")))?;
     match output.status.success() {
         true => Ok(String::from_utf8_lossy(&output.stdout).into_owned()),
         false => Err(GraderError::new(format!(
@@ -86,9 +86,8 @@ fn target_folder(root: &Path) -> Result<PathBuf, GraderError> {
     ];
     let metadata: Value = serde_json::from_str(&cargo(root, &arguments)?)
         .map_err(|e| GraderError::new(format!("cannot read the output of cargo metadata: {e}")))?;
-    let named = metadata["target_directory"].as_str();
-    let folder = named.ok_or_else(|| GraderError::new("cargo metadata names no target folder"))?;
-    Ok(folder.into())
+    let folder = metadata["target_directory"].as_str().map(PathBuf::from);
+    folder.ok_or_else(|| GraderError::new("cargo metadata names no target folder"))
 }
 
 /// The hashes of the units that the grader consists of. Builds what is not current.

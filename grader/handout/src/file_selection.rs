@@ -41,6 +41,9 @@ const ROOT_FILES: [&str; 4] = ["Cargo.lock", ".gitignore", "clippy.toml", "rustf
 /// The list of what no seed changes.
 const NOT_MOVED: &str = "golden/not_moved.txt";
 
+/// The list, in the folder of each task, of what the oracle does not judge: for `grader bless`.
+const NOT_JUDGED: &str = "not_judged.txt";
+
 /// What students do not need: the README's pictures and their scenes, tests of given code, and
 /// scripts for large pictures.
 const LEFT_OUT: [&str; 8] = [
@@ -88,7 +91,9 @@ impl<'a> FileSelection<'a> {
         // Students need the goldens as data. The test of the goldens, the tables of mutants and the
         // list of what seeds do not change are for those who maintain the course.
         if top == "golden" {
-            let is_for_authors = path.starts_with("golden/mutants") || path == Path::new(NOT_MOVED);
+            let is_for_authors = path.starts_with("golden/mutants")
+                || path == Path::new(NOT_MOVED)
+                || path.ends_with(NOT_JUDGED);
             return !is_rust && !is_manifest && !is_for_authors;
         }
         if LEFT_OUT.iter().any(|folder| path.starts_with(folder)) {

@@ -195,9 +195,9 @@ impl Handout {
 
     /// The files that students do not write.
     pub fn given(&self) -> impl Iterator<Item = &Path> {
-        let file = self.files.get(Path::new(given::LIST));
-        let list = file.map(|list| String::from_utf8_lossy(list));
-        let given = GivenFiles::parse(&list.unwrap_or_default());
+        let list = self.files.get(Path::new(given::LIST));
+        let text = list.map(|list| String::from_utf8_lossy(list));
+        let given = GivenFiles::parse(&text.unwrap_or_default());
         let files = self.files.iter();
         files
             .filter(move |(path, contents)| given.is_original(path, contents).is_some())

@@ -4,9 +4,13 @@
 use grader::course::Task;
 use std::path::{Path, PathBuf};
 use submission::file_tree::Files;
+use submission::packages::manifest;
 
-/// The build script of a stage that students write. It sets `open_task` for each task with a gap.
+/// The build script of the stages that students write. It sets `open_task` for each task with a gap.
 const BUILD_SCRIPT: &str = include_str!("build_script.rs");
+
+/// Its path in a handout. A build without tests leaves it out: `submission` removes the line.
+const PATH: &str = "stages/open_tasks.rs";
 
 /// The test of each stage that a handout contains although its functions may not be written.
 pub(crate) const FILE: &str = "worked_example.rs";
@@ -27,7 +31,11 @@ pub(crate) fn ignore_open<'a>(files: &mut Files, tasks: impl Iterator<Item = &'a
         *test = String::from_utf8_lossy(test)
             .replace(&name, &ignored)
             .into_bytes();
-        files.insert(stage.join("build.rs"), BUILD_SCRIPT.into());
+        if let Some(manifest) = files.get_mut(&stage.join("Cargo.toml")) {
+            let text = String::from_utf8_lossy(manifest);
+            *manifest = manifest::with_build_script(&text).into_bytes();
+        }
+        files.insert(PATH.into(), BUILD_SCRIPT.into());
     }
 }
 
@@ -53,8 +61,8 @@ mod tests {
 
     #[test]
     fn examples_of_open_tasks_alone_are_ignored() {
-        let text = include_str!("../../../stages/course.toml");
-        let course = Course::parse(text).expect("it is valid");
+        let list = include_str!("../../../stages/course.toml");
+        let course = Course::parse(list).expect("it is valid");
         let tasks = || course.tasks().filter(|task| task.key == "part1.task4");
         let path = PathBuf::from("stages/intersect/tests/worked_example.rs");
         let test = "#[test]\nfn part1_task3_a() {}\n\n#[test]\nfn part1_task4_b() {}\n";
@@ -63,6 +71,6 @@ mod tests {
         let ignored = "#[test]\nfn part1_task3_a() {}\n\n#[cfg_attr(open_task = \"part1.task4\", ignore = \
                        \"part1.task4 is not written yet\")]\n#[test]\nfn part1_task4_b() {}\n";
         assert_eq!(String::from_utf8_lossy(&files[&path]), ignored);
-        assert!(files.contains_key(Path::new("stages/intersect/build.rs")));
+        assert!(files.contains_key(Path::new(PATH)));
     }
 }

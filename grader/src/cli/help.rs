@@ -110,12 +110,12 @@ fn more() -> Command {
         !DAILY.contains(&name) && !is_of_others
     };
     let commands: Vec<Command> = whole.get_subcommands().filter(is_more).cloned().collect();
-    let options = whole.get_arguments().filter(|argument| {
+    let is_of_more = |argument: &&Arg| {
         !argument.is_positional()
             && !argument.is_hide_set()
             && !DAILY_OPTIONS.contains(&argument.get_id().as_str())
-    });
-    let options: Vec<Arg> = options.cloned().collect();
+    };
+    let options: Vec<Arg> = whole.get_arguments().filter(is_of_more).cloned().collect();
     Command::new("grader")
         .bin_name("grader")
         .about("What students use besides the commands of a day. `grader help COMMAND` has more about a command")

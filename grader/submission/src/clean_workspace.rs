@@ -335,7 +335,7 @@ fn trusted_files(workspace: &Workspace) -> Result<Files, GraderError> {
         let is_manifest = path.file_name().is_some_and(|name| name == "Cargo.toml");
         let wanted = match owner {
             None => path == Path::new("Cargo.lock") || path == Path::new("Cargo.toml"),
-            Some(owner) => needed.contains(owner.name.as_str()) && !is_for_tests(owner, &path),
+            Some(owner) => needed.contains(owner.name.as_str()) && !is_test(owner, &path),
         };
         if !wanted {
             continue;
@@ -365,13 +365,8 @@ fn trusted_files(workspace: &Workspace) -> Result<Files, GraderError> {
     Ok(files)
 }
 
-/// Whether a file is a test of its crate, or a handout's build script, which says only which of them
-/// to ignore.
-fn is_for_tests(owner: &Member, path: &Path) -> bool {
+fn is_test(owner: &Member, path: &Path) -> bool {
     let inside = path.strip_prefix(&owner.folder).unwrap_or(path);
-    if inside == Path::new("build.rs") {
-        return true;
-    }
     let first = inside.iter().next();
     first.is_some_and(|name| members::TEST_FOLDERS.iter().any(|test| name == *test))
 }

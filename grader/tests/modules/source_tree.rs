@@ -92,9 +92,13 @@ impl SourceTree {
                     let inside = folder.join(name);
                     let candidates = [folder.join(format!("{name}.rs")), inside.join("mod.rs")];
                     let found = candidates.into_iter().find(|path| read(path).is_some());
-                    let path = found
-                        .unwrap_or_else(|| panic!("{}: no file for `mod {name};`", file.display()));
-                    let child = self.add_file(path, inside, Some(this), read);
+                    let child = match found {
+                        Some(path) => self.add_file(path, inside, Some(this), read),
+                        None if has_path(&tokens[..at]) => {
+                            self.add_module(&[], inside.clone(), inside, Some(this), read)
+                        }
+                        None => panic!("{}: no file for `mod {name};`", file.display()),
+                    };
                     self.modules[this].children.insert(name.clone(), child);
                 }
                 ([Token::Name(word), Token::Name(name), Token::Mark('{'), ..], _)
@@ -198,6 +202,16 @@ fn path_at(tokens: &[Token]) -> Vec<String> {
         }
     }
     path
+}
+
+/// Whether the module that follows these tokens has `#[path = "..."]`: its file is another crate's,
+/// and imports nothing of this one.
+fn has_path(before: &[Token]) -> bool {
+    let before = match before {
+        [rest @ .., Token::Name(word)] if word == "pub" => rest,
+        all => all,
+    };
+    matches!(before, [.., Token::Name(word), Token::Mark('='), Token::Mark(']')] if word == "path")
 }
 
 /// Adds the tree of a `use`, whose paths start with `prefix`.

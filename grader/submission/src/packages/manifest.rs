@@ -91,9 +91,20 @@ pub fn without_tests(text: &str) -> String {
 
 /// The `Cargo.toml` of a crate of which only the library is built: a file `src/bin/x.rs` or
 /// `src/main.rs` that a student hands in would be a program otherwise, with rules of its own (cargo
-/// refuses a program `build`, for example).
+/// refuses a program `build`, for example). It has no build script, which is for tests.
 pub fn only_library(text: &str) -> String {
-    text.replacen("[package]\n", "[package]\nautobins = false\n", 1)
+    let without = text.replace(BUILD_SCRIPT, "");
+    without.replacen("[package]\n", "[package]\nautobins = false\n", 1)
+}
+
+/// The line of a stage's `Cargo.toml` in a handout with the build script of all stages.
+const BUILD_SCRIPT: &str = "build = \"../open_tasks.rs\"\n";
+
+/// Adds the build script of a handout, which says which worked examples `cargo test` ignores, to the
+/// `Cargo.toml` of a stage.
+pub fn with_build_script(text: &str) -> String {
+    let without = text.replace(BUILD_SCRIPT, "");
+    without.replacen("[package]\n", &format!("[package]\n{BUILD_SCRIPT}"), 1)
 }
 
 /// Removes the development dependencies from a crate's `Cargo.toml` for which `is_used` is false.
@@ -145,6 +156,21 @@ mod tests {
         let expected = "[dependencies]\na.workspace = true\n\n[dev-dependencies]\na-b.workspace = true\n\n[lints]\nworkspace = true\n";
         let is_used = |name: &str| name == "a-b";
         assert_eq!(without_unused_dev_dependencies(text, is_used), expected);
+    }
+
+    #[test]
+    fn a_build_script_is_added_once_and_left_out_of_a_library() {
+        let text = "[package]\nname = \"a\"\n";
+        let with = with_build_script(text);
+        assert_eq!(
+            with,
+            "[package]\nbuild = \"../open_tasks.rs\"\nname = \"a\"\n"
+        );
+        assert_eq!(with_build_script(&with), with);
+        assert_eq!(
+            only_library(&with),
+            "[package]\nautobins = false\nname = \"a\"\n"
+        );
     }
 
     #[test]

@@ -83,12 +83,6 @@ impl SourceTree {
                 ([Token::Name(word), Token::Name(name), Token::Mark(';'), ..], _)
                     if word == "mod" =>
                 {
-                    at += 3;
-                    // A file of another crate, which has it as a module of its own.
-                    let before = &tokens[..at - 3];
-                    if is_elsewhere(before) {
-                        continue;
-                    }
                     let inside = folder.join(name);
                     let candidates = [folder.join(format!("{name}.rs")), inside.join("mod.rs")];
                     let found = candidates.into_iter().find(|path| read(path).is_some());
@@ -100,6 +94,7 @@ impl SourceTree {
                         None => panic!("{}: no file for `mod {name};`", file.display()),
                     };
                     self.modules[this].children.insert(name.clone(), child);
+                    at += 3;
                 }
                 ([Token::Name(word), Token::Name(name), Token::Mark('{'), ..], _)
                     if word == "mod" =>
@@ -211,7 +206,10 @@ fn has_path(before: &[Token]) -> bool {
         [rest @ .., Token::Name(word)] if word == "pub" => rest,
         all => all,
     };
-    matches!(before, [.., Token::Name(word), Token::Mark('='), Token::Mark(']')] if word == "path")
+    matches!(
+        before,
+        [.., Token::Name(word), Token::Mark('='), Token::Literal, Token::Mark(']')] if word == "path"
+    )
 }
 
 /// Adds the tree of a `use`, whose paths start with `prefix`.
@@ -273,18 +271,4 @@ fn add_import(module: &mut Module, mut path: Vec<String>, name: &str) {
     if path != [name.clone()] {
         module.imports.insert(name, path);
     }
-}
-
-/// Whether the attribute `#[path = "…"]` stands before a module.
-fn is_elsewhere(before: &[Token]) -> bool {
-    let is_pub = |token: &Token| matches!(token, Token::Name(word) if word == "pub");
-    let before = match before {
-        [before @ .., last] if is_pub(last) => before,
-        all => all,
-    };
-    matches!(
-        before,
-        [.., Token::Mark('['), Token::Name(word), Token::Mark('='), Token::Literal, Token::Mark(']')]
-            if word == "path"
-    )
 }

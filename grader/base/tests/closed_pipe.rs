@@ -3,13 +3,16 @@
 use std::path::{Path, PathBuf};
 
 /// Crates whose programs run the code under test: their output is a pipe of the grader's, and what
-/// the code under test prints is its own. And `damage`, of which only tests print something.
-const NO_PROGRAMS: [&str; 5] = [
+/// the code under test prints is its own. And `damage`, of which only tests print something, what
+/// cargo runs while it builds, and an example that only a nightly step calls.
+const NO_PROGRAMS: [&str; 7] = [
     "grader/damage",
+    "grader/handout/src/build_script.rs",
     "grader/harness",
     "grader/mutants",
     "grader/sandbox",
     "grader/worker",
+    "scenes/examples",
 ];
 
 /// The macros of the standard library, which panic if the output is a closed pipe.

@@ -333,6 +333,7 @@ fn commands_can_be_run() {
             let command = line.split(" # ").next().unwrap_or_default().trim();
             let known = [
                 "cargo grader",
+                "cargo run --release -p grader -- start ",
                 "cargo run --release -p pathtracer -- -f ",
                 "cargo run --release -p viewer -- ",
                 "cargo run --release -p book_site -- ",

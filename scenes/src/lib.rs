@@ -12,6 +12,7 @@
 pub mod camera_file;
 pub mod collada;
 pub mod diagnostic;
+mod loaded;
 pub mod model;
 pub mod placement;
 pub mod save;
@@ -20,26 +21,12 @@ mod text_file;
 pub use camera_file::CameraFile;
 pub use collada::parse;
 pub use diagnostic::{SceneError, Warning};
+pub use loaded::Loaded;
 /// Generators of large meshes, for programs outside this workspace.
 pub use meshes as generate;
 pub use save::SceneFile;
 
 use std::path::Path;
-
-/// A scene, and what is to be said about its file.
-#[derive(Clone, Debug)]
-pub struct Loaded {
-    /// The scene. Its camera is that of the file, with the frame of the file: see [`placement`] for
-    /// the default view.
-    pub scene: kit::Scene,
-    /// What was repaired or ignored, in the order of the file's scene.
-    pub warnings: Vec<Warning>,
-    /// The names of meshes without normals that look rounded: the normals of their triangles are
-    /// smoothed over edges of the mesh.
-    pub smoothed: Vec<String>,
-    /// Whether the file has no light, and a sky and a sun were added.
-    pub added_light: bool,
-}
 
 /// Reads a scene file: COLLADA, unless its extension is that of another format.
 pub fn load(path: impl AsRef<Path>) -> Result<Loaded, SceneError> {

@@ -1,6 +1,6 @@
 //! A known mistake, and what is said of code that makes it.
 
-use super::constant::Constants;
+use super::constant_values::Constants;
 use crate::signature::{Evidence, Signature};
 use judge::findings::Aspect;
 use serde::Serialize;

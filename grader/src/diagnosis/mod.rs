@@ -5,13 +5,14 @@
 //! signature is compared with all of them.
 
 pub(crate) mod constant;
+mod constant_values;
 mod fresh_cases;
 pub(crate) mod mistake;
 mod ruled_out;
 mod several;
 pub mod simplest;
 
-pub use constant::Constants;
+pub use constant_values::Constants;
 pub use mistake::{Certainty, Claim, Diagnosis, Known, Place};
 
 use crate::score::regularity::{self, Regularity};

@@ -9,6 +9,7 @@
 pub mod content;
 pub mod intake;
 pub mod process;
+mod signals;
 
 pub use content::{Content, Unreadable};
 pub use process::Reader;

@@ -2,6 +2,7 @@
 
 use super::content::{self, Content, Unreadable};
 use super::intake::Revision;
+use super::signals::{SIGKILL, signal};
 use crate::entries::Entry;
 use base::GraderError;
 use base::Workspace;
@@ -278,20 +279,6 @@ impl Reader {
 
 /// The signal that ends a process whose processor time is used up.
 const SIGXCPU: i32 = 24;
-
-/// The signal that ends a process for which the system has no memory.
-pub(super) const SIGKILL: i32 = 9;
-
-/// The signal that ended a process.
-#[cfg(unix)]
-pub(super) fn signal(status: ExitStatus) -> Option<i32> {
-    std::os::unix::process::ExitStatusExt::signal(&status)
-}
-
-#[cfg(not(unix))]
-pub(super) fn signal(_: ExitStatus) -> Option<i32> {
-    None
-}
 
 fn machine(e: &dyn std::fmt::Display) -> Unreadable {
     Unreadable::Machine(format!("cannot read it in a process of its own: {e}"))

@@ -7,7 +7,7 @@
 use super::unpack::Unpacker;
 use crate::reading::Unreadable;
 use crate::reading::content::unreadable;
-use crate::reading::process;
+use crate::reading::signals;
 use base::GraderError;
 use base::child_processes;
 use base::interrupt::{self, TempFolder};
@@ -432,8 +432,8 @@ impl Git {
         }
         let status = child.wait().map_err(cannot_run)?;
         let says = stderr.join().unwrap_or_default();
-        match process::signal(status) {
-            Some(process::SIGKILL) => return Err(killed()),
+        match signals::signal(status) {
+            Some(signals::SIGKILL) => return Err(killed()),
             Some(_) => return Err(stopped()),
             None => {}
         }

@@ -19,10 +19,10 @@ const SCENE: &str = concat!(
 const LIMIT: Duration = Duration::from_secs(1000);
 
 /// Starts a long rendering in `folder`, and returns when the program handles Ctrl-C.
-fn start(folder: &Path, flags: &[&str]) -> Child {
+fn start(folder: &Path, samples: &str, flags: &[&str]) -> Child {
     let mut program = Command::new(env!("CARGO_BIN_EXE_pathtracer"))
         .current_dir(folder)
-        .args(["-s", "1048576", "-r", "64", "64", SCENE])
+        .args(["-s", samples, "-r", "64", "64", SCENE])
         .args(flags)
         .stdout(Stdio::piped())
         .stderr(Stdio::null())
@@ -63,7 +63,7 @@ fn end(mut program: Child) -> ExitStatus {
 #[test]
 fn two_signals_at_once_are_one_ctrl_c() {
     let folder = tempfile::tempdir().expect("a temporary folder");
-    let program = start(folder.path(), &["-f", "a.png"]);
+    let program = start(folder.path(), "1048576", &["-f", "a.png"]);
     interrupt_twice(&program);
     assert_eq!(end(program).code(), Some(130));
     let picture = fs::metadata(folder.path().join("a.png")).expect("a picture");
@@ -74,11 +74,15 @@ fn two_signals_at_once_are_one_ctrl_c() {
 #[test]
 fn an_adaptive_part_that_is_interrupted_keeps_its_samples() {
     let folder = tempfile::tempdir().expect("a temporary folder");
-    let program = start(folder.path(), &["-a", "1048576", "-f", "a.sums"]);
+    let program = start(
+        folder.path(),
+        "4096",
+        &["-a", "64", "0.001", "-f", "a.sums"],
+    );
     interrupt_twice(&program);
     assert_eq!(end(program).code(), Some(130));
     let file = SumsFile::read(&folder.path().join("a.sums")).expect("a file of sums");
-    assert!(file.head.adaptive && file.head.samples == 1 << 20);
+    assert!(file.head.adaptive && file.head.samples == 4096);
     let samples = file.pixels.iter().map(|pixel| pixel.mean().samples);
     assert_eq!(samples.min(), Some(2));
 }

@@ -10,7 +10,7 @@
 use super::accessor::Buffers;
 use super::builder::{Builder, Corner, MeshData};
 use super::gltf_material::{self, ReadMaterial};
-use super::read_file;
+use super::read_file::read_file;
 use crate::Loaded;
 use crate::collada::limits::{MAX_DEPTH, MAX_INSTANCES};
 use crate::collada::transform::Affine;

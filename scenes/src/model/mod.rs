@@ -14,14 +14,14 @@ mod gltf;
 mod gltf_material;
 mod obj;
 mod ply;
+mod read_file;
 
 use crate::Loaded;
-use crate::collada::limits::MAX_FILE_BYTES;
 use crate::diagnostic::{Diagnostic, SceneError};
 use crate::placement;
 use kit::scene::NamedLight;
 use kit::{FilmSize, Light, Material, Scene, Spectrum, Vec3};
-use std::io;
+use read_file::read_file;
 use std::path::Path;
 
 /// From where a model without a camera is seen: its front, from the right and from above.
@@ -59,16 +59,6 @@ fn read(path: &Path, name: &str, format: Format) -> Result<Loaded, SceneError> {
         Format::Obj => obj::read(name, folder, &bytes),
         Format::Ply => ply::read(name, &bytes),
     }
-}
-
-/// The bytes of a file, of limited size.
-fn read_file(path: &Path) -> io::Result<Vec<u8>> {
-    let length = std::fs::metadata(path)?.len();
-    if length > MAX_FILE_BYTES {
-        let why = format!("it has {length} bytes, and {MAX_FILE_BYTES} are the limit");
-        return Err(io::Error::other(why));
-    }
-    std::fs::read(path)
 }
 
 /// An error if there is nothing to see; light if there is none.

@@ -4,6 +4,7 @@
 //! 7 or 9, a mirror of colour `Ks` with `illum` 3 or 5, and else diffuse, with `Kd` or `map_Kd`.
 
 use super::builder::{Builder, Corner, MeshData};
+use super::read_file::read_file;
 use crate::Loaded;
 use crate::collada::polygon::TestCounter;
 use crate::collada::transform::Affine;
@@ -22,7 +23,7 @@ pub(super) fn read(name: &str, folder: &Path, bytes: &[u8]) -> Result<Loaded, Sc
         ..LoadOptions::default()
     };
     let library = |path: &Path| {
-        let bytes = super::read_file(&folder.join(path)).map_err(|_| LoadError::OpenFileFailed)?;
+        let bytes = read_file(&folder.join(path)).map_err(|_| LoadError::OpenFileFailed)?;
         tobj::load_mtl_buf(&mut BufReader::new(&bytes[..]))
     };
     let (models, materials) = tobj::load_obj_buf(&mut BufReader::new(bytes), &options, library)

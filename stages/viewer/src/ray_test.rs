@@ -19,7 +19,7 @@ pub struct RayTest {
 /// The error says why there is none.
 pub fn of_ray(scene: &Scene, record: &RayRecord) -> Result<RayTest, String> {
     let primitives: Vec<Primitive<'_>> = scene.primitives().collect();
-    let near = oracle::near(&primitives, &record.ray);
+    let near = oracle::near(&primitives, &record.ray, oracle::KernelClass::Textbook);
     let near = near
         .iter()
         .filter(|n| record.skip.is_none_or(|skip| skip.0 != n.0));

@@ -121,6 +121,9 @@ fn style_of(row: &Row) -> SeriesStyle {
     }
 }
 
+/// A row in a plot: its style, place and name.
+type Point = (SeriesStyle, (f64, f64), String);
+
 /// A plot at `corner`; `wrong` returns the height of a row.
 fn panel<'a>(
     canvas: &'a Canvas,
@@ -128,8 +131,8 @@ fn panel<'a>(
     (corner, size): (Position, [f64; 2]),
     rows: &[&Row],
     wrong: impl Fn(&Row) -> Option<f64>,
-) -> (Plot<'a>, Vec<(SeriesStyle, (f64, f64), String)>) {
-    let points: Vec<_> = rows
+) -> (Plot<'a>, Vec<Point>) {
+    let points: Vec<Point> = rows
         .iter()
         .filter_map(|row| {
             let name = row.name.replace('_', " ");

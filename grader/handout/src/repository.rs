@@ -8,7 +8,7 @@ use std::process::{Command, Stdio};
 pub enum Repository {
     /// It has one commit.
     Committed,
-    /// It has one commit of the course, because git knows no name of the user.
+    /// It has one commit, by the course, because git knows no name of the user.
     WithoutName,
     /// There is none, for this reason.
     Missing(String),

@@ -3,7 +3,7 @@
 //!
 //! `grader cost world` runs the rays of the stored rows through the student's stages.
 //! `grader/world/run` installs the libraries, has their adapters answer the cases as files
-//! ([`write_cases`]), and stores what [`judge`] makes of their answers in `libraries.tsv`.
+//! ([`write_cases`]), and stores what [`judge()`] makes of their answers in `libraries.tsv`.
 //!
 //! Read [`Column`] (the cases) with `shape` (their meshes), `truth` and `outcome` (how an answer is
 //! judged), [`row`] (the table), then `libraries`, `table` and [`plot`].

@@ -4,7 +4,7 @@
 //! differ by noise only.
 //!
 //! Mitsuba computes in single precision, and its rays start at a distance from surfaces that fits
-//! scenes of some units ([`Units`]). So the scene is moved and scaled before it is written.
+//! scenes of some units (`Units`). So the scene is moved and scaled before it is written.
 
 use crate::{Job, LightSettings};
 use clip::ClipPlanes;

@@ -12,6 +12,7 @@
 pub mod camera_file;
 pub mod collada;
 pub mod diagnostic;
+mod limited_file;
 mod loaded;
 pub mod model;
 pub mod placement;

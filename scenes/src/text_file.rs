@@ -1,8 +1,7 @@
 //! Reads text files: UTF-8, UTF-16, and the 8-bit encodings of old exporters.
 
-use crate::collada::limits::MAX_FILE_BYTES;
 use crate::diagnostic::{Diagnostic, SceneError};
-use std::io::Read;
+use crate::limited_file;
 use std::path::Path;
 
 /// The text of a file, without a byte order mark.
@@ -15,26 +14,7 @@ pub(crate) struct DecodedText {
 
 /// Reads a text file. Its errors include advice.
 pub(crate) fn read(path: &Path, name: &str) -> Result<DecodedText, SceneError> {
-    let unreadable = |error: std::io::Error| {
-        let help = match error.kind() {
-            std::io::ErrorKind::NotFound => "check the path: it is relative to the current folder",
-            std::io::ErrorKind::PermissionDenied => "change the permissions of the file",
-            _ => "pass the path of a file",
-        };
-        Diagnostic::about_file(name, format!("the file cannot be read: {error}")).help(help)
-    };
-    let mut bytes = Vec::new();
-    let file = std::fs::File::open(path).map_err(unreadable)?;
-    file.take(MAX_FILE_BYTES + 1)
-        .read_to_end(&mut bytes)
-        .map_err(unreadable)?;
-    if bytes.len() as u64 > MAX_FILE_BYTES {
-        let title = format!("the file has more than {MAX_FILE_BYTES} bytes");
-        let diagnostic =
-            Diagnostic::about_file(name, title).help("simplify the meshes before the export");
-        return Err(diagnostic.into());
-    }
-    decode(name, bytes)
+    decode(name, limited_file::read_scene(path, name)?)
 }
 
 /// The text of `bytes`.

@@ -4,18 +4,18 @@
 //! skins in the pose of their nodes, perspective cameras, and the lights of `KHR_lights_punctual`.
 //! A mesh without normals has flat triangles, as the format says.
 //!
-//! The intensities of lights are photometric. Blender's exporter multiplies watts by 683 lumens; its
-//! files are divided by that, so that a lamp is as bright as in Blender.
+//! The intensities of lights are photometric. Blender's exporter multiplies watts by 683 lumens;
+//! its files are divided by that, so that a lamp is as bright as in Blender.
 
 use super::accessor::Buffers;
 use super::builder::{Builder, Corner, MeshData};
 use super::gltf_material::{self, ReadMaterial};
-use super::read_file::read_file;
 use crate::Loaded;
 use crate::collada::limits::{MAX_DEPTH, MAX_INSTANCES};
 use crate::collada::transform::Affine;
 use crate::collada::uri::percent_decoded;
 use crate::diagnostic::{Diagnostic, SceneError};
+use crate::limited_file;
 use crate::placement::FAR_AWAY;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
@@ -79,7 +79,7 @@ impl File<'_> {
                 Source::Uri(uri) if uri.starts_with("data:") => self.data(uri)?,
                 Source::Uri(uri) => {
                     let path = self.folder.join(self.path(uri));
-                    read_file(&path).map_err(|why| {
+                    limited_file::read(&path).map_err(|why| {
                         let title = format!("its buffer {} cannot be read: {why}", path.display());
                         Diagnostic::about_file(self.name, title)
                             .help("keep the .bin file beside the .gltf file, or export a .glb")

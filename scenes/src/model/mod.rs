@@ -14,14 +14,13 @@ mod gltf;
 mod gltf_material;
 mod obj;
 mod ply;
-mod read_file;
 
 use crate::Loaded;
 use crate::diagnostic::{Diagnostic, SceneError};
+use crate::limited_file;
 use crate::placement;
 use kit::scene::NamedLight;
 use kit::{FilmSize, Light, Material, Scene, Spectrum, Vec3};
-use read_file::read_file;
 use std::path::Path;
 
 /// From where a model without a camera is seen: its front, from the right and from above.
@@ -49,10 +48,7 @@ pub(crate) fn load(path: &Path) -> Option<Result<Loaded, SceneError>> {
 }
 
 fn read(path: &Path, name: &str, format: Format) -> Result<Loaded, SceneError> {
-    let bytes = read_file(path).map_err(|why| {
-        Diagnostic::about_file(name, format!("the file cannot be read: {why}"))
-            .help("check the path: it is relative to the current folder")
-    })?;
+    let bytes = limited_file::read_scene(path, name)?;
     let folder = path.parent().unwrap_or(Path::new(""));
     match format {
         Format::Gltf => gltf::read(name, folder, &bytes),

@@ -1,14 +1,14 @@
 //! OBJ, with its MTL file beside it.
 //!
-//! Polygons are triangulated. A surface is a lamp if its `Ke` is not black, glass with `illum` 4, 6,
-//! 7 or 9, a mirror of colour `Ks` with `illum` 3 or 5, and else diffuse, with `Kd` or `map_Kd`.
+//! Polygons are triangulated. A surface is a lamp if its `Ke` is not black, glass with `illum` 4,
+//! 6, 7 or 9, a mirror of colour `Ks` with `illum` 3 or 5, and else diffuse, with `Kd` or `map_Kd`.
 
 use super::builder::{Builder, Corner, MeshData};
-use super::read_file::read_file;
 use crate::Loaded;
 use crate::collada::polygon::TestCounter;
 use crate::collada::transform::Affine;
 use crate::diagnostic::SceneError;
+use crate::limited_file;
 use kit::{Material, Spectrum, Vec2, Vec3};
 use std::io::BufReader;
 use std::path::Path;
@@ -23,7 +23,8 @@ pub(super) fn read(name: &str, folder: &Path, bytes: &[u8]) -> Result<Loaded, Sc
         ..LoadOptions::default()
     };
     let library = |path: &Path| {
-        let bytes = read_file(&folder.join(path)).map_err(|_| LoadError::OpenFileFailed)?;
+        let bytes =
+            limited_file::read(&folder.join(path)).map_err(|_| LoadError::OpenFileFailed)?;
         tobj::load_mtl_buf(&mut BufReader::new(&bytes[..]))
     };
     let (models, materials) = tobj::load_obj_buf(&mut BufReader::new(bytes), &options, library)

@@ -173,19 +173,13 @@ impl From<&str> for Ended {
 /// The file and the line of "FILE:LINE" or "FILE:LINE:COLUMN", as rustc and panics print a place;
 /// `None` if it is none.
 pub fn place(location: &str) -> Option<(String, usize)> {
-    let mut parts = location.rsplitn(3, ':').collect::<Vec<_>>();
-    parts.reverse();
-    let (file, line) = match parts[..] {
-        [file, line, column]
-            if column.parse::<usize>().is_ok() && line.parse::<usize>().is_ok() =>
-        {
-            (file.to_owned(), line)
-        }
-        [drive, path, line] => (format!("{drive}:{path}"), line),
-        [file, line] => (file.to_owned(), line),
-        _ => return None,
-    };
-    Some((file, line.parse().ok()?))
+    let (file, last) = location.rsplit_once(':')?;
+    let last = last.parse().ok()?;
+    let with_column = file
+        .rsplit_once(':')
+        .and_then(|(file, line)| Some((file, line.parse().ok()?)));
+    let (file, line) = with_column.unwrap_or((file, last));
+    Some((file.to_owned(), line))
 }
 
 #[cfg(test)]

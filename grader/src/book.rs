@@ -1,8 +1,8 @@
 //! The rendered book: `target/first-light/book`, the site that `cargo grader book` opens.
 //!
 //! A handout contains the site in one packed file, which is unpacked once. The full checkout builds
-//! it with the program `book_site`, again if the text or its pictures changed. A folder that `grader
-//! start` made beside a checkout has the site of the checkout, built at its first use.
+//! it with the program `book_site`, again if the text or its pictures changed. A folder that
+//! `grader start` made beside a checkout has the site of the checkout, built at its first use.
 
 use crate::build;
 use crate::course::chapter;

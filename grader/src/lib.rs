@@ -18,8 +18,8 @@
 //! does not depend on the course's tasks is in the crate `base`.
 //!
 //! The tools for instructors are separate crates beside this one: `handout` (what students
-//! get), `authoring` (the course check, mutants), `submission` (grading what students hand in), `review` (reviewing and accepting
-//! goldens), `cost` (time against accuracy).
+//! get), `authoring` (the course check, mutants), `submission` (grading what students hand in),
+//! `review` (reviewing and accepting goldens), `cost` (time against accuracy).
 
 pub mod book;
 pub mod build;

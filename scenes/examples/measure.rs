@@ -1,8 +1,8 @@
 //! Prints what can be measured of scene files: one line each, for `tests/real/compare.py`.
 //!
-//! The columns, separated by tabs: the file; `read` or `refused`; the number of warnings; triangles;
-//! spheres; the area and the signed volume of the triangles; their bounding box, 6 numbers; lights;
-//! cameras. Of a file that is refused: the reason.
+//! The columns, separated by tabs: the file; `read` or `refused`; the number of warnings;
+//! triangles; spheres; the area and the signed volume of the triangles; their bounding box, 6
+//! numbers; lights; cameras. Of a file that is refused: the reason.
 
 use kit::Vec3;
 use scenes::Loaded;

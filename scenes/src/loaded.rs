@@ -5,8 +5,8 @@ use crate::diagnostic::Warning;
 /// A scene, and what is to be said about its file.
 #[derive(Clone, Debug)]
 pub struct Loaded {
-    /// The scene. Its camera is that of the file, with the frame of the file: see [`placement`](crate::placement) for
-    /// the default view.
+    /// The scene. Its camera is that of the file, with the frame of the file: see
+    /// [`placement`](crate::placement) for the default view.
     pub scene: kit::Scene,
     /// What was repaired or ignored, in the order of the file's scene.
     pub warnings: Vec<Warning>,

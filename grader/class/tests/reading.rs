@@ -249,7 +249,8 @@ fn clones_are_read(containment: Containment) {
 fn git_is_read_within_limits() {
     let folder = tempfile::tempdir().expect("a folder");
     class(&folder.path().join("class"));
-    // Of its memory the reading process needs 64 MB for the list and, for a moment, 128 for a thread.
+    // Of its memory the reading process needs 64 MB for the list and, for a moment, 128 for a
+    // thread.
     let limits = ReadingLimits {
         memory_mb: 1024,
         ..LIMITS

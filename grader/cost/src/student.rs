@@ -165,8 +165,8 @@ impl Student {
         }
     }
 
-    /// Builds the student's tree over the triangles, and traces the rays through it. Returns the `t`
-    /// of each closest hit.
+    /// Builds the student's tree over the triangles, and traces the rays through it. Returns the
+    /// `t` of each closest hit.
     pub(crate) fn closest(
         &self,
         triangles: &[Triangle],

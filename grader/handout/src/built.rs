@@ -4,8 +4,8 @@
 //! Cargo names what it builds by the path of a package inside its workspace, and builds it again if
 //! a file of it is newer than the last build. So the copy is current in a handout whose given files
 //! have the times of the checkout's. Where they differ from the checkout's, they compute the same:
-//! without unit tests, and with a stub or a table (`judge::packed_truth`) for each formula that is a
-//! solution. Nothing that is copied names the checkout, which may be moved or deleted.
+//! without unit tests, and with a stub or a table (`judge::packed_truth`) for each formula that is
+//! a solution. Nothing that is copied names the checkout, which may be moved or deleted.
 
 use crate::Handout;
 use base::{GraderError, child_processes};

@@ -5,8 +5,8 @@
 //! file) first, then `file_selection` (which files) and [`Handout::carve`]. [`readme`] writes the
 //! README.
 //!
-//! `grader start` makes the folder of somebody who learns alone, beside the checkout: a handout that
-//! uses what cargo built of the checkout ([`built`]), and a [`repository`].
+//! `grader start` makes the folder of somebody who learns alone, beside the checkout: a handout
+//! that uses what cargo built of the checkout ([`built`]), and a [`repository`].
 
 pub mod built;
 pub mod carve;

@@ -6,7 +6,8 @@ use std::path::{Path, PathBuf};
 use submission::file_tree::Files;
 use submission::packages::manifest;
 
-/// The build script of the stages that students write. It sets `open_task` for each task with a gap.
+/// The build script of the stages that students write. It sets `open_task` for each task with a
+/// gap.
 const BUILD_SCRIPT: &str = include_str!("build_script.rs");
 
 /// Its path in a handout. A build without tests leaves it out: `submission` removes the line.

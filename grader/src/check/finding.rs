@@ -333,8 +333,8 @@ mod tests {
     use judge::findings::Findings;
     use std::collections::BTreeSet;
 
-    /// Two mistakes, of which the likely one explains the second: it is named there, not at the first
-    /// function.
+    /// Two mistakes, of which the likely one explains the second: it is named there, not at the
+    /// first function.
     #[test]
     fn a_mistake_is_named_at_the_function_whose_answers_it_explains() {
         const CODE: &str = "pub fn intersect_triangle(r: &mut Ray) -> Option<Hit> {\n    let hit = test_triangle(r)?;\n    Some(record_triangle(r, hit))\n}\n";

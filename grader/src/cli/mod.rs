@@ -2,10 +2,10 @@
 //!
 //! This program does what students do all day: `grader part1` ([`grade`]; `case` for a single
 //! case), `grader watch`, `grader check`, `grader status`, `grader explain`, `grader examples`,
-//! `grader picture`, `grader book`, `grader predict`, `grader gym`, `grader reset`. Each other command is a
-//! separate program (`subprogram`), so that a student who only grades does not have to compile it.
-//! This module contains what they all share: the [`Exit`], the exit codes ([`run_to_exit_code`])
-//! and common options.
+//! `grader picture`, `grader book`, `grader predict`, `grader gym`, `grader reset`. Each other
+//! command is a separate program (`subprogram`), so that a student who only grades does not have to
+//! compile it. This module contains what they all share: the [`Exit`], the exit codes
+//! ([`run_to_exit_code`]) and common options.
 
 mod asking;
 mod book;

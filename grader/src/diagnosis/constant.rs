@@ -1,5 +1,5 @@
-//! Answers that are the same in every call, or a field of them that is, as those of code that is not
-//! finished. A known mistake may give the same answers; that they never change is said first.
+//! Answers that are the same in every call, or a field of them that is, as those of code that is
+//! not finished. A known mistake may give the same answers; that they never change is said first.
 
 use super::constant_values::{ConstantField, Constants, SAME_ANSWER, SAME_FIELD};
 use super::diagnose;

@@ -93,9 +93,9 @@ impl<'r, 'a> Materials<'r, 'a> {
             .collect()
     }
 
-    /// The index of the set of texture coordinates that a `<bind_vertex_input>` of `binding` chooses
-    /// for the texture of `material`. Without one, the set whose number ends the name that the
-    /// texture has for its coordinates, such as `CHANNEL1`. The first if there is no such set.
+    /// The index of the set of texture coordinates that a `<bind_vertex_input>` of `binding`
+    /// chooses for the texture of `material`. Without one, the set whose number ends the name that
+    /// the texture has for its coordinates, such as `CHANNEL1`. The first if there is no such set.
     fn choose_set(
         &self,
         binding: Element<'a>,

@@ -11,8 +11,8 @@
 //! - `specular` with `shininess`: a glossy surface, only if nothing else reflects: a highlight is
 //!   not meant to reflect the scene.
 //!
-//! The other parts are left out, with one warning per material. `specular` 0.5 with `shininess` 50 is
-//! ignored without one: Blender wrote it for every material. So is a part of at most a tenth.
+//! The other parts are left out, with one warning per material. `specular` 0.5 with `shininess` 50
+//! is ignored without one: Blender wrote it for every material. So is a part of at most a tenth.
 
 use super::document::{
     Document, Element, child, children, course_technique, descendant, describe, tag,

@@ -85,8 +85,8 @@ pub(super) fn read<'a>(
     }))
 }
 
-/// The error for a camera that a converter has damaged: assimp 5 writes angles in radians, beside an
-/// `aspect_ratio` of 0.
+/// The error for a camera that a converter has damaged: assimp 5 writes angles in radians, beside
+/// an `aspect_ratio` of 0.
 fn in_radians<'r, 'a>(
     doc: &'r Document<'a>,
     perspective: Element<'a>,

@@ -2,10 +2,10 @@
 //!
 //! The chain of references is long. `<texture texture="sampler">` refers to a `<newparam>` of the
 //! effect with a `<sampler2D>`. Its `<source>` refers to another one with a `<surface>`. Its
-//! `<init_from>`, or the `<all>` of its `<init_planar>`, refers to an `<image>`, whose `<init_from>`
-//! is the file. COLLADA 1.5 has no surface (`<instance_image>`), and its images may have the file in
-//! `<create_2d>`. Many exporters write the id of the image directly. A `<setparam>` of the
-//! `<instance_effect>` replaces the sampler or the surface.
+//! `<init_from>`, or the `<all>` of its `<init_planar>`, refers to an `<image>`, whose
+//! `<init_from>` is the file. COLLADA 1.5 has no surface (`<instance_image>`), and its images may
+//! have the file in `<create_2d>`. Many exporters write the id of the image directly. A
+//! `<setparam>` of the `<instance_effect>` replaces the sampler or the surface.
 
 use super::document::{Document, Element, child, children, descendant, tag, text, truncated};
 use super::parameter::EffectInstance;

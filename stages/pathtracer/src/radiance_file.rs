@@ -6,8 +6,8 @@ use image::{DynamicImage, ImageFormat, ImageReader, ImageResult};
 use std::io::Cursor;
 use std::path::Path;
 
-/// The picture in these bytes of the file `path`, and what is to be said about it. `.hdr` and `.exr`
-/// files have linear values, those of other formats are sRGB.
+/// The picture in these bytes of the file `path`, and what is to be said about it. `.hdr` and
+/// `.exr` files have linear values, those of other formats are sRGB.
 ///
 /// The values of an `.hdr` file are divided by its `EXPOSURE` and `COLORCORR`, as its format says:
 /// the results are radiances. Of an `.exr` file with several parts the first one with colours is

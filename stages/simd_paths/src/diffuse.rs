@@ -92,7 +92,8 @@ impl<S: Simd> PathPacket<'_, S> {
                 let zero = f64x8::splat(simd, 0.0);
                 let DiffuseSample { wi, weight, .. } = self.sample_diffuse(surfaces.color, wo_z);
                 let d = Frame::around(surfaces.n).to_world(wi);
-                // No light is scattered towards a viewer in the plane of the surface, nor through it.
+                // No light is scattered towards a viewer in the plane of the surface, nor through
+                // it.
                 let mask = mask64x8::from_bitmask(simd, diffuse);
                 let continues = mask
                     & wo_z.simd_ne(zero)

@@ -75,8 +75,8 @@ impl<S: Simd> SurfacePacket<S> {
         )
     }
 
-    /// Mirrors the shading normals that face away from a viewer on the other side of the surface, at
-    /// the plane across the directions `d` of the rays.
+    /// Mirrors the shading normals that face away from a viewer on the other side of the surface,
+    /// at the plane across the directions `d` of the rays.
     #[inline(always)]
     fn turn_normals(&mut self, simd: S, d: Vec3x8<S>) {
         let along = self.n.dot(d);

@@ -3,8 +3,8 @@
 use super::pairs::Student;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The fingerprints of each stage, each with the number of a student who has it, sorted; of those who
-/// hand in together the first one.
+/// The fingerprints of each stage, each with the number of a student who has it, sorted; of those
+/// who hand in together the first one.
 #[derive(Clone, Debug)]
 pub struct Owners<'a>(BTreeMap<&'a str, Vec<(u64, usize)>>);
 

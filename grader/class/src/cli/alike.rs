@@ -24,8 +24,8 @@ use submission::code::{self, source::Source};
 const LARGEST_STAGE: usize = 1 << 20;
 
 /// Compares the submissions in the folder `class`, and writes the page and the folder for JPlag to
-/// `out`. With a `roster` those of a team are not compared with each other. `progress` is told which
-/// submission is read, and of how many.
+/// `out`. With a `roster` those of a team are not compared with each other. `progress` is told
+/// which submission is read, and of how many.
 pub(super) fn run(
     workspace: &Workspace,
     class: &Path,

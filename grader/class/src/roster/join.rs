@@ -344,8 +344,8 @@ fn fitting(roster: &Roster, clue: &Clue) -> Vec<usize> {
     those(&|student| by_identifier(student) || by_name(student) || !has_exact && by_suffix(student))
 }
 
-/// Whether a submission that fits nobody is that of Canvas's test student: the roster has its number,
-/// or it has a number and that student's name, in either order.
+/// Whether a submission that fits nobody is that of Canvas's test student: the roster has its
+/// number, or it has a number and that student's name, in either order.
 fn is_of_test_student(roster: &Roster, clue: &Clue) -> bool {
     let Some(number) = &clue.number else {
         return false;

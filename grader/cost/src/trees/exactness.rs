@@ -125,8 +125,8 @@ const GRID: usize = 32;
 const GRID_RAYS: usize = 3_000;
 
 /// A terrain with integer coordinates, and vertical rays exactly at its vertices, edges and
-/// diagonals. Nothing is rounded, and planes of bounding boxes contain the rays: 0 times infinity is
-/// NaN in a test that multiplies by the reciprocal of the direction.
+/// diagonals. Nothing is rounded, and planes of bounding boxes contain the rays: 0 times infinity
+/// is NaN in a test that multiplies by the reciprocal of the direction.
 pub(super) struct Grid {
     pub(super) triangles: Vec<Triangle>,
     rays: Vec<(Ray, ClosestHit)>,

@@ -1,8 +1,8 @@
 //! The hard cases: each is a mesh with rays, from a seed.
 //!
 //! Every coordinate is rounded to single precision before the truth is computed, so a library that
-//! works in `f32` loses nothing when it reads the case. Rays at edges start inside a closed mesh, or
-//! above a closed terrain: whatever a library rounds, a miss is wrong. So no ray is undecidable,
+//! works in `f32` loses nothing when it reads the case. Rays at edges start inside a closed mesh,
+//! or above a closed terrain: whatever a library rounds, a miss is wrong. So no ray is undecidable,
 //! apart from those of [`Measure::Found`], where libraries have different conventions.
 
 use super::case::{Case, Rounded};
@@ -252,8 +252,9 @@ fn down(random: &mut Random, rays: usize, x: f64, y: f64) -> Case {
 /// Squares of the terrain along each axis.
 const SIZE: usize = 100;
 
-/// Rays that slant downwards in a plane x = integer, which is full of edges and of faces of bounding
-/// boxes: one component of the direction is 0, and the planes of many boxes contain the ray.
+/// Rays that slant downwards in a plane x = integer, which is full of edges and of faces of
+/// bounding boxes: one component of the direction is 0, and the planes of many boxes contain the
+/// ray.
 fn slanted(random: &mut Random, rays: usize) -> Case {
     let mesh = terrain(random, SIZE);
     let rays = (0..rays.min(SIZE * SIZE)).map(|_| {
@@ -322,7 +323,8 @@ fn duplicates(random: &mut Random, rays: usize) -> Case {
     case
 }
 
-/// Rays at triangles of a mesh in which one vertex is NaN, none of them at a triangle of that vertex.
+/// Rays at triangles of a mesh in which one vertex is NaN, none of them at a triangle of that
+/// vertex.
 fn nan_vertex(random: &mut Random, rays: usize) -> Case {
     let mut mesh = icosphere(3);
     let spoilt = 5;

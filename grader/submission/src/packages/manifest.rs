@@ -100,8 +100,8 @@ pub fn only_library(text: &str) -> String {
 /// The line of a stage's `Cargo.toml` in a handout with the build script of all stages.
 const BUILD_SCRIPT: &str = "build = \"../open_tasks.rs\"\n";
 
-/// Adds the build script of a handout, which says which worked examples `cargo test` ignores, to the
-/// `Cargo.toml` of a stage.
+/// Adds the build script of a handout, which says which worked examples `cargo test` ignores, to
+/// the `Cargo.toml` of a stage.
 pub fn with_build_script(text: &str) -> String {
     let without = text.replace(BUILD_SCRIPT, "");
     without.replacen("[package]\n", &format!("[package]\n{BUILD_SCRIPT}"), 1)

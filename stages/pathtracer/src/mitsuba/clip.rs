@@ -1,8 +1,8 @@
 //! Clip planes for Mitsuba.
 //!
-//! Here a camera ray is clipped at lengths along the ray, in Mitsuba at planes: at a depth `z` along
-//! the camera's axis. The two agree on what is seen of a surface if the surface is as a whole inside
-//! or outside of both. So each surface is cut to what the camera can see, and its depths and
+//! Here a camera ray is clipped at lengths along the ray, in Mitsuba at planes: at a depth `z`
+//! along the camera's axis. The two agree on what is seen of a surface if the surface is as a whole
+//! inside or outside of both. So each surface is cut to what the camera can see, and its depths and
 //! distances are compared with the clip distances.
 
 use crate::Job;

@@ -52,8 +52,8 @@ pub struct WrongNumbers {
     pub function: Option<&'static str>,
     /// The wrong answers so far.
     pub count: u32,
-    /// The code's numbers in each of them, and in the right answers after the first wrong one; `None`
-    /// if they differ.
+    /// The code's numbers in each of them, and in the right answers after the first wrong one;
+    /// `None` if they differ.
     pub same: Option<Vec<f64>>,
     /// The numbers that are expected in the first.
     pub expected: Vec<f64>,

@@ -1,4 +1,5 @@
-//! This project's trees: the wide one, and the plain one in both precisions and with tests of textbooks.
+//! This project's trees: the wide one, and the plain one in both precisions and with tests of
+//! textbooks.
 
 #[allow(dead_code, reason = "the other adapters use all of it")]
 #[path = "../../rust/src/lib.rs"]

@@ -1,4 +1,5 @@
-//! Reads cases, runs a library on them and writes its answers. An adapter calls [`run`] once for each row.
+//! Reads cases, runs a library on them and writes its answers. An adapter calls [`run`] once for
+//! each row.
 
 use rustix::time::{ClockId, clock_gettime};
 use std::panic::{AssertUnwindSafe, catch_unwind};

@@ -7,7 +7,7 @@ use kit::{Vec3, math::tan};
 use kit::{Camera, Ray, Vec2};
 
 /// Generates the world-space ray through the point `sensor` of the film, where (0, 0) is the bottom
-/// left corner and (1, 1) the top right one.
+/// left corner and (1, 1) the top right one. Points beyond the film lie in the same plane.
 ///
 /// Chapter: stages/book/src/part1/task2.md
 ///

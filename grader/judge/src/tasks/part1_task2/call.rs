@@ -60,6 +60,10 @@ pub(super) fn circumstances(work: &CameraWork, call: usize) -> Option<Vec<&'stat
             u != 0.5 && v != 0.5,
             "the sensor point is off the middle along both axes",
         ),
+        (
+            [u, v].iter().any(|x| !(0.0..=1.0).contains(x)),
+            "the sensor point is beyond the film",
+        ),
     ]))
 }
 

@@ -13,9 +13,9 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         case(
             "sensor_corners",
             "A camera without rotation: sensor point (0, 0) is the bottom left corner, (1, 1) the \
-             top right.",
+             top right. Points beyond the film lie in the same plane.",
             vec![camera(Vec3::new(1.0, 2.0, 3.0), Mat3::IDENTITY, 60.0, 40.0)],
-            nine_points(),
+            [nine_points(), beyond_the_film()].concat(),
         ),
         case(
             "fields_of_view",
@@ -115,6 +115,11 @@ fn nine_points() -> Vec<[f64; 2]> {
     // Points on no axis of symmetry.
     points.extend([[0.2, 0.9], [0.7, 0.3], [0.05, 0.15]]);
     points
+}
+
+/// Points on each side of the film and at one of its corners, outside.
+fn beyond_the_film() -> Vec<[f64; 2]> {
+    vec![[1.25, 0.3], [-0.75, 0.6], [0.2, 1.5], [0.9, -0.125], [1.5, -0.5]]
 }
 
 /// The centres of the pixels of a film, row by row from the bottom left.

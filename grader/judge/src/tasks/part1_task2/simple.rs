@@ -47,8 +47,8 @@ pub(crate) fn questions() -> Vec<CameraWork> {
         .to_vec()
 }
 
-/// Points of the sensor: the centre, the middles of two sides, the corners.
-const SENSOR: [[f64; 2]; 7] = [
+/// Points of the sensor: the centre, the middles of two sides, the corners, beyond the film.
+const SENSOR: [[f64; 2]; 9] = [
     [0.5, 0.5],
     [1.0, 0.5],
     [0.5, 1.0],
@@ -56,4 +56,6 @@ const SENSOR: [[f64; 2]; 7] = [
     [0.0, 0.0],
     [0.0, 1.0],
     [1.0, 0.0],
+    [1.5, 0.5],
+    [0.5, 1.5],
 ];

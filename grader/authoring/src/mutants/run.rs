@@ -43,13 +43,20 @@ pub enum Kind {
 }
 
 impl Graded {
+    /// Why a case of this version is not judged, if the machine was too busy for one.
+    fn undecided(&self) -> Option<&'static str> {
+        let cases = &self.result.cases;
+        cases.iter().find_map(|case| case.undecided().next())
+    }
+
     /// Whether this is correct code that lost core points, which is an error of the grader.
     pub fn is_marked_down(&self) -> bool {
         matches!(self.kind, Kind::Correct) && self.result.score < self.result.max_score
     }
 }
 
-/// Grades the reference, all variants and all mutants of `task`, in that order, with seed 0.
+/// Grades the reference, all variants and all mutants of `task`, in that order, with seed 0. Fails if
+/// the machine is too busy to judge a case of one of them.
 pub fn task(
     workspace: &Workspace,
     course: &Course,
@@ -217,16 +224,44 @@ impl<'a> VersionsWorker<'a> {
         let versions: Vec<usize> = versions.collect();
         progress::stage(&task.key);
         progress::expect(versions.len() as u64);
-        let each = versions.into_par_iter();
-        let graded = each
+        let each = versions.par_iter();
+        let graded: Result<Vec<Graded>, GraderError> = each
             .map(|version| {
-                let graded = self.grade_one(task, specs, version, reference);
+                let graded = self.grade_one(task, specs, *version, reference);
                 progress::advance(1);
                 graded
             })
             .collect();
         progress::pause();
-        graded
+        let mut graded = graded?;
+        for (graded, version) in graded.iter_mut().zip(versions) {
+            self.decide(graded, task, specs, version, reference)?;
+        }
+        Ok(graded)
+    }
+
+    /// Grades a version again, alone, if the versions beside it kept a case from being judged.
+    fn decide(
+        &self,
+        graded: &mut Graded,
+        task: &Task,
+        specs: &[Spec],
+        version: usize,
+        reference: Option<&ReferenceAnswers>,
+    ) -> Result<(), GraderError> {
+        for _ in 0..TIMES_ALONE {
+            if graded.undecided().is_none() {
+                return Ok(());
+            }
+            *graded = self.grade_one(task, specs, version, reference)?;
+        }
+        match graded.undecided() {
+            None => Ok(()),
+            Some(why) => Err(GraderError::new(format!(
+                "{}, {}: {why}. Nothing is compared or stored: run this again while nothing else runs",
+                task.key, graded.name
+            ))),
+        }
     }
 
     /// Grades one of the versions, by its number. Without `reference`, a mutant is not compared
@@ -270,6 +305,9 @@ impl<'a> VersionsWorker<'a> {
         }
     }
 }
+
+/// The number of times that a version is graded alone before the machine counts as too busy.
+const TIMES_ALONE: usize = 5;
 
 /// The name of a version and its kind.
 pub type Named = (String, Kind);

@@ -315,12 +315,14 @@ impl Ranked<'_> {
     }
 
     /// The likeliest first. Of equals, the one that needs the fewest assumptions: that it is made
-    /// in one function and not in another needs one.
+    /// in one function and not in another needs one, and so does a second mistake.
     fn compare(&self, other: &Ranked) -> Ordering {
         let likeness = |of: &Ranked| of.agreement.likeness();
+        let mistakes = |of: &Ranked| of.known.mistakes.len();
         likeness(other)
             .total_cmp(&likeness(self))
             .then(self.elsewhere.cmp(&other.elsewhere))
+            .then(mistakes(self).cmp(&mistakes(other)))
             .then(other.robust.total_cmp(&self.robust))
     }
 
@@ -423,6 +425,18 @@ mod tests {
             "your answers equal those of code that does this: on 8 of 8 calls; \
              another guess, as likely: code that does that"
         );
+    }
+
+    #[test]
+    fn one_mistake_needs_fewer_assumptions_than_two() {
+        let core = signature(&[("case t", "2 8*a")]);
+        let student = core.clone().with_robust(signature(&[("extra t", "8*a")]));
+        let one = known("one", core);
+        let mut two = known("one", student.clone());
+        two.mistakes.push("another".into());
+        two.descriptions.push("does another".into());
+        let diagnosis = diagnose(&[two, one], &student).expect("both are known");
+        assert_eq!(diagnosis.mistakes, ["one"]);
     }
 
     #[test]

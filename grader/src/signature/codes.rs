@@ -1,7 +1,7 @@
 //! Codes: what is wrong about one side of one case, call by call.
 
 use super::key::{Side, SignatureKey};
-use crate::score::{CaseResult, Status};
+use crate::score::CaseResult;
 use crate::workers::crash::CrashKind;
 use base::fnv;
 use judge::findings::{BLACK_CHANNEL, Class, DirectionCounts, Fault};

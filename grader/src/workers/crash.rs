@@ -101,7 +101,13 @@ impl Crash {
             },
             Ending::Skipped | Ending::NotRun => return None,
         };
-        Some(Crash { kind, how, call, input: None, panicked_at })
+        Some(Crash {
+            kind,
+            how,
+            call,
+            input: None,
+            panicked_at,
+        })
     }
 
     /// The same without the input: a simpler one is shown.

@@ -62,7 +62,8 @@ impl ViewerArgs {
             .map_err(with_advice::<ViewerArgs>)?;
         let mut args = ViewerArgs::from_arg_matches(&matches)?;
         if args.report.is_some() {
-            let instead = "--report was removed: `cargo grader look TASK` draws what is wrong in a task";
+            let instead =
+                "--report was removed: `cargo grader look TASK` draws what is wrong in a task";
             return Err(ViewerArgs::command().error(ErrorKind::UnknownArgument, instead));
         }
         if args.render.scene.as_os_str() == NO_SCENE {

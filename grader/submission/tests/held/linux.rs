@@ -177,8 +177,7 @@ fn attempts_that_lead_out(level: &Containment, attempts: &[Attempt], mark: &str)
     let run = run(level, &names);
     let mut wrong = Vec::new();
     for (name, ending) in names.iter().zip(&run.endings) {
-        let is_answered =
-            Crash::of(ending).is_none() && matches!(ending, Ending::Recorded(_));
+        let is_answered = Crash::of(ending).is_none() && matches!(ending, Ending::Recorded(_));
         if !is_answered {
             wrong.push(format!("{level}: {name}: {ending:?}"));
         }

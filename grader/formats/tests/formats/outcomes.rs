@@ -42,8 +42,6 @@ pub(crate) fn settings() -> Settings {
         })
     };
     Settings {
-        id: "ada".into(),
-        name: "=Lovelace, Ada".into(),
         add_extra: false,
         visibility: Visibility::AfterDueDate,
         assignment: Assignment::read(get, 1_780_324_321),

@@ -28,10 +28,6 @@ pub struct ViewerArgs {
     #[arg(long, num_args = 2, value_names = ["W", "H"], value_parser = clap::value_parser!(u16).range(320..))]
     pub window: Vec<u16>,
 
-    /// Rotate the view for this many frames, print how long they take, and close the window
-    #[arg(long, value_name = "FRAMES", hide = true)]
-    pub bench_orbit: Option<usize>,
-
     /// Compare two pictures, or one with the picture that is rendered
     #[arg(long, num_args = 1..=2, value_names = ["A.png", "B.png"])]
     pub compare: Vec<PathBuf>,

@@ -13,11 +13,9 @@
 //! written yet; [`project`] is the projection of lines, [`digits`] shortens numbers.
 //!
 //! [`app`] draws it with egui. [`snapshot`] writes pictures of it without a display, with
-//! [`raster`], which draws egui's shapes without a GPU. [`mod@bench`] measures frames. [`cli`] has
-//! the flags of the program.
+//! [`raster`], which draws egui's shapes without a GPU. [`cli`] has the flags of the program.
 
 pub mod app;
-pub mod bench;
 pub mod cli;
 pub mod command;
 pub mod compare;

@@ -4,7 +4,7 @@
 //! This program is the worker, too: the runner starts it with the arguments of a worker.
 
 use cap::Cap;
-use grader::workers::crash::{Crash, CrashKind, Ended};
+use grader::workers::crash::{Crash, CrashKind};
 use grader::workers::printed;
 use grader::workers::runner::{self, Ending, Patience, Worker};
 use std::alloc::System;
@@ -246,18 +246,15 @@ fn main() -> ExitCode {
             );
             continue;
         };
-        let says = Ended::of(ending).unwrap_or_default().to_string();
+        let crash = Crash::of(ending).unwrap_or_default();
+        let says = crash.to_string();
         assert!(
             says == end.says || end.kind == CrashKind::Panic && says.ends_with(end.says),
             "{}: {says}",
             case.name
         );
-        let call = Some(CALL as u32);
-        let crash = Crash {
-            kind: end.kind,
-            call,
-        };
-        assert_eq!(Crash::of(ending), Some(crash), "{}", case.name);
+        let expected = (end.kind, Some(CALL as u32));
+        assert_eq!((crash.kind, crash.call), expected, "{}", case.name);
     }
     // Every case printed three lines, and nothing of the runtime is among them.
     for (case, printed) in cases.iter().zip(&run.printed) {

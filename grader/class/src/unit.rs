@@ -151,7 +151,7 @@ pub fn grade(
     let endless = |tier: Tier| {
         let of_task = |task: &TaskReport| {
             let is_endless = |case: &&CaseResult| {
-                let kind = case.crash.map(|crash| crash.kind);
+                let kind = case.crash().map(|crash| crash.kind);
                 case.tier == tier && kind == Some(CrashKind::Endless)
             };
             let over = task.result.cases.iter().filter(is_endless);

@@ -10,7 +10,7 @@ use super::timing::{MissingReason, TurnResult};
 use super::truth::{Answer, OracleShape};
 use base::{GraderError, Workspace};
 use grader::build::{BuildOutcome, BuildRoot};
-use grader::workers::crash;
+use grader::workers::crash::Crash;
 use grader::workers::runner::{self, Ending, Worker};
 use judge::cases::probes::{brute_force, wire_ray, wire_triangle};
 use kernels::{Precision, RayAndShapes};
@@ -85,7 +85,7 @@ impl Student {
         };
         let run = runner::run(&self.worker, &[case])?;
         let ending = run.endings.into_iter().next();
-        let crashed = ending.as_ref().and_then(crash::describe);
+        let crashed = ending.as_ref().and_then(Crash::of).map(|crash| crash.how);
         Ok(match ending {
             Some(Ending::Recorded(record)) => match record.outcome {
                 Outcome::Answered(answer) => Ok(answer),

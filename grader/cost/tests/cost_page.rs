@@ -369,35 +369,20 @@ fn numbers_fit_their_cells() {
 #[test]
 fn captions_follow_the_numbers() {
     let tight = html(&report(rows(0.0, 0.0), None));
-    assert!(tight.contains(
-        "The fastest known kernel without leaks is Woop f64: it takes 1.50 ±0.02 times the textbook"
-    ));
-    assert!(tight.contains("and no leaks: Woop f64."));
     assert!(tight.contains("“edge” (1 of 3 kernels)"));
     assert!(tight.contains("Your code (star) takes 0.90 ±0.02 times the textbook"));
 
     let leaking = html(&report(rows(5.0, 2000.0), None));
-    assert!(leaking.contains("There is no known kernel without leaks"));
-    assert!(leaking.contains("and no leaks: none."));
     assert!(leaking.contains("“edge” (2 of 3 kernels)"));
 
-    assert!(tight.contains("-0.50 (independent) and -0.75 (stratified)"));
     // With 64 samples the first has the error 1/8, which the second reaches with 16.
     assert!(
         tight.contains("stratified reaches an error of 12 % 4.0 times as fast"),
         "{tight}"
     );
-    assert!(tight.contains("SAH breaks even after 100000 rays (from 90000 to 200000 for"));
-    assert!(
-        tight.contains("The tracing time of median, 1.01 ±0.02 times that of the first tree, ties")
-    );
     assert!(tight.contains(
         "With 2 ulp of slack the hits of 0 of 256 timed rays and of 7 of 9000 crafted rays are wrong (1.10 ±0.02 times"
     ));
-    assert!(tight.contains("relative to independent: 2.00 ±0.20 (stratified)"));
-    assert!(tight.contains("No curve has a significant bias"));
-    let biased = html(&report(rows(0.0, 0.0), Some(0.02)));
-    assert!(biased.contains("number of samples of a curve it is 2.0 % (stratified)"));
 }
 
 #[test]
@@ -435,7 +420,7 @@ fn headings_say_what_was_found() {
 /// Names are beside the points, numbers in tooltips and in tables.
 #[test]
 fn each_test_is_named_at_its_point_and_has_a_tooltip_and_a_row() {
-    let page = html(&report(rows(0.0, 0.0), None));
+    let page = html(&report(rows(0.0, 0.0), Some(0.02)));
     let pareto = roxmltree::Document::parse(plots(&page)[0]).expect("well-formed");
     let texts = |tag: &str| -> Vec<String> {
         let nodes = pareto.descendants().filter(|node| node.has_tag_name(tag));
@@ -458,6 +443,8 @@ fn each_test_is_named_at_its_point_and_has_a_tooltip_and_a_row() {
     assert_eq!(tips.len(), 4);
     assert!(tips[0].contains("of the textbook's time, "), "{tips:?}");
     assert!(page.contains("<tr><th scope=\"row\">Woop f64</th><td>1.50 ±0.02</td>"));
+    assert!(page.contains("<td>100,000 rays (90,000 to 200,000)</td></tr>"));
+    assert!(page.contains("<td>-0.75</td><td>2.0 %</td><td>2.00 ±0.20</td></tr>"));
 }
 
 /// The trees of the plot of exactness: further right is faster, further down loses less, and zero
@@ -500,11 +487,8 @@ fn exactness_is_drawn_at_its_speed_and_its_losses() {
     // One decade lies between the two that lose hits, less between the lesser one and zero.
     let decade = (slower.1 - faster.1) / (330.0_f64 / 31.0).log10();
     assert!(exact.1 - slower.1 < decade && decade > 500.0, "{points:?}");
-    assert!(
-        faster
-            .2
-            .contains("16,500 of a million missed and 16,500 wrong")
-    );
+    let losses = "16,500 missed in a million, 16,500 wrong in a million";
+    assert!(faster.2.ends_with(losses), "{points:?}");
 }
 
 #[test]
@@ -519,21 +503,12 @@ fn pictures_of_equal_time_are_embedded() {
 }
 
 #[test]
-fn ties_and_kernels_with_fma_are_stated() {
-    let tied = row("Woop, other", Precision::F64, 1.52, 0.0, 0.0);
+fn kernels_with_fma_are_stated() {
     let fused = row("fused", Precision::F64, 2.2, 0.0, 0.0);
-    let with = |added: KernelRow| {
-        let mut rows = rows(0.0, 0.0);
-        rows.insert(3, added);
-        html(&report(rows, None))
-    };
-    assert!(
-        with(tied.clone()).contains("without leaks are Woop f64, which takes 1.50 ±0.02 times")
-    );
-    assert!(with(tied).contains("and within the error bars Woop, other f64."));
-    let page = with(fused);
+    let mut rows = rows(0.0, 0.0);
+    rows.insert(3, fused);
+    let page = html(&report(rows, None));
     assert!(page.contains("the same instructions: fused f64 1.20 ±0.02 (else 2.20 ±0.02)"));
-    assert!(page.contains("The fastest known kernel without leaks is fused f64: it takes 1.20 ±"));
 }
 
 /// Each kernel has a bar from quartile to quartile of its time, with a stroke at both ends.

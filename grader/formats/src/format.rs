@@ -1,7 +1,7 @@
 //! The formats by their names.
 
 use crate::{
-    Outcome, Settings, actions, classroom50, csv, gradescope, json, junit, markdown, prairielearn,
+    Outcome, Settings, actions, classroom50, gradescope, json, junit, markdown, prairielearn,
 };
 use base::GraderError;
 
@@ -18,8 +18,6 @@ pub enum Format {
     JUnit,
     /// The report of the grader, or `{"infrastructure": "..."}`.
     Json,
-    /// A gradebook of one row, for Canvas, Moodle and spreadsheets.
-    Csv,
     /// Workflow commands of GitHub Actions, which annotate lines of the student's code.
     Actions,
     /// A summary for people.
@@ -28,13 +26,12 @@ pub enum Format {
 
 impl Format {
     /// All formats.
-    pub const ALL: [Format; 8] = [
+    pub const ALL: [Format; 7] = [
         Format::Gradescope,
         Format::Classroom50,
         Format::PrairieLearn,
         Format::JUnit,
         Format::Json,
-        Format::Csv,
         Format::Actions,
         Format::Markdown,
     ];
@@ -47,7 +44,6 @@ impl Format {
             Format::PrairieLearn => "prairielearn",
             Format::JUnit => "junit",
             Format::Json => "json",
-            Format::Csv => "csv",
             Format::Actions => "actions",
             Format::Markdown => "markdown",
         }
@@ -70,7 +66,6 @@ impl Format {
             Format::PrairieLearn => prairielearn::write(outcome, settings),
             Format::JUnit => junit::write(outcome),
             Format::Json => json::write(outcome),
-            Format::Csv => csv::write(outcome, settings),
             Format::Actions => Ok(actions::write(outcome)),
             Format::Markdown => Ok(markdown::write(outcome)),
         }

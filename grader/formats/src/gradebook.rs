@@ -1,10 +1,10 @@
-//! The gradebook: one line for each submission, of one student or of a class. RFC 4180.
+//! The gradebook of a class: one line for each submission. RFC 4180.
 //!
 //! The columns are `id`, `name`, `status`, core points and extra credit with what is possible, both
 //! for each task, and a note.
 
-use ::csv::{Terminator, WriterBuilder};
 use base::GraderError;
+use csv::{Terminator, WriterBuilder};
 use submission::{Layout, shown};
 
 /// The columns before those of the tasks.

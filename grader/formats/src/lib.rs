@@ -8,13 +8,12 @@
 //! format says so in its own way, and none gives zero points for it.
 //!
 //! One format a module: [`gradescope`], [`classroom50`], [`prairielearn`], [`junit`], [`json`],
-//! [`csv`] with [`gradebook`], [`actions`], [`markdown`]. `schemas/` has a JSON Schema of each JSON format, written
+//! [`actions`], [`markdown`]; [`gradebook`] is that of a class. `schemas/` has a JSON Schema of each JSON format, written
 //! from the documentation that it names; the tests check every file against them.
 
 pub mod actions;
 pub mod annotation;
 pub mod classroom50;
-pub mod csv;
 mod format;
 pub mod gradebook;
 pub mod gradescope;

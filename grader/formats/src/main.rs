@@ -57,8 +57,12 @@ impl Target {
             ))
         })?;
         let format = Format::named(name).ok_or_else(|| {
+            let instead = match name {
+                "csv" => ". `grader class` writes a gradebook, also of one submission",
+                _ => "",
+            };
             GraderError::new(format!(
-                "`--write {text}`: there is no format {name:?}. The formats are {}",
+                "`--write {text}`: there is no format {name:?}{instead}. The formats are {}",
                 names()
             ))
         })?;
@@ -123,18 +127,13 @@ fn write_all(
 }
 
 fn settings(matches: &ArgMatches) -> Settings {
-    let text = |name| matches.get_one::<String>(name).cloned();
-    let submission = matches.get_one::<PathBuf>("submission");
-    let folder = submission
-        .and_then(|path| path.file_name())
-        .map(|name| name.to_string_lossy().into_owned());
     let now = SystemTime::now().duration_since(UNIX_EPOCH);
-    let visibility = text("visibility").and_then(|name| Visibility::named(&name));
+    let visibility = matches.get_one::<String>("visibility");
     Settings {
-        id: text("id").or(folder).unwrap_or_default(),
-        name: text("name").unwrap_or_default(),
         add_extra: matches.get_flag("add-extra"),
-        visibility: visibility.unwrap_or_default(),
+        visibility: visibility
+            .and_then(|name| Visibility::named(name))
+            .unwrap_or_default(),
         assignment: Assignment::read(
             |name| std::env::var(name).ok(),
             now.map_or(0, |now| now.as_secs()),
@@ -169,6 +168,7 @@ mod tests {
                 "xunit=a.xml",
                 "no format \"xunit\". The formats are gradescope",
             ),
+            ("csv=a.csv", "\"csv\". `grader class` writes a gradebook"),
         ] {
             let error = Target::parse(text).expect_err(text).to_string();
             assert!(error.contains(why), "{error}");

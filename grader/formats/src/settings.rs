@@ -1,4 +1,4 @@
-//! What a file contains besides the outcome: who handed in, and what the instructor chose.
+//! What a file contains besides the outcome: what the instructor chose.
 
 use crate::classroom50::Assignment;
 use base::GraderError;
@@ -6,10 +6,6 @@ use base::GraderError;
 /// What a file contains besides the outcome.
 #[derive(Clone, Debug)]
 pub struct Settings {
-    /// The student's identifier in the course system. Empty if it is not known.
-    pub id: String,
-    /// The student's name. Empty if it is not known.
-    pub name: String,
     /// Whether extra credit is added to the total score. Otherwise it is only shown.
     pub add_extra: bool,
     /// When students see the results in Gradescope.

@@ -78,11 +78,6 @@ impl SphereVerdict {
         !matches!(self.class, SphereClass::Miss(_))
     }
 
-    /// Whether the exact answer depends on a convention: a tangent or an end of the range.
-    pub fn on_boundary(&self) -> bool {
-        self.at_range_end || self.class == SphereClass::Tangent
-    }
-
     /// Whether correct code of this class may return different answers.
     pub fn undecidable(&self, kernel: KernelClass) -> bool {
         self.answers.get(kernel).undecidable()

@@ -102,12 +102,6 @@ impl TriangleVerdict {
         !matches!(self.class, TriangleClass::Miss(_))
     }
 
-    /// Whether the exact answer depends on a convention: an edge, a vertex or an end of the range.
-    pub fn on_boundary(&self) -> bool {
-        use TriangleClass::{Edge, Vertex};
-        self.at_range_end || matches!(self.class, Edge(_) | Vertex(_))
-    }
-
     /// Whether correct code of this class may return a hit or a miss.
     pub fn undecidable(&self, kernel: KernelClass) -> bool {
         self.answers.get(kernel).undecidable()

@@ -46,11 +46,6 @@ pub fn compressed(bytes: &[u8]) -> String {
     base64(&compress_to_vec_zlib(bytes, LEVEL))
 }
 
-/// Escapes JSON for a `<script>` element, so that nothing in it closes the element.
-pub fn json_in_script(json: &str) -> String {
-    json.replace("</", "<\\/").replace("<!--", "<\\u0021--")
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -64,6 +59,5 @@ mod tests {
     #[test]
     fn escaped_text_is_not_markup() {
         assert_eq!(escape("<a b='\"&\">"), "&lt;a b=&#39;&quot;&amp;&quot;&gt;");
-        assert_eq!(json_in_script("\"</script>\""), "\"<\\/script>\"");
     }
 }

@@ -4,8 +4,9 @@ use crate::measure::{Ladder, RungCost};
 use crate::rays::RayKind;
 use crate::rung::RungKind;
 use plots::canvas::{Canvas, Label, file, for_both_widths};
+use plots::columns::Columns;
 use plots::document::Document;
-use plots::figure::{Figure, heads};
+use plots::figure::Figure;
 use plots::line_names::{self, LineName};
 use plots::numbers::{figures, grouped, rounded, tick};
 use plots::plot::{Axis, Plot};
@@ -53,6 +54,8 @@ pub fn plot(ladder: &Ladder) -> String {
 
 /// Rays per second of each step. `title_of_plot` stands above it.
 fn speed(ladder: &Ladder, title_of_plot: &str) -> Figure {
+    let columns = Columns::new("step", title);
+    let names = ["camera", "bounce", "shadow"].into_iter();
     let lines = Lines {
         title: title_of_plot,
         unit: "millions of rays per second",
@@ -61,44 +64,32 @@ fn speed(ladder: &Ladder, title_of_plot: &str) -> Figure {
             let factor = ladder.tenfold(kind, RayKind::Bounce)?;
             Some(format!("tenfold mesh: {}× the time", figures(factor)))
         },
-        tip: &|row| {
-            let rates = RayKind::ALL.map(|rays| figures(rate(row, rays)));
-            format!(
-                "{} million camera rays, {} bounce rays, {} shadow rays per second",
-                rates[0], rates[1], rates[2]
-            )
-        },
+        columns: names
+            .zip(RayKind::ALL)
+            .fold(columns, |columns, (name, rays)| {
+                let tenfold = format!("times the time of {name} rays on a tenfold mesh");
+                columns
+                    .and(&format!("Mrays/s, {name}"), move |row| {
+                        figures(rate(row, rays))
+                    })
+                    .and(&tenfold, move |row| {
+                        let factor = ladder.tenfold(row.kind, rays);
+                        factor.map_or("–".into(), figures)
+                    })
+            }),
     };
-    let rows = ladder.rows.iter().map(|row| {
-        let mut cells = vec![title(row)];
-        cells.extend(RayKind::ALL.map(|rays| figures(rate(row, rays))));
-        cells.extend(RayKind::ALL.map(|rays| {
-            let factor = ladder.tenfold(row.kind, rays);
-            factor.map_or("–".into(), figures)
-        }));
-        cells
-    });
-    Figure {
+    let figure = Figure {
         finding: speed_finding(ladder),
         drawing: lines.draw(ladder),
         caption: "Bounce rays start at the hits of camera rays in random directions. Further up is faster; the flatter a line, the less \
                   a larger mesh costs."
             .into(),
         notes: "Medians of rounds in turns. Camera and bounce rays look for the closest hit, shadow rays for any. Brute force traces few \
-                rays on large meshes. The last three columns say how many times the time of a ray is on a mesh with ten times the \
-                triangles, over all sizes."
+                rays on large meshes. A tenfold mesh has ten times the triangles; the factor is that over all sizes."
             .into(),
-        head: heads(&[
-            "step",
-            "camera, Mrays/s",
-            "bounce, Mrays/s",
-            "shadow, Mrays/s",
-            "camera, tenfold mesh",
-            "bounce, tenfold mesh",
-            "shadow, tenfold mesh",
-        ]),
-        rows: rows.collect(),
-    }
+        ..Figure::default()
+    };
+    lines.columns.table(&ladder.rows, figure)
 }
 
 /// What the plot of speed shows: the gain of the fastest step, and its growth.
@@ -138,14 +129,9 @@ fn tests(ladder: &Ladder) -> Figure {
         unit: "tests of boxes and triangles",
         value: &|row| Some(counts(row).0 + counts(row).1),
         note: &|_| None,
-        tip: &|row| {
-            let (boxes, triangles) = counts(row);
-            format!(
-                "{} boxes and {} triangles",
-                figures(boxes),
-                rounded(triangles)
-            )
-        },
+        columns: Columns::new("step", title)
+            .and("boxes", move |row| figures(counts(row).0))
+            .and("triangles", move |row| rounded(counts(row).1)),
     };
     let last = ladder
         .rows
@@ -160,19 +146,15 @@ fn tests(ladder: &Ladder) -> Figure {
             figures(counts(row).1)
         )
     });
-    let rows = ladder.rows.iter().map(|row| {
-        let (boxes, triangles) = counts(row);
-        vec![title(row), figures(boxes), rounded(triangles)]
-    });
-    Figure {
+    let figure = Figure {
         finding,
         drawing: lines.draw(ladder),
         caption: "Tests of boxes and triangles together, for each bounce ray. The wide tree tests eight boxes at a time, so its tests take less time."
             .into(),
         notes: "Each of the eight boxes of a node of the wide tree counts as a test.".into(),
-        head: heads(&["step", "box tests", "triangle tests"]),
-        rows: rows.collect(),
-    }
+        ..Figure::default()
+    };
+    lines.columns.table(&ladder.rows, figure)
 }
 
 /// Time and memory of each tree.
@@ -187,13 +169,9 @@ fn build(ladder: &Ladder) -> Figure {
             let row = ladder.rows.iter().rfind(|row| row.kind == kind)?;
             Some(format!("{:.0} bytes a triangle", bytes(row)))
         },
-        tip: &|row| {
-            format!(
-                "built in {} ms, {:.0} bytes for each triangle",
-                figures(1e3 * row.build_s),
-                bytes(row)
-            )
-        },
+        columns: Columns::new("step", title)
+            .and("ms to build", |row| figures(1e3 * row.build_s))
+            .and("bytes a triangle", move |row| format!("{:.0}", bytes(row))),
     };
     let trees = || ladder.rows.iter().filter(|row| has_tree(row));
     let largest = trees().map(|row| row.triangles).max();
@@ -208,21 +186,14 @@ fn build(ladder: &Ladder) -> Figure {
             rounded(1e3 * row.build_s)
         )
     });
-    let rows = trees().map(|row| {
-        vec![
-            title(row),
-            figures(1e3 * row.build_s),
-            format!("{:.0}", bytes(row)),
-        ]
-    });
-    Figure {
+    let figure = Figure {
         finding,
         drawing: lines.draw(ladder),
         caption: "The time to build each tree, the least of the rounds.".into(),
         notes: "The bytes are those of the tree, without the triangles of the scene.".into(),
-        head: heads(&["step", "build, ms", "bytes a triangle"]),
-        rows: rows.collect(),
-    }
+        ..Figure::default()
+    };
+    lines.columns.table(trees(), figure)
 }
 
 /// Millions of rays per second.
@@ -259,8 +230,8 @@ struct Lines<'a> {
     value: &'a dyn Fn(&RungCost) -> Option<f64>,
     /// A line below the name of a step.
     note: &'a dyn Fn(RungKind) -> Option<String>,
-    /// What a point shows.
-    tip: &'a dyn Fn(&RungCost) -> String,
+    /// The numbers of a row.
+    columns: Columns<'a, RungCost>,
 }
 
 impl Lines<'_> {
@@ -293,8 +264,7 @@ impl Lines<'_> {
             plot.line(style, &line, if is_yours { 2.2 } else { 1.4 });
             for (row, at) in points {
                 plot.marker(style, at, AREA);
-                let text = format!("{}: {}", title(row), (self.tip)(row));
-                canvas.tip(plot.at(at.0, at.1), 8.0, &text);
+                canvas.tip(plot.at(at.0, at.1), 8.0, &self.columns.tip(row));
             }
             let note = (self.note)(kind).filter(|_| !is_narrow);
             names.push(LineName {

@@ -65,7 +65,7 @@ impl Finding {
         failed.retain(|case| extra || counts(case));
         let blame = Blame::new(task, files, &report.result.cases);
         let functions = blame.functions(&failed);
-        if functions.len() < 2 || failed.iter().any(|case| case.crash.is_some()) {
+        if functions.len() < 2 || failed.iter().any(|case| case.crash().is_some()) {
             let only = match functions[..] {
                 [function] => Some(function),
                 _ => None,
@@ -222,7 +222,7 @@ impl Finding {
 
 /// Whether a call of the case does not end, so that the cases after it were not run.
 fn ends_the_task(task: &Task, report: &TaskReport, case: &CaseResult) -> bool {
-    let kind = case.crash.map(|crash| crash.kind);
+    let kind = case.crash().map(|crash| crash.kind);
     kind == Some(CrashKind::Endless) && !is_whole(task, report)
 }
 

@@ -121,7 +121,7 @@ mod tests {
     use crate::grade::one_by_one::Graded;
     use crate::report::TaskReport;
     use crate::score::{CaseResult, Status, TaskResult};
-    use crate::workers::crash::{Crash, CrashKind, Ended};
+    use crate::workers::crash::{Crash, CrashKind};
     use judge::Tier;
 
     const TEXT: &str = "//! Triangles.\n\npub fn test_triangle(t: f64) -> bool {\n    let near = t < min_t;\n    near\n}\n\npub fn record_triangle(t: f64) -> f64 {\n    kit::hole!(\"part1.task3\", t)\n}\n";
@@ -211,11 +211,10 @@ mod tests {
         let title = |tier: Tier| {
             let case = CaseResult {
                 tier,
-                crash: Some(Crash {
+                status: Status::Crashed(Crash {
                     kind: CrashKind::Endless,
-                    call: Some(2),
+                    ..Crash::from("did not return")
                 }),
-                status: Status::Crashed("did not return".into()),
                 ..CaseResult::failed("far_away", Vec::new())
             };
             let mut result = TaskResult::new(&task, Vec::new());
@@ -232,10 +231,10 @@ mod tests {
 
     #[test]
     fn a_panic_is_shown_at_its_line() {
-        let ended = Ended {
+        let ended = Crash {
             call: Some(2),
             panicked_at: Some(("stages/intersect/src/triangle.rs".into(), 5)),
-            ..Ended::from("panicked at stages/intersect/src/triangle.rs:5: no")
+            ..Crash::from("panicked at stages/intersect/src/triangle.rs:5: no")
         };
         let messages = shown(Status::Crashed(ended), HintLevel::Findings);
         let warning = messages.last().expect("a warning");

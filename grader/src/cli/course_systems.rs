@@ -5,12 +5,11 @@
 use clap::{Arg, ArgAction, ArgMatches};
 
 /// The formats that `grader` itself does not print.
-pub const FORMATS: [&str; 7] = [
+pub const FORMATS: [&str; 6] = [
     "gradescope",
     "classroom50",
     "prairielearn",
     "junit",
-    "csv",
     "actions",
     "markdown",
 ];
@@ -19,21 +18,13 @@ pub const FORMATS: [&str; 7] = [
 pub const VISIBILITIES: [&str; 4] = ["visible", "after_due_date", "after_published", "hidden"];
 
 /// The options that say what the files of course systems contain, and where they are.
-pub fn arguments() -> [Arg; 5] {
+pub fn arguments() -> [Arg; 3] {
     [
         Arg::new("write")
             .long("write")
             .value_name("FORMAT=FILE")
             .action(ArgAction::Append)
             .help("Also write the report to FILE, in this format; may be repeated. A failure of the grader is written, too"),
-        Arg::new("id")
-            .long("id")
-            .value_name("ID")
-            .help("The student's identifier in the course system, for csv"),
-        Arg::new("name")
-            .long("name")
-            .value_name("NAME")
-            .help("The student's name, for csv"),
         Arg::new("add-extra")
             .long("add-extra")
             .action(ArgAction::SetTrue)

@@ -6,7 +6,7 @@
 
 use crate::score::{CaseResult, TaskResult, order};
 use crate::sketch::Sketch;
-use crate::workers::crash::{self, Crash, CrashKind};
+use crate::workers::crash::{Crash, CrashKind};
 use crate::workers::runner::{Ending, Patience};
 use crate::workers::stage_workers::StageWorkers;
 use base::GraderError;
@@ -104,7 +104,7 @@ pub fn of_wrong(
     let [one, short] = [one, short].map(|patience| workers.with(patience));
     let [mut crashing, mut endless] = [&one, &short].map(of);
     for (case, spec) in &failed {
-        let answers = match case.crash.map(|crash| crash.kind) {
+        let answers = match case.crash().map(|crash| crash.kind) {
             Some(CrashKind::Endless) => &mut endless,
             Some(_) => &mut crashing,
             None => &mut answers,
@@ -122,7 +122,7 @@ pub fn of_wrong(
     }
     let extreme: Vec<_> = failed
         .iter()
-        .filter(|(case, _)| case.crash.is_none())
+        .filter(|(case, _)| case.crash().is_none())
         .take(MOST_EXTREME_CASES)
         .collect();
     for exponent in SCALES {
@@ -264,7 +264,7 @@ fn of_questions(
     }
     let choice = answers.choice;
     let endings = answers.to(questions)?;
-    if case.crash.is_some() {
+    if case.crash().is_some() {
         let asked = questions.iter().zip(endings);
         let mut crashed = asked.filter_map(|(spec, ending)| crash(case, spec, ending));
         return Ok(crashed.next());
@@ -428,12 +428,11 @@ fn first_like<'a>(
 
 /// The call of a simple question in which the code crashed.
 fn crash(case: &CaseResult, spec: &Spec, ending: &Result<Ending, String>) -> Option<SimplestCall> {
-    let ending = ending.as_ref().ok()?;
-    let number = Crash::of(ending)?.call?;
+    let crash = Crash::of(ending.as_ref().ok()?)?;
     Some(SimplestCall {
         aspect: None,
-        result: format!("your code {}", crash::describe(ending)?).into(),
-        ..call(case, spec, number)
+        result: format!("your code {}", crash.how).into(),
+        ..call(case, spec, crash.call?)
     })
 }
 

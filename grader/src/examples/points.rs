@@ -39,7 +39,6 @@ pub fn case_of(task: &Task, text: Option<&str>) -> Option<CaseResult> {
         with_neighbours: false,
         calls: 0,
         answer_to_all: None,
-        crash: None,
     })
 }
 

@@ -10,7 +10,7 @@ use crate::diagnosis::{self, Explanation, simplest};
 use crate::examples;
 use crate::report::{Report, TaskReport};
 use crate::score::{CaseResult, Status, TaskResult};
-use crate::workers::crash::{Crash, CrashKind, Ended};
+use crate::workers::crash::{Crash, CrashKind};
 use crate::workers::printed::Printed;
 use crate::workers::runner::Ending;
 use crate::workers::stage_workers::StageWorkers;
@@ -171,7 +171,7 @@ pub fn at(
 fn may_be_the_machine(workers: &WorkerSet, results: &[TaskResult]) -> bool {
     let mut cases = results.iter().flat_map(|result| &result.cases);
     let is_killed = |case: &CaseResult| {
-        case.crash
+        case.crash()
             .is_some_and(|crash| crash.kind == CrashKind::Killed)
     };
     workers.has_failed || cases.any(is_killed)
@@ -321,7 +321,7 @@ fn without_moves(
     let of_task = specs.iter().filter(|spec| spec.task == result.key);
     let specs: Vec<Spec> = of_task.clone().map(Spec::unmoved).collect();
     let task = course.tasks().find(|task| task.key == result.key);
-    let has_crashed = result.cases.iter().any(|case| case.crash.is_some());
+    let has_crashed = result.cases.iter().any(|case| case.crash().is_some());
     let is_moved = of_task.clone().any(Spec::is_moved) && !has_crashed;
     let (true, Some(task)) = (is_moved, task) else {
         return Ok(None);
@@ -385,10 +385,9 @@ pub fn score_tasks(
                 continue;
             }
             let holes = named_in_order(task, holes(ending));
-            let crash = ending.as_ref().ok().and_then(Crash::of);
             let answer = answered(&task.key, ending, course)?;
             let (status, findings) = match &answer {
-                Err(status) => (with_input(status.clone(), crash, spec), Vec::new()),
+                Err(status) => (with_input(status.clone(), spec), Vec::new()),
                 Ok(answer) => {
                     let called: Vec<String> =
                         holes.iter().map(|hole| hole.called.clone()).collect();
@@ -403,7 +402,6 @@ pub fn score_tasks(
                 calls: judge::calls(&spec.work),
                 answer_to_all: failed
                     .and_then(|answer| diagnosis::constant::answer_to_all(&spec.work, answer)),
-                crash,
                 ..result
             });
         }
@@ -413,12 +411,13 @@ pub fn score_tasks(
 }
 
 /// Adds the input of the call that crashed to the status.
-fn with_input(status: Status, crash: Option<Crash>, spec: &Spec) -> Status {
-    let call = crash.and_then(|crash| crash.call);
-    let input = call.and_then(|call| spec.input(call as usize));
-    match (status, input) {
-        (Status::Crashed(ended), input @ Some(_)) => Status::Crashed(Ended { input, ..ended }),
-        (status, _) => status,
+fn with_input(status: Status, spec: &Spec) -> Status {
+    match status {
+        Status::Crashed(crash) => Status::Crashed(Crash {
+            input: crash.call.and_then(|call| spec.input(call as usize)),
+            ..crash
+        }),
+        status => status,
     }
 }
 
@@ -471,7 +470,7 @@ fn failed_cases(cases: &[CaseResult]) -> impl Iterator<Item = FailedCase<'_>> {
         name: &case.name,
         tier: case.tier,
         findings: &case.findings,
-        crashed_call: case.crash.and_then(|crash| crash.call),
+        crashed_call: case.crash().and_then(|crash| crash.call),
     })
 }
 
@@ -494,19 +493,19 @@ fn status_without_answer(
     {
         return Ok(Some(Status::NotAttempted));
     }
-    if let Some(ended) = Ended::of(ending) {
-        return Ok(Some(Status::Crashed(ended)));
+    if let Some(crash) = Crash::of(ending) {
+        return Ok(Some(Status::Crashed(crash)));
     }
     Ok(match ending.outcome() {
         Some(Outcome::NotAttempted { task: hole }) if hole == task => Some(Status::NotAttempted),
         Some(Outcome::NotAttempted { task: hole }) => {
             Some(match course.holes().any(|(_, key)| key == hole) {
                 true => Status::Needs(hole.clone()),
-                false => Status::Crashed(Ended {
+                false => Status::Crashed(Crash {
                     how: format!(
                         "the worker's record names the hole {hole:?}, which is not in the course"
                     ),
-                    ..Ended::default()
+                    ..Crash::default()
                 }),
             })
         }

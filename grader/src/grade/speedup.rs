@@ -11,7 +11,7 @@ pub use growth::{Growth, slope};
 use crate::course::{Course, Task};
 use crate::report::TaskReport;
 use crate::score::Status;
-use crate::workers::crash;
+use crate::workers::crash::Crash;
 use crate::workers::runner::{self, Ending, Worker};
 use base::GraderError;
 use judge::cases::recorded::{self, RayWork};
@@ -208,7 +208,7 @@ fn why_missing(mesh: &str, size: u32, ending: &Ending, course: &Course) -> Strin
 }
 
 fn crashed(at: &str, ending: &Ending) -> String {
-    let how = crash::describe(ending).unwrap_or_default();
+    let how = Crash::of(ending).unwrap_or_default().how;
     format!("on {at} your code {how}")
 }
 

@@ -13,7 +13,6 @@ use crate::score::regularity::{self, Regularity, Shared, told_class};
 use crate::score::{CaseResult, Status};
 use crate::signature::Signature;
 use crate::sketch::Sketch;
-use crate::workers::crash::CrashKind;
 use judge::Tier;
 use judge::cases::Spec;
 use judge::findings::{Fault, Message};
@@ -40,20 +39,8 @@ pub fn false_ones(
     let of_diagnosis = diagnosis
         .into_iter()
         .map(|it| (it.says.clone(), contradict_diagnosis(it, cases)));
-    let of_ends = cases.iter().filter_map(|case| {
-        let Status::Crashed(how) = &case.status else {
-            return None;
-        };
-        let is_endless = case
-            .crash
-            .is_some_and(|crash| crash.kind == CrashKind::Endless);
-        let says_so = how.how.contains("an endless loop?") || how.how.contains("without end?");
-        let why = (says_so && !is_endless).then(|| format!("{}: it ended otherwise", case.name));
-        Some((how.to_string(), why))
-    });
     of_common
         .chain(of_diagnosis)
-        .chain(of_ends)
         .filter_map(|(says, why)| Some(format!("\"{says}\": {}", why?)))
         .collect()
 }
@@ -77,7 +64,7 @@ impl Answers<'_> {
         let findings = || cases.iter().flat_map(|case| &case.findings);
         match shared {
             Shared::Fields(listed) => {
-                if let Some(crashed) = cases.iter().find(|case| case.crash.is_some()) {
+                if let Some(crashed) = cases.iter().find(|case| case.crash().is_some()) {
                     return Some(format!("{} crashed", crashed.name));
                 }
                 let mut wrong = findings().filter(|finding| finding.wrong > 0);

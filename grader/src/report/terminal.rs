@@ -84,9 +84,6 @@ pub(super) fn style_of(task: &TaskResult) -> Style {
 /// The colour of success.
 pub const GREEN: Style = AnsiColor::Green.on_default();
 
-/// The colour of failure.
-pub const RED: Style = AnsiColor::Red.on_default();
-
 #[cfg(test)]
 mod tests {
     use super::*;

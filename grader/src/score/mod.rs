@@ -11,7 +11,7 @@ pub(crate) mod order;
 pub mod regularity;
 
 use crate::course::{CaseEntry, Task, YOUR_EXAMPLES};
-use crate::workers::crash::{Crash, Ended};
+use crate::workers::crash::Crash;
 use functions::{FunctionResult, FunctionShare};
 use judge::Tier;
 use judge::findings::{Finding, Worst};
@@ -41,7 +41,7 @@ pub enum Status {
     /// Another task must be written first. Contains its key.
     Needs(String),
     /// The code panicked, timed out or ended the process, or its worker's record is malformed.
-    Crashed(Ended),
+    Crashed(Crash),
     /// The stage does not compile.
     DoesNotCompile,
 }
@@ -81,9 +81,6 @@ pub struct CaseResult {
     /// The answer to every one of its calls, as text, if it failed and there is only one.
     #[serde(skip)]
     pub answer_to_all: Option<String>,
-    /// How its code crashed, if it did.
-    #[serde(skip)]
-    pub crash: Option<Crash>,
 }
 
 /// The result of one task. Core and robust points are counted separately.
@@ -130,12 +127,19 @@ impl CaseResult {
             with_neighbours: false,
             calls: 0,
             answer_to_all: None,
-            crash: None,
         }
     }
 }
 
 impl CaseResult {
+    /// How its code crashed, if it did.
+    pub fn crash(&self) -> Option<&Crash> {
+        match &self.status {
+            Status::Crashed(crash) => Some(crash),
+            _ => None,
+        }
+    }
+
     /// Scores a case: `findings` earn a fraction of its points, of which the functions with `holes`
     /// have their share.
     pub fn new(
@@ -178,7 +182,6 @@ impl CaseResult {
             with_neighbours: false,
             calls: 0,
             answer_to_all: None,
-            crash: None,
         }
     }
 
@@ -272,7 +275,7 @@ impl TaskResult {
         let each = self.cases.iter().filter_map(|case| {
             let entry = task.cases.iter().find(|entry| entry.name == case.name)?;
             let (status, findings) = match &case.status {
-                _ if crashes(&case.name) => (Status::Crashed(Ended::default()), &[][..]),
+                _ if crashes(&case.name) => (Status::Crashed(Crash::default()), &[][..]),
                 Status::Passed | Status::Failed => (Status::Passed, &case.findings[..]),
                 status => (status.clone(), &[][..]),
             };

@@ -67,7 +67,7 @@ fn named(class: Class) -> Option<Class> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::workers::crash::Ended;
+    use crate::workers::crash::Crash;
     use judge::findings::Findings;
 
     /// A failed case with one fault of each class.
@@ -104,7 +104,7 @@ mod tests {
     #[test]
     fn the_same_crash_is_known() {
         let crashed = |name: &str, how: &str, call: u32| CaseResult {
-            status: Status::Crashed(Ended {
+            status: Status::Crashed(Crash {
                 call: Some(call),
                 ..how.into()
             }),

@@ -167,7 +167,7 @@ pub(crate) fn joined(regularities: &[Regularity]) -> String {
 /// The core cases, or the robust ones if all core cases are right, that have answers and do not use
 /// other tasks.
 fn that_count(cases: &[CaseResult]) -> Vec<&CaseResult> {
-    let crashed = |case: &CaseResult| case.tier == Tier::Core && case.crash.is_some();
+    let crashed = |case: &CaseResult| case.tier == Tier::Core && case.crash().is_some();
     let core_crashed = cases.iter().any(crashed);
     let of_tier = |tier: Tier| -> Vec<&CaseResult> {
         let cases = cases
@@ -225,7 +225,7 @@ fn main_aspect(cases: &[&CaseResult]) -> Option<Aspect> {
 /// Which fields are always right, where some are. Nobody knows what is right in answers that a
 /// crash took away from one of `all` cases.
 fn fields(cases: &[&CaseResult], all: &[CaseResult]) -> Option<Shared> {
-    if all.iter().any(|case| case.crash.is_some()) {
+    if all.iter().any(|case| case.crash().is_some()) {
         return None;
     }
     let wrong = wrong_by_aspect(cases.iter().copied());
@@ -439,7 +439,6 @@ pub(crate) fn drop_refuted(regularities: &mut Vec<Regularity>, wrong_where: &[Ve
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::workers::crash::{Crash, CrashKind};
     use judge::findings::Findings;
 
     const TASK: &str = "part1.task4";
@@ -561,10 +560,7 @@ mod tests {
             }
         };
         let crashed = CaseResult {
-            crash: Some(Crash {
-                kind: CrashKind::Panic,
-                call: Some(0),
-            }),
+            status: Status::Crashed("panicked".into()),
             ..CaseResult::failed("head_on", Vec::new())
         };
         let core = [wrong("abreast", Tier::Core)];

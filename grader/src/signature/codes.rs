@@ -1,7 +1,7 @@
 //! Codes: what is wrong about one side of one case, call by call.
 
 use super::key::{Side, SignatureKey};
-use crate::score::{CaseResult, Status};
+use crate::score::CaseResult;
 use crate::workers::crash::CrashKind;
 use base::fnv;
 use judge::findings::{BLACK_CHANNEL, Class, DirectionCounts, Fault};
@@ -46,12 +46,12 @@ pub(super) fn codes_of(case: &CaseResult) -> Vec<(SignatureKey, Codes)> {
         case: case.name.clone(),
         side,
     };
-    if let Status::Crashed(_) = case.status {
-        let code = match case.crash.map(|crash| crash.kind) {
-            Some(CrashKind::Panic) => CRASHED,
-            Some(CrashKind::Endless) => ENDLESS,
+    if let Some(crash) = case.crash() {
+        let code = match crash.kind {
+            CrashKind::Panic => CRASHED,
+            CrashKind::Endless => ENDLESS,
             // No mistake of a formula ends the program.
-            Some(CrashKind::Ended | CrashKind::Killed) | None => return Vec::new(),
+            CrashKind::Ended | CrashKind::Killed => return Vec::new(),
         };
         return vec![(key(Side::Crash), Codes(vec![code]))];
     }

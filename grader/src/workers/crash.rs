@@ -6,17 +6,8 @@ use serde::{Serialize, Serializer};
 use std::fmt;
 use wire::Outcome;
 
-/// A case whose code did not return an answer.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Crash {
-    /// The kind of end.
-    pub kind: CrashKind,
-    /// The call that was running, counted from 0, if it is known.
-    pub call: Option<u32>,
-}
-
 /// The kind of a [`Crash`]. A mistake shows in the same cases as the same kind of crash.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum CrashKind {
     /// A panic.
     Panic,
@@ -24,36 +15,10 @@ pub enum CrashKind {
     /// called a function or printed without end.
     Endless,
     /// The code ended the program, or wrote into the worker's records.
+    #[default]
     Ended,
     /// The system ended the program or did not start it. It may have run out of memory.
     Killed,
-}
-
-impl Crash {
-    /// The crash of a case with this ending; `None` if it is not a crash.
-    pub fn of(ending: &Ending) -> Option<Crash> {
-        let (kind, call) = match ending {
-            Ending::TimedOut { call, .. } | Ending::PrintedTooMuch { call } => {
-                (CrashKind::Endless, Some(*call))
-            }
-            Ending::TooManyThreads { call } => (CrashKind::Endless, Some(*call)),
-            Ending::OutOfTime => (CrashKind::Endless, None),
-            Ending::Died { how, call } if how.is_endless() => (CrashKind::Endless, *call),
-            Ending::Died { how, call } if how.is_of_the_system() => (CrashKind::Killed, *call),
-            Ending::Died { call, .. } => (CrashKind::Ended, *call),
-            Ending::Malformed(_) | Ending::ChangedCounts(_) => (CrashKind::Ended, None),
-            Ending::Recorded(record) => match &record.outcome {
-                Outcome::Panicked { call, message, .. } if is_closed_output(message) => {
-                    (CrashKind::Ended, Some(*call))
-                }
-                Outcome::Panicked { call, .. } => (CrashKind::Panic, Some(*call)),
-                Outcome::CalledTooOften { call, .. } => (CrashKind::Endless, Some(*call)),
-                _ => return None,
-            },
-            Ending::Skipped | Ending::NotRun => return None,
-        };
-        Some(Crash { kind, call })
-    }
 }
 
 /// Whether this is the panic of `println!` or `eprintln!` after the worker's pipe was closed.
@@ -61,55 +26,13 @@ fn is_closed_output(message: &str) -> bool {
     message.starts_with("failed printing to std") && message.contains("Broken pipe")
 }
 
-/// How the code of a case crashed, to end the sentence "your code ..."; `None` if it did not.
-pub fn describe(ending: &Ending) -> Option<String> {
-    Some(match ending {
-        Ending::TimedOut { waited: true, .. } => {
-            "did not return in many times the time of correct code, and waited for most of it: does it sleep, or wait for a lock or a thread?".into()
-        }
-        Ending::TimedOut { .. } => {
-            "did not return in many times the time of correct code: too much work, or an endless loop?".into()
-        }
-        Ending::PrintedTooMuch { .. } => {
-            "printed more than 5,000,000 times in one call: an endless loop?".into()
-        }
-        Ending::TooManyThreads { .. } => {
-            "started more than a hundred threads at once: join them, or start one for each processor".into()
-        }
-        Ending::OutOfTime => {
-            "was not run to its end: with it, the cases of this task or of all tasks take many times the time of correct code: does it sleep or wait?".into()
-        }
-        Ending::Died { how, .. } => how.to_string(),
-        Ending::Malformed(how) => how.clone(),
-        Ending::ChangedCounts(how) => format!("changed the grader's counts of its tests: {how}"),
-        Ending::Recorded(record) => match &record.outcome {
-            Outcome::Panicked { message, .. } if is_closed_output(message) => format!(
-                "printed more than {} GB in this run, so `println!` panicked: print less",
-                MOST_BYTES >> 30
-            ),
-            Outcome::Panicked {
-                message, location, ..
-            } => format!("panicked at {location}: {message}"),
-            Outcome::CalledTooOften {
-                function,
-                times,
-                asked_for,
-                ..
-            } => format!(
-                "called {function} {} times, was asked for {asked_for}: an endless loop?",
-                with_commas(*times)
-            ),
-            _ => return None,
-        },
-        Ending::Skipped | Ending::NotRun => return None,
-    })
-}
-
 /// How the code of a case ended without an answer. As text, what ends the sentence "your code ...",
 /// with the call and its input.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Ended {
-    /// How, whichever call it was.
+pub struct Crash {
+    /// The kind of end.
+    pub kind: CrashKind,
+    /// How it ended, whichever call it was.
     pub how: String,
     /// The call that was running, counted from 0, if it is known.
     pub call: Option<u32>,
@@ -119,16 +42,69 @@ pub struct Ended {
     pub panicked_at: Option<(String, usize)>,
 }
 
-impl Ended {
-    /// How a case with this ending ended, without the input of the call; `None` if it returned.
-    pub fn of(ending: &Ending) -> Option<Ended> {
-        let panicked_at = match ending.outcome() {
-            Some(Outcome::Panicked { location, .. }) => place(location),
-            _ => None,
+impl Crash {
+    /// The crash of a case with this ending, without the input of the call; `None` if it is not a
+    /// crash.
+    pub fn of(ending: &Ending) -> Option<Crash> {
+        use CrashKind::{Ended, Endless, Killed, Panic};
+        let mut panicked_at = None;
+        let (kind, call, how) = match ending {
+            Ending::TimedOut { call, waited: true, .. } => (
+                Endless,
+                Some(*call),
+                "did not return in many times the time of correct code, and waited for most of it: does it sleep, or wait for a lock or a thread?".into(),
+            ),
+            Ending::TimedOut { call, .. } => (
+                Endless,
+                Some(*call),
+                "did not return in many times the time of correct code: too much work, or an endless loop?".into(),
+            ),
+            Ending::PrintedTooMuch { call } => (
+                Endless,
+                Some(*call),
+                "printed more than 5,000,000 times in one call: an endless loop?".into(),
+            ),
+            Ending::TooManyThreads { call } => (
+                Endless,
+                Some(*call),
+                "started more than a hundred threads at once: join them, or start one for each processor".into(),
+            ),
+            Ending::OutOfTime => (
+                Endless,
+                None,
+                "was not run to its end: with it, the cases of this task or of all tasks take many times the time of correct code: does it sleep or wait?".into(),
+            ),
+            Ending::Died { how, call } if how.is_endless() => (Endless, *call, how.to_string()),
+            Ending::Died { how, call } if how.is_of_the_system() => (Killed, *call, how.to_string()),
+            Ending::Died { how, call } => (Ended, *call, how.to_string()),
+            Ending::Malformed(how) => (Ended, None, how.clone()),
+            Ending::ChangedCounts(how) => {
+                let how = format!("changed the grader's counts of its tests: {how}");
+                (Ended, None, how)
+            }
+            Ending::Recorded(record) => match &record.outcome {
+                Outcome::Panicked { call, message, .. } if is_closed_output(message) => {
+                    let most = MOST_BYTES >> 30;
+                    let how = format!("printed more than {most} GB in this run, so `println!` panicked: print less");
+                    (Ended, Some(*call), how)
+                }
+                Outcome::Panicked { message, location, call } => {
+                    panicked_at = place(location);
+                    (Panic, Some(*call), format!("panicked at {location}: {message}"))
+                }
+                Outcome::CalledTooOften { function, times, asked_for, call } => {
+                    let times = with_commas(*times);
+                    let how = format!("called {function} {times} times, was asked for {asked_for}: an endless loop?");
+                    (Endless, Some(*call), how)
+                }
+                _ => return None,
+            },
+            Ending::Skipped | Ending::NotRun => return None,
         };
-        Some(Ended {
-            how: describe(ending)?,
-            call: Crash::of(ending).and_then(|crash| crash.call),
+        Some(Crash {
+            kind,
+            how,
+            call,
             input: None,
             panicked_at,
         })
@@ -136,15 +112,15 @@ impl Ended {
 
     /// The same without the input: a simpler one is shown.
     #[must_use]
-    pub fn without_input(&self) -> Ended {
-        Ended {
+    pub fn without_input(&self) -> Crash {
+        Crash {
             input: None,
             ..self.clone()
         }
     }
 }
 
-impl fmt::Display for Ended {
+impl fmt::Display for Crash {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.how)?;
         match (self.call, &self.input) {
@@ -155,17 +131,17 @@ impl fmt::Display for Ended {
     }
 }
 
-impl Serialize for Ended {
+impl Serialize for Crash {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.collect_str(self)
     }
 }
 
-impl From<&str> for Ended {
-    fn from(how: &str) -> Ended {
-        Ended {
+impl From<&str> for Crash {
+    fn from(how: &str) -> Crash {
+        Crash {
             how: how.to_owned(),
-            ..Ended::default()
+            ..Crash::default()
         }
     }
 }
@@ -283,19 +259,18 @@ mod tests {
                 "aborted the whole program (SIGABRT): does it call `std::process::abort`?",
             ),
         ] {
-            assert_eq!(Crash::of(&ending).map(|crash| crash.kind), Some(kind));
-            let ended = Ended::of(&ending).expect("it crashed");
-            assert_eq!(ended.to_string(), sentence);
+            let crash = Crash::of(&ending).expect("it crashed");
+            assert_eq!((crash.kind, crash.to_string()), (kind, sentence.into()));
         }
         assert_eq!(Crash::of(&Ending::Skipped), None);
     }
 
     #[test]
     fn the_input_is_part_of_the_call() {
-        let mut ended = Ended {
+        let mut ended = Crash {
             call: Some(4),
             input: Some("Ray: o = 0".into()),
-            ..Ended::from("panicked")
+            ..Crash::from("panicked")
         };
         assert_eq!(
             ended.to_string(),

@@ -57,7 +57,6 @@ pub use lens::Lens;
 pub use lit::{DirectSampling, LightSettings, render_lit};
 pub use merge::merge;
 pub use mitsuba::to_mitsuba;
-pub use normals::render_normals;
 pub use output::{Output, OutputError};
 pub use part_file::PartFile;
 pub use passes::Passes;

@@ -4,7 +4,7 @@ use crate::exact_sum::PixelSum;
 use crate::rendered::RenderedTile;
 use crate::tiles;
 use crate::tracer::{RayRole, RayTracer, SceneTracer};
-use crate::{Accel, Counters, Job, Rendered};
+use crate::{Accel, Counters, Job};
 use kit::effects::EffectCounts;
 use kit::film::Cell;
 use kit::{PixelEstimate, PixelSampler, Ray, Scene, Spectrum, Vec3};
@@ -17,31 +17,9 @@ pub fn normal_color(n: Vec3) -> Spectrum {
     Spectrum::new(c.x, c.y, c.z)
 }
 
-/// Renders normals on rayon's current thread pool. Rays that miss are black.
-///
-/// The picture depends on `scene` and `job` only, not on the threads. `accel` has to be built over
-/// `scene`. `tile_done` is called with each finished tile and the number of rays traced for it.
-/// Once `stop` is set, the remaining pixels stay black.
-pub fn render_normals(
-    scene: &Scene,
-    accel: &Accel,
-    job: &Job,
-    stop: &AtomicBool,
-    tile_done: &(dyn Fn(Cell, u64) + Sync),
-) -> Rendered {
-    let finished = |tile: RenderedTile| {
-        tile_done(tile.cell, tile.counters.rays);
-        tile
-    };
-    let tiles = render_normal_tiles(scene, accel, job, &job.cell.tiles(), stop, &finished);
-    let mut rendered = Rendered::black(job.film, false);
-    tiles.iter().for_each(|tile| rendered.add_tile(tile));
-    rendered
-}
-
-/// Renders some tiles of the picture of [`render_normals`], with the same pixels. `finish` is
-/// called with each tile and returns what to keep of it. A tile that is in progress when `stop` is
-/// set has black pixels without samples.
+/// Renders some tiles of a picture of normals on rayon's current thread pool. Rays that miss are
+/// black. `accel` has to be built over `scene`. `finish` is called with each tile and returns what to
+/// keep of it. A tile that is in progress when `stop` is set has black pixels without samples.
 pub fn render_normal_tiles<R: Send>(
     scene: &Scene,
     accel: &Accel,

@@ -7,17 +7,15 @@
 //! [`view_picture`], [`view3d`], [`cut`] and [`pace`] (the ray-traced view), [`render_control`]
 //! (the picture), [`inspector`] (the replay of a pixel) with [`lobe`] and [`convergence`],
 //! [`truth`] (the exact answers), [`compare`] and [`picture_pair`] (A and B), [`luminance`] (false
-//! colours), [`picture_layer`] (layers of a file), [`features`] (what waits for a task), [`report`]
-//! (a report of the grader), [`ray_test`], [`remembered`] (from one start to the next),
+//! colours), [`picture_layer`] (layers of a file), [`features`] (what waits for a task),
+//! [`ray_test`], [`remembered`] (from one start to the next),
 //! [`path_use`]. [`task`] runs work in the background and catches the holes of stages that are not
 //! written yet; [`project`] is the projection of lines, [`digits`] shortens numbers.
 //!
 //! [`app`] draws it with egui. [`snapshot`] writes pictures of it without a display, with
-//! [`raster`], which draws egui's shapes without a GPU. [`mod@bench`] measures frames. [`cli`] has
-//! the flags of the program.
+//! [`raster`], which draws egui's shapes without a GPU. [`cli`] has the flags of the program.
 
 pub mod app;
-pub mod bench;
 pub mod cli;
 pub mod command;
 pub mod compare;
@@ -41,7 +39,6 @@ pub mod raster;
 pub mod ray_test;
 pub mod remembered;
 pub mod render_control;
-pub mod report;
 pub mod scene_data;
 pub mod session;
 pub mod settings;

@@ -1,6 +1,6 @@
 //! The `viewer` program: opens the window, or writes a picture of it.
 
-use base::{errln, outln};
+use base::errln;
 use eframe::{CreationContext, Frame, NativeOptions, Storage};
 use egui::{Ui, ViewportBuilder};
 use pathtracer::args::has_display;
@@ -8,13 +8,10 @@ use std::env;
 use std::path::PathBuf;
 use std::process::ExitCode;
 use std::sync::Arc;
-use std::time::{Duration, Instant};
 use viewer::app::App;
-use viewer::bench::OrbitBench;
 use viewer::cli::ViewerArgs;
 use viewer::command::Command;
 use viewer::remembered::Remembered;
-use viewer::report::OpenReport;
 use viewer::session::Session;
 use viewer::snapshot;
 use viewer::task::{Wake, silence_holes};
@@ -41,7 +38,6 @@ fn run(args: &ViewerArgs) -> Result<(), String> {
     let shot = args.shot()?;
     // Invalid flags are errors before a window opens.
     args.render.light()?;
-    let report = args.report.as_deref().map(OpenReport::load).transpose()?;
     if shot.is_none() && !has_display() {
         return Err(
             "there is no display to open a window on: set DISPLAY or WAYLAND_DISPLAY, or use pathtracer with -f"
@@ -53,10 +49,6 @@ fn run(args: &ViewerArgs) -> Result<(), String> {
         let mut session = Session::new(args.render.clone(), wake);
         if let Some(remembered) = remembered {
             session.restore(remembered);
-        }
-        if let Some(report) = report {
-            session.set_report(report);
-            session.apply(Command::OpenCase(0));
         }
         for picture in &args.compare {
             session.apply(Command::CompareWith(picture.clone()));
@@ -81,20 +73,15 @@ fn run(args: &ViewerArgs) -> Result<(), String> {
         // gradients that would show steps.
         dithering: false,
         // A flag decides over what was remembered.
-        persist_window: args.window.is_empty() && args.bench_orbit.is_none(),
+        persist_window: args.window.is_empty(),
         ..NativeOptions::default()
     };
     let create = |creation: &CreationContext<'_>| {
         let ctx = creation.egui_ctx.clone();
         let wake: Wake = Arc::new(move || ctx.request_repaint());
-        let storage = creation.storage.filter(|_| args.bench_orbit.is_none());
-        let session = start(wake, storage.and_then(remembered));
-        let window: Box<dyn eframe::App> = Box::new(Window {
-            app: App::new(session).with_picker(choose_file),
-            bench: args.bench_orbit.map(OrbitBench::new),
-            content: Duration::ZERO,
-        });
-        Ok(window)
+        let session = start(wake, creation.storage.and_then(remembered));
+        let app = App::new(session).with_picker(choose_file);
+        Ok(Box::new(Window { app }) as Box<dyn eframe::App>)
     };
     eframe::run_native("First Light", options, Box::new(create)).map_err(no_window)
 }
@@ -144,31 +131,16 @@ fn no_window(why: eframe::Error) -> String {
 /// The window, as eframe sees it.
 struct Window {
     app: App,
-    bench: Option<OrbitBench>,
-    /// What the content of the last frame took.
-    content: Duration,
 }
 
 impl eframe::App for Window {
     fn save(&mut self, storage: &mut dyn Storage) {
-        if self.bench.is_none()
-            && let Ok(text) = serde_json::to_string(&self.app.session.remembered())
-        {
+        if let Ok(text) = serde_json::to_string(&self.app.session.remembered()) {
             storage.set_string(STORAGE_KEY, text);
         }
     }
 
     fn ui(&mut self, ui: &mut Ui, _: &mut Frame) {
-        if let Some(bench) = &mut self.bench {
-            ui.ctx().request_repaint();
-            if bench.next(&mut self.app.session, self.content) {
-                outln!("{bench}");
-                self.app.session.apply(Command::Quit);
-                self.bench = None;
-            }
-        }
-        let start = Instant::now();
         self.app.ui(ui);
-        self.content = start.elapsed();
     }
 }

@@ -199,32 +199,18 @@ fn most_different(family: &KernelFamily) -> Option<RayFamily> {
 
 /// Returns the caption, computed from the numbers.
 fn caption(family: &KernelFamily, hard: Option<RayFamily>) -> String {
-    let mut text = String::new();
-    for rays in [Some(RayFamily::Ordinary), hard].into_iter().flatten() {
-        if let Some([best, worst]) = extremes(family, rays) {
-            text += &format!(
-                "On rays of the family “{}” the median relative error of t is smallest for {} ({}) and largest for {} ({}). ",
-                rays.name(),
-                name(best.0),
-                figures(best.1),
-                name(worst.0),
-                figures(worst.1),
-            );
-        }
-    }
     let beyond = |row: &&KernelRow| {
         let rays = [Some(RayFamily::Ordinary), hard].into_iter().flatten();
         rays.filter_map(|rays| accuracy(row, rays))
             .any(|a| a.beyond_bound_per_million > 0.0)
     };
     let beyond: Vec<String> = family.rows.iter().filter(beyond).map(name).collect();
-    text += &if beyond.is_empty() {
+    if beyond.is_empty() {
         "No error exceeds the bound of its precision (thick grey lines), the forward error bound of a robust kernel.".to_string()
     } else {
         format!(
             "Some errors exceed the bound (thick grey lines), the forward error bound of a robust kernel, for {}.",
             list(&beyond)
         )
-    };
-    text
+    }
 }

@@ -6,7 +6,8 @@ use crate::table::factor;
 use pages::html::png_data_uri;
 use pictures::Image;
 use plots::canvas::{Label, for_both_widths};
-use plots::figure::{Figure, heads, prose};
+use plots::columns::Columns;
+use plots::figure::{Figure, prose};
 use plots::numbers::{figures, percent, tick};
 use plots::plot::{Axis, Plot, legend};
 use plots::style::{self, INK, Marker, SeriesStyle};
@@ -37,6 +38,7 @@ pub(crate) fn figure(experiment: &Experiment) -> Figure {
     let entries = experiment.curves.len() + 1;
     let narrow_height = 2.0 * NARROW_PLOT[1] + LINE * (entries as f64 + 1.0);
     let sizes = [[WIDTH, PLOT[1]], [NARROW_PLOT[0], narrow_height]];
+    let columns = columns(experiment);
     let drawing = for_both_widths(sizes[0], sizes[1], &label, |canvas, _, is_narrow| {
         let points = || experiment.curves.iter().flat_map(|curve| &curve.points);
         let error = |p: &CurvePoint| p.error(experiment.is_relative);
@@ -86,7 +88,7 @@ pub(crate) fn figure(experiment: &Experiment) -> Figure {
                     }
                     plot.marker(style, (of(point), error(point).value), 30.0);
                     let at = plot.at(of(point), error(point).value);
-                    canvas.tip(at, 6.0, &tip(curve, point, experiment.is_relative));
+                    canvas.tip(at, 6.0, &columns.tip(&(curve, point)));
                 }
             }
         }
@@ -106,25 +108,7 @@ pub(crate) fn figure(experiment: &Experiment) -> Figure {
         );
         canvas.text("slope −1/2", (corner.0 + 32.0, below), Label::left(9.5))
     });
-    let last = |curve: &Curve| curve.points.last().cloned();
-    let rows = experiment.curves.iter().map(|curve| {
-        let last = last(curve);
-        let number = |of: &dyn Fn(&CurvePoint) -> Option<String>| {
-            last.as_ref().and_then(of).unwrap_or("–".into())
-        };
-        vec![
-            curve.name.clone(),
-            number(&|p| Some(figures(p.samples))),
-            number(&|p| Some(percent(error_of(p, experiment.is_relative)))),
-            number(&|p| Some(figures(p.seconds.median))),
-            curve
-                .slope
-                .map_or("–".into(), |slope| format!("{slope:.2}")),
-            number(&|p| p.bias.map(percent)),
-            number(&|p| p.relative_efficiency.as_ref().map(factor)),
-        ]
-    });
-    Figure {
+    let figure = Figure {
         finding: finding(experiment),
         drawing: drawing + &thumbnails(experiment),
         caption: format!(
@@ -138,31 +122,41 @@ pub(crate) fn figure(experiment: &Experiment) -> Figure {
             }
         ),
         notes: caption(experiment),
-        head: heads(&[
-            "method",
-            &experiment.samples_are,
-            "error",
-            "seconds",
-            "slope",
-            "bias",
-            "efficiency, ratio",
-        ]),
-        rows: rows.collect(),
-    }
+        ..Figure::default()
+    };
+    let curves = experiment.curves.iter();
+    let last: Vec<Row> = curves
+        .filter_map(|curve| Some((curve, curve.points.last()?)))
+        .collect();
+    columns.table(&last, figure)
+}
+
+/// A point of a curve.
+type Row<'a> = (&'a Curve, &'a CurvePoint);
+
+/// The numbers of a point.
+fn columns(experiment: &Experiment) -> Columns<'_, Row<'_>> {
+    let is_relative = experiment.is_relative;
+    let or_none = |number: Option<String>| number.unwrap_or("–".into());
+    Columns::new("method", |(curve, point): &Row<'_>| {
+        format!("{}, {}", curve.name, point.flags)
+    })
+    .and(&experiment.samples_are, |(_, point)| figures(point.samples))
+    .and("error", move |(_, point)| {
+        percent(error_of(point, is_relative))
+    })
+    .and("seconds", |(_, point)| figures(point.seconds.median))
+    .and("slope", move |(curve, _)| {
+        or_none(curve.slope.map(|slope| format!("{slope:.2}")))
+    })
+    .and("bias", move |(_, point)| or_none(point.bias.map(percent)))
+    .and("of the first method's efficiency", move |(_, point)| {
+        or_none(point.relative_efficiency.as_ref().map(factor))
+    })
 }
 
 pub(super) fn error_of(point: &CurvePoint, is_relative: bool) -> f64 {
     point.error(is_relative).value
-}
-
-fn tip(curve: &Curve, point: &CurvePoint, is_relative: bool) -> String {
-    format!(
-        "{}, {}: error {}, {} s",
-        curve.name,
-        point.flags,
-        percent(error_of(point, is_relative)),
-        figures(point.seconds.median)
-    )
 }
 
 /// The converged picture, and one of each method: those whose times are most alike.

@@ -3,8 +3,7 @@
 use super::convergence::error_of;
 use crate::picture::{Curve, CurvePoint, Experiment};
 use crate::quartiles::Quartiles;
-use crate::table::factor;
-use plots::numbers::{figures, list, percent};
+use plots::numbers::{figures, percent};
 
 /// What the plot shows: the method that reaches an equal error in the least time.
 pub(super) fn finding(experiment: &Experiment) -> String {
@@ -56,45 +55,10 @@ pub(super) fn caption(experiment: &Experiment) -> String {
         experiment.scene,
         percent(experiment.converged_rmse),
     );
-    let slopes: Vec<String> = experiment
-        .curves
-        .iter()
-        .filter_map(|curve| {
-            let slope = curve.slope?;
-            Some(format!("{slope:.2} ({})", curve.name))
-        })
-        .collect();
-    if !slopes.is_empty() {
-        text += &format!(
-            "The slope of log(error) against log(samples) is {}. ",
-            list(&slopes)
-        );
-    }
+    text += "Slope: of log(error) against log(samples). Bias: the part of the error that more samples do not reduce, if it is \
+             significant. Efficiency: 1/(MSE · seconds), with the squared bias as a part of the MSE. ";
     text += &times_to_equal_error(experiment);
-    text += &efficiencies(experiment);
-    text += &biases(experiment);
     text
-}
-
-/// Returns the sentence about efficiency at the largest number of samples, relative to the first
-/// curve.
-fn efficiencies(experiment: &Experiment) -> String {
-    let [first, others @ ..] = experiment.curves.as_slice() else {
-        return String::new();
-    };
-    let each = others.iter().filter_map(|curve| {
-        let ratio = curve.points.last()?.relative_efficiency?;
-        Some(format!("{} ({})", factor(&ratio), curve.name))
-    });
-    let each: Vec<String> = each.collect();
-    if each.is_empty() {
-        return String::new();
-    }
-    format!(
-        "Efficiency, 1/(MSE · seconds) with the squared bias as a part of the MSE, at the largest number of samples, relative to {}: {}. ",
-        first.name,
-        list(&each)
-    )
 }
 
 /// Returns the sentence that compares the times in which the curves reach an equal error, relative
@@ -167,37 +131,4 @@ fn to_equal_error(experiment: &Experiment, first: &Curve, curve: &Curve) -> Opti
             ties: own.lower <= p.seconds.upper && p.seconds.lower <= own.upper,
         })
     })
-}
-
-/// Returns the sentences about bias.
-fn biases(experiment: &Experiment) -> String {
-    let biased: Vec<String> = experiment
-        .curves
-        .iter()
-        .filter_map(|curve| {
-            let longest = curve
-                .points
-                .iter()
-                .max_by(|a, b| a.samples.total_cmp(&b.samples))?;
-            Some(format!("{} ({})", percent(longest.bias?), curve.name))
-        })
-        .collect();
-    let centred = experiment.curves.iter().flat_map(|curve| &curve.points);
-    let mut text = match centred.filter(|p| !p.is_random()).find_map(|p| p.bias) {
-        Some(bias) => format!(
-            "A single sample is taken at the centre of the pixel and is not random; its bias is {}. ",
-            percent(bias)
-        ),
-        None => String::new(),
-    };
-    text += &if biased.is_empty() {
-        "No curve has a significant bias at its largest number of samples.".to_string()
-    } else {
-        format!(
-            "The bias is the part of the error that more samples do not reduce. At the largest number of samples of a curve it is {}. \
-             The other curves have no significant bias.",
-            list(&biased)
-        )
-    };
-    text
 }

@@ -4,12 +4,14 @@ use crate::quartiles::Quartiles;
 use crate::report::Precision;
 use crate::table::plus_minus;
 use crate::trees::{ExactnessRow, TreeReport, in_a_million};
-use plots::canvas::{Canvas, Label, Position, file, for_both_widths, svg};
-use plots::figure::{Figure, heads};
+use plots::canvas::{Canvas, Label, file, for_both_widths, svg};
+use plots::columns::Columns;
+use plots::figure::Figure;
 use plots::labels::Labels;
 use plots::numbers::{figures, grouped};
 use plots::plot::{Axis, Plot};
-use plots::style::{self, Marker, SeriesStyle};
+use plots::scatter::{self, Point};
+use plots::style::{Marker, SeriesStyle};
 
 /// Sizes in points: the plot, and the plot on a telephone.
 const BROAD: [f64; 2] = [860.0, 400.0 + KEY];
@@ -34,7 +36,7 @@ pub(crate) fn figure(trees: &TreeReport) -> Option<Figure> {
         draw(canvas, size, "lost hits against speed", &trees.by_precision)
     });
     let rays = trees.by_precision.first().map_or(0, |row| row.rays);
-    Some(Figure {
+    let figure = Figure {
         finding,
         drawing,
         caption: "One tree, with other tests in another precision at each point; triangles are other trees with the exact tests. Further right \
@@ -51,32 +53,28 @@ pub(crate) fn figure(trees: &TreeReport) -> Option<Figure> {
             grouped(trees.triangles as f64),
             grouped(rays as f64)
         ),
-        head: heads(&[
-            "split",
-            "test of triangles",
-            "of boxes",
-            "slack, ulp",
-            "Mrays/s",
-            "time / exact",
-            "missed in a million",
-            "wrong in a million",
-        ]),
-        rows: trees
-            .by_precision
-            .iter()
-            .map(|row| {
-                vec![
-                    row.split.clone(),
-                    format!("{} {}", row.triangle_test, row.precision.name()),
-                    row.box_test.clone(),
-                    row.slack_ulp.to_string(),
-                    plus_minus(&rate(row), 2),
-                    plus_minus(&row.time.ratio, 2),
-                    grouped(in_a_million(row.missed, row.rays)),
-                    grouped(in_a_million(row.wrong, row.rays)),
-                ]
-            })
-            .collect(),
+        ..Figure::default()
+    };
+    Some(columns().table(&trees.by_precision, figure))
+}
+
+/// The numbers of a tree.
+fn columns() -> Columns<'static, ExactnessRow> {
+    Columns::new("split: triangles, boxes", |row: &ExactnessRow| {
+        let precision = row.precision.name();
+        format!(
+            "{}: {} {precision}, {}",
+            row.split, row.triangle_test, row.box_test
+        )
+    })
+    .and("ulp of slack", |row| row.slack_ulp.to_string())
+    .and("Mrays/s", |row| plus_minus(&rate(row), 2))
+    .and("of the exact time", |row| plus_minus(&row.time.ratio, 2))
+    .and("missed in a million", |row| {
+        grouped(in_a_million(row.missed, row.rays))
+    })
+    .and("wrong in a million", |row| {
+        grouped(in_a_million(row.wrong, row.rays))
     })
 }
 
@@ -156,72 +154,39 @@ fn draw(canvas: &Canvas, size: [f64; 2], title: &str, rows: &[ExactnessRow]) {
         let [left, _, right, _] = plot.inner();
         labels.keep_box_free([left, y - 1.0, right, y + 1.0]);
     }
-    let place =
-        |row: &ExactnessRow| -> Position { plot.at(rate(row).median, row.lost_per_million()) };
-    for row in rows {
-        let Quartiles { lower, upper, .. } = rate(row);
-        plot.time_bar(
-            style_of(row, is_first(row)),
-            [lower, upper],
-            row.lost_per_million(),
-        );
-        let y = place(row).1;
-        let [from, to] = [lower, upper].map(|x| plot.at(x, row.lost_per_million()).0);
-        labels.keep_box_free([from, y - 2.0, to, y + 2.0]);
-        labels.keep_free(place(row), 6.0);
-    }
-    for row in rows {
-        let at = (rate(row).median, row.lost_per_million());
-        plot.marker(style_of(row, is_first(row)), at, AREA);
-        canvas.tip(place(row), 9.0, &tip(row));
-    }
-    for row in rows {
-        let label = Label::left(NAME).in_color(style_of(row, is_first(row)).color);
+    let columns = columns();
+    let points = rows.iter().map(|row| {
+        let style = style_of(row, is_first(row));
+        let Quartiles {
+            lower,
+            median,
+            upper,
+        } = rate(row);
         let test = format!("{} {}", row.triangle_test, row.precision.name());
-        let text = match is_first(row) {
-            true => format!("{test}\nboxes: {}", row.box_test),
-            false => format!("{test}\n{}", row.split),
-        };
-        labels.place(canvas, &text, place(row), label.bold());
-    }
-    key(canvas, size, rows, is_first)
-}
-
-/// Draws the legend of the markers below the plot: of those that it has.
-fn key(
-    canvas: &Canvas,
-    size: [f64; 2],
-    rows: &[ExactnessRow],
-    is_first: impl Fn(&ExactnessRow) -> bool,
-) {
+        Point {
+            style,
+            area: AREA,
+            at: (median, row.lost_per_million()),
+            bar: Some([lower, upper]),
+            name: match is_first(row) {
+                true => format!("{test}\nboxes: {}", row.box_test),
+                false => format!("{test}\n{}", row.split),
+            },
+            label: Label::left(NAME).in_color(style.color).bold(),
+            tip: columns.tip(row),
+        }
+    });
+    scatter::draw(canvas, &plot, labels, &points.collect::<Vec<_>>());
     let single = |row: &&ExactnessRow| row.precision != Precision::F64;
     let entries = [
         (rows.iter().find(|row| is_first(row) && !single(row)), "f64"),
         (rows.iter().find(|row| is_first(row) && single(row)), "f32"),
         (rows.iter().find(|row| !is_first(row)), "another tree"),
     ];
-    let (mut x, y) = (48.0, size[1] - 0.5 * KEY);
-    for (row, text) in entries {
-        let Some(row) = row else { continue };
-        style::marker(canvas, style_of(row, is_first(row)), (x, y), AREA);
-        let label = Label::left(NAME);
-        canvas.text(text, (x + 14.0, y), label);
-        x += 36.0 + label.width(text);
-    }
-}
-
-fn tip(row: &ExactnessRow) -> String {
-    format!(
-        "{}: {} {}, boxes: {}, slack of {} ulp: {} million rays per second, {} of a million missed and {} wrong",
-        row.split,
-        row.triangle_test,
-        row.precision.name(),
-        row.box_test,
-        row.slack_ulp,
-        plus_minus(&rate(row), 2),
-        grouped(in_a_million(row.missed, row.rays)),
-        grouped(in_a_million(row.wrong, row.rays))
-    )
+    let there = entries
+        .into_iter()
+        .filter_map(|(row, text)| Some((style_of(row?, is_first(row?)), AREA, text.into())));
+    scatter::key(canvas, (48.0, size[1] - 0.5 * KEY), size[0], there)
 }
 
 /// Colour and shape show the precision, as in the plot of triangle tests; trees other than the

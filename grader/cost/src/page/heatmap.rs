@@ -220,17 +220,7 @@ fn finding(family: &KernelFamily) -> String {
 /// Returns the notes, computed from the numbers.
 fn caption(family: &KernelFamily) -> String {
     let known = || family.rows.iter().filter(|row| !row.student);
-    let right: Vec<String> = known().filter(|row| is_right(row)).map(name).collect();
-    let mut text = format!(
-        "Of {} kernels, these have no wrong decision in any family of rays{}: {}. ",
-        known().count(),
-        if known().any(|row| row.leaks_per_million.is_some()) {
-            " and no leaks"
-        } else {
-            ""
-        },
-        list(&right)
-    );
+    let mut text = String::new();
     let wrong = |k: usize| {
         let wrong = known().map(|row| {
             row.by_ray_family

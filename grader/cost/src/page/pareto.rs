@@ -5,17 +5,19 @@ use super::kernel_name::name;
 use super::pareto_caption::{caption, finding};
 use crate::report::{KernelFamily, KernelRow, Precision, Shape};
 use crate::table::plus_minus;
-use plots::canvas::{Canvas, Label, Position, for_both_widths};
-use plots::figure::{Figure, heads};
+use plots::canvas::{Canvas, Label, for_both_widths};
+use plots::columns::Columns;
+use plots::figure::Figure;
 use plots::labels::Labels;
 use plots::numbers::{percent, tick};
 use plots::plot::{Axis, Plot};
-use plots::style::{self, INK, Marker, SeriesStyle};
+use plots::scatter::{self, Point};
+use plots::style::{INK, Marker, SeriesStyle};
 
 const PLOT: [f64; 2] = [860.0, 470.0];
 /// On a telephone, where markers have numbers and the names are below the plot.
 const NARROW_PLOT: [f64; 2] = [300.0, 330.0];
-/// Height of the legend below the plot, and of each line of it on a telephone.
+/// Height of the legend below the plot, and of each further line of it on a telephone.
 const KEY: f64 = 26.0;
 const KEY_LINE: f64 = 16.0;
 /// Distance of the names below the plot.
@@ -35,10 +37,12 @@ pub(crate) fn figure(family: &KernelFamily) -> Figure {
     let key_below = KEY_LINE * key(family).len().div_ceil(3) as f64 + KEY;
     let broad = [PLOT[0], PLOT[1] + KEY];
     let narrow = [NARROW_PLOT[0], NARROW_PLOT[1] + names_below + key_below];
+    let columns = columns(family);
     let drawing = for_both_widths(broad, narrow, &label, |canvas, size, is_narrow| {
-        draw(canvas, family, is_narrow);
+        draw(canvas, family, &columns, is_narrow);
         if !is_narrow {
-            return draw_key(canvas, family, (60.0, PLOT[1] + 0.4 * KEY), PLOT[0]);
+            let start = (60.0, PLOT[1] + 0.4 * KEY);
+            return scatter::key(canvas, start, PLOT[0], key(family));
         }
         for (i, row) in fastest_first(family).into_iter().enumerate() {
             let y = NARROW_PLOT[1] + NAME_LINE * (i as f64 + 0.5);
@@ -54,9 +58,9 @@ pub(crate) fn figure(family: &KernelFamily) -> Figure {
             canvas.text(&text_of(row, &name(row)), (26.0, y), label);
         }
         let y = NARROW_PLOT[1] + names_below + 0.5 * KEY;
-        draw_key(canvas, family, (10.0, y), size[0])
+        scatter::key(canvas, (10.0, y), size[0], key(family))
     });
-    Figure {
+    let figure = Figure {
         finding: finding(family),
         drawing,
         caption: format!(
@@ -66,32 +70,26 @@ pub(crate) fn figure(family: &KernelFamily) -> Figure {
             failures(family.shape)
         ),
         notes: caption(family),
-        head: heads(&[
-            "test",
-            "time / textbook's",
-            "ns",
-            "correct bits",
-            failures(family.shape),
-        ]),
-        rows: family
-            .rows
-            .iter()
-            .map(|row| {
-                let time = row.ranked_time();
-                vec![
-                    name(row),
-                    plus_minus(&time.ratio, 2),
-                    plus_minus(&time.ns, 1),
-                    format!("{:.0}", row.mean_correct_bits().floor()),
-                    percent(failure_rate(row)),
-                ]
-            })
-            .collect(),
-    }
+        ..Figure::default()
+    };
+    columns.table(&family.rows, figure)
+}
+
+/// The numbers of a kernel.
+fn columns(family: &KernelFamily) -> Columns<'_, KernelRow> {
+    Columns::new("test", name)
+        .and("of the textbook's time", |row| {
+            plus_minus(&row.ranked_time().ratio, 2)
+        })
+        .and("ns", |row| plus_minus(&row.ranked_time().ns, 1))
+        .and("correct bits", |row| {
+            format!("{:.0}", row.mean_correct_bits().floor())
+        })
+        .and(failures(family.shape), |row| percent(failure_rate(row)))
 }
 
 /// Draws the plot. On a telephone its markers have numbers, the fastest kernel the first.
-fn draw(canvas: &Canvas, family: &KernelFamily, is_narrow: bool) {
+fn draw(canvas: &Canvas, family: &KernelFamily, columns: &Columns<'_, KernelRow>, is_narrow: bool) {
     let times = family
         .rows
         .iter()
@@ -114,24 +112,7 @@ fn draw(canvas: &Canvas, family: &KernelFamily, is_narrow: bool) {
     let size = if is_narrow { NARROW_PLOT } else { PLOT };
     let plot = Plot::new(canvas, "correct bits against time", (0.0, 0.0), size, x, y);
     let corners = front_line(&plot, family);
-    for row in &family.rows {
-        let ratio = row.ranked_time().ratio;
-        let ends = [ratio.lower, ratio.upper];
-        plot.time_bar(style_of(row), ends, row.mean_correct_bits());
-    }
-    // Large markers first, so that they do not hide small ones.
-    let mut largest_first: Vec<&KernelRow> = family.rows.iter().collect();
-    largest_first.sort_by(|a, b| failure_rate(b).total_cmp(&failure_rate(a)));
     let mut labels = Labels::new(plot.inner());
-    for row in largest_first {
-        let position = place(&plot, row);
-        let radius = (area(row) / std::f64::consts::PI).sqrt() + 1.0;
-        style::marker(canvas, style_of(row), position, area(row));
-        labels.keep_free(position, radius);
-        let ratio = row.ranked_time().ratio;
-        let [from, to] = [ratio.lower, ratio.upper].map(|x| plot.at(x, row.mean_correct_bits()));
-        labels.keep_box_free([from.0, from.1 - 2.0, to.0, to.1 + 2.0]);
-    }
     for ends in corners.windows(2) {
         let [from, to] = [ends[0], ends[1]].map(|(x, y)| plot.at(x, y));
         labels.keep_box_free([
@@ -141,15 +122,23 @@ fn draw(canvas: &Canvas, family: &KernelFamily, is_narrow: bool) {
             from.1.max(to.1) + 1.0,
         ]);
     }
-    for (i, row) in fastest_first(family).into_iter().enumerate() {
-        let radius = (area(row) / std::f64::consts::PI).sqrt() + 1.0;
-        canvas.tip(place(&plot, row), radius.max(6.0), &tip(family.shape, row));
-        let text = match is_narrow {
-            false => text_of(row, &row.name),
-            true => number(i),
-        };
-        labels.place(canvas, &text, place(&plot, row), label_of(row));
-    }
+    let rows = fastest_first(family).into_iter().enumerate();
+    let points = rows.map(|(i, row)| {
+        let ratio = row.ranked_time().ratio;
+        Point {
+            style: style_of(row),
+            area: area(row),
+            at: at(row),
+            bar: Some([ratio.lower, ratio.upper]),
+            name: match is_narrow {
+                false => text_of(row, &row.name),
+                true => number(i),
+            },
+            label: label_of(row),
+            tip: columns.tip(row),
+        }
+    });
+    scatter::draw(canvas, &plot, labels, &points.collect::<Vec<_>>())
 }
 
 /// The fastest first: the crowd is there, and they are what the plot is about.
@@ -189,22 +178,6 @@ fn failures(shape: Shape) -> &'static str {
         Shape::Triangle => "leaks",
         Shape::Sphere | Shape::Box => "wrong decisions in the worst family",
     }
-}
-
-fn tip(shape: Shape, row: &KernelRow) -> String {
-    format!(
-        "{}: {} of the textbook's time, {:.0} correct bits, {} {}",
-        name(row),
-        plus_minus(&row.ranked_time().ratio, 2),
-        row.mean_correct_bits().floor(),
-        percent(failure_rate(row)),
-        failures(shape)
-    )
-}
-
-fn place(plot: &Plot, row: &KernelRow) -> Position {
-    let (x, y) = at(row);
-    plot.at(x, y)
 }
 
 /// Returns the values that a kernel is drawn at.
@@ -302,18 +275,4 @@ fn key(family: &KernelFamily) -> Vec<(SeriesStyle, f64, String)> {
         entries.push((style_of(yours), AREA[0], "yours".into()));
     }
     entries
-}
-
-/// Draws the legend from `start` on, in as many lines as the `width` of the canvas needs.
-fn draw_key(canvas: &Canvas, family: &KernelFamily, start: Position, width: f64) {
-    let (mut x, mut y) = start;
-    for (style, area, text) in key(family) {
-        let label = Label::left(NAME);
-        if x + 14.0 + label.width(&text) > width {
-            (x, y) = (start.0, y + KEY_LINE);
-        }
-        style::marker(canvas, style, (x, y), area);
-        canvas.text(&text, (x + 14.0, y), label);
-        x += 36.0 + label.width(&text);
-    }
 }

@@ -4,9 +4,10 @@ use crate::quartiles::Quartiles;
 use crate::table::plus_minus;
 use crate::trees::{BreakEven, SlackRow, TreeReport, TreeRow, WrongHits};
 use plots::canvas::{Canvas, Label, for_both_widths};
-use plots::figure::{Figure, heads};
+use plots::columns::Columns;
+use plots::figure::Figure;
 use plots::line_names::{self, LineName};
-use plots::numbers::{figures, list, rounded, tick};
+use plots::numbers::{figures, grouped, list, rounded, tick};
 use plots::plot::{Axis, Plot};
 use plots::style::{Marker, SeriesStyle};
 
@@ -33,24 +34,7 @@ pub(crate) fn figure(trees: &TreeReport) -> Figure {
         let size = [size[0] - NAMES[usize::from(is_narrow)], size[1]];
         draw(canvas, size, trees, base)
     });
-    let rows = trees.by_build.iter().map(|tree| {
-        vec![
-            tree.name.clone(),
-            plus_minus(&tree.build_s.scaled(1e3), 1),
-            plus_minus(&tree.trace.time.ns, 0),
-            plus_minus(&tree.trace.time.ratio, 2),
-            figures(tree.trace.box_tests),
-            figures(tree.trace.prim_tests),
-            match tree.break_even {
-                BreakEven::Base => "–".into(),
-                BreakEven::Never => "never".into(),
-                BreakEven::Immediate => "at once".into(),
-                BreakEven::WithinNoise => "within the errors".into(),
-                BreakEven::After { rays, .. } => format!("{} rays", figures(rays)),
-            },
-        ]
-    });
-    Figure {
+    let figure = Figure {
         finding: finding(trees, base),
         drawing,
         caption: format!(
@@ -59,17 +43,37 @@ pub(crate) fn figure(trees: &TreeReport) -> Figure {
             base.name
         ),
         notes: caption(trees),
-        head: heads(&[
-            "tree",
-            "build, ms",
-            "ns per ray",
-            "tracing time, ratio",
-            "box tests per ray",
-            "primitive tests per ray",
-            "break-even",
-        ]),
-        rows: rows.collect(),
-    }
+        ..Figure::default()
+    };
+    let columns = Columns::new("tree", |tree: &TreeRow| tree.name.clone())
+        .and("ms to build", |tree| {
+            plus_minus(&tree.build_s.scaled(1e3), 1)
+        })
+        .and("ns per ray", |tree| plus_minus(&tree.trace.time.ns, 0))
+        .and("of the first tree's tracing time", |tree| {
+            plus_minus(&tree.trace.time.ratio, 2)
+        })
+        .and("box tests per ray", |tree| figures(tree.trace.box_tests))
+        .and("primitive tests per ray", |tree| {
+            figures(tree.trace.prim_tests)
+        })
+        .and("break-even, from quartile to quartile", |tree| {
+            match tree.break_even {
+                BreakEven::Base => "–".into(),
+                BreakEven::Never => "never".into(),
+                BreakEven::Immediate => "at once".into(),
+                BreakEven::WithinNoise => "within the errors".into(),
+                BreakEven::After {
+                    rays,
+                    at_least,
+                    at_most,
+                } => {
+                    let [rays, at_least, at_most] = [rays, at_least, at_most].map(rounded);
+                    format!("{rays} rays ({at_least} to {at_most})")
+                }
+            }
+        });
+    columns.table(&trees.by_build, figure)
 }
 
 /// Draws the plot; the names of the lines are to the right of it.
@@ -182,46 +186,13 @@ fn seconds(tree: &TreeRow, rays: f64) -> Quartiles {
     }
 }
 
-/// Returns the caption, computed from the numbers.
+/// Returns the notes, computed from the numbers.
 fn caption(trees: &TreeReport) -> String {
-    let rows = trees.by_build.iter();
-    let builds: Vec<String> = rows
-        .map(|tree| {
-            format!(
-                "{} takes {} ms to build and {} ns per ray",
-                tree.name,
-                plus_minus(&tree.build_s.scaled(1e3), 1),
-                plus_minus(&tree.trace.time.ns, 0)
-            )
-        })
-        .collect();
     let mut text = format!(
-        "Trees over the {} mesh of {} triangles: {}. Bars reach from quartile to quartile. ",
+        "The trees are over the {} mesh of {} triangles. ",
         trees.mesh,
-        trees.triangles,
-        list(&builds)
+        grouped(trees.triangles as f64)
     );
-    for tree in &trees.by_build {
-        let ratio = plus_minus(&tree.trace.time.ratio, 2);
-        text += &match tree.break_even {
-            BreakEven::Base | BreakEven::Never | BreakEven::Immediate => continue,
-            BreakEven::WithinNoise => format!(
-                "The tracing time of {}, {ratio} times that of the first tree, ties with it. ",
-                tree.name
-            ),
-            BreakEven::After {
-                rays,
-                at_least,
-                at_most,
-            } => format!(
-                "{} breaks even after {} rays (from {} to {} for the quartiles of its times). ",
-                tree.name,
-                figures(rays),
-                figures(at_least),
-                figures(at_most)
-            ),
-        };
-    }
     let walks: Vec<String> = trees.by_slack.iter().map(slack).collect();
     if !walks.is_empty() {
         text += &format!("With {}.", list(&walks));

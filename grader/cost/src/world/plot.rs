@@ -3,11 +3,13 @@
 use super::{COLUMNS, Row, WorldReport};
 use crate::precision::Precision;
 use plots::canvas::{Canvas, Label, Position, file, for_both_widths, svg};
-use plots::figure::{Figure, heads};
+use plots::columns::Columns;
+use plots::figure::Figure;
 use plots::labels::Labels;
 use plots::numbers::{figures, grouped};
 use plots::plot::{Axis, Plot};
-use plots::style::{self, Marker, SeriesStyle};
+use plots::scatter::{self, Point};
+use plots::style::{Marker, SeriesStyle};
 
 /// Sizes in points: of the large plot with its legend, and of a small one.
 const WIDTH: f64 = 860.0;
@@ -46,18 +48,16 @@ pub(crate) fn figure(report: &WorldReport) -> Option<Figure> {
         },
     );
     let all = report.yours.iter().chain(&report.libraries);
-    let line = |row: &Row| {
-        let start = [
-            row.name.clone(),
-            row.version.clone(),
-            row.precision.name().into(),
-        ];
-        let speed = row.million_rays.map_or("-".into(), figures);
-        let cells = row.cells.iter().map(ToString::to_string);
-        start.into_iter().chain([speed]).chain(cells).collect()
-    };
-    let names = COLUMNS.iter().map(|column| column.title.to_string());
-    Some(Figure {
+    let mut columns = Columns::new("row", |row: &Row| row.name.clone())
+        .and("version", |row| row.version.clone())
+        .and("precision", |row| row.precision.name().into())
+        .and("Mrays/s", |row| {
+            row.million_rays.map_or("-".into(), figures)
+        });
+    for (i, column) in COLUMNS.iter().enumerate() {
+        columns = columns.and(column.title, move |row| row.cells[i].to_string());
+    }
+    let figure = Figure {
         finding,
         drawing,
         caption: "Each point is a library, or one of its interfaces. Further right traces more rays in a second of processor time, \
@@ -67,9 +67,9 @@ pub(crate) fn figure(report: &WorldReport) -> Option<Figure> {
                 million; found hits in per cent where a range ends or a ray starts at the surface; wrong counts in per cent; and \
                 the largest error of t in units in the last place."
             .into(),
-        head: heads(&["row", "version", "precision", "Mrays/s"]).into_iter().chain(names).collect(),
-        rows: all.map(line).collect(),
-    })
+        ..Figure::default()
+    };
+    Some(columns.table(all, figure))
 }
 
 /// The plot alone as an SVG file, with its finding as the title; `None` if no library was timed.
@@ -121,9 +121,6 @@ fn style_of(row: &Row) -> SeriesStyle {
     }
 }
 
-/// A row in a plot: its style, place and name.
-type Point = (SeriesStyle, (f64, f64), String);
-
 /// A plot at `corner`; `wrong` returns the height of a row.
 fn panel<'a>(
     canvas: &'a Canvas,
@@ -135,17 +132,26 @@ fn panel<'a>(
     let points: Vec<Point> = rows
         .iter()
         .filter_map(|row| {
-            let name = row.name.replace('_', " ");
-            Some((style_of(row), (row.million_rays?, wrong(row)?), name))
+            let (style, name) = (style_of(row), row.name.replace('_', " "));
+            let at = (row.million_rays?, wrong(row)?);
+            Some(Point {
+                style,
+                area: 60.0,
+                at,
+                bar: None,
+                tip: format!("{name}: {} of a million wrong", grouped(at.1)),
+                name,
+                label: Label::left(NAME).in_color(style.color),
+            })
         })
         .collect();
     let x = Axis::log(
         "millions of rays per second",
-        points.iter().map(|(_, p, _)| p.0),
+        points.iter().map(|point| point.at.0),
         figures,
     );
     // The same heights in all plots.
-    let heights = points.iter().map(|(_, p, _)| p.1).chain([10.0, 1e6]);
+    let heights = points.iter().map(|point| point.at.1).chain([10.0, 1e6]);
     let y = Axis::log_and_zero("wrong in a million", heights, grouped);
     (Plot::new(canvas, title, corner, size, x, y), points)
 }
@@ -153,44 +159,21 @@ fn panel<'a>(
 fn large(canvas: &Canvas, [width, height]: [f64; 2], title: &str, rows: &[&Row]) {
     let place = ((0.0, 0.0), [width, height - KEY]);
     let (plot, points) = panel(canvas, title, place, rows, Row::worst);
-    let mut labels = Labels::new(plot.inner());
-    for (style, (x, y), _) in &points {
-        plot.marker(*style, (*x, *y), 60.0);
-        labels.keep_free(plot.at(*x, *y), 6.0);
-    }
-    for (style, (x, y), name) in &points {
-        canvas.tip(
-            plot.at(*x, *y),
-            9.0,
-            &format!("{name}: {} of a million wrong", grouped(*y)),
-        );
-        labels.place(
-            canvas,
-            name,
-            plot.at(*x, *y),
-            Label::left(NAME).in_color(style.color),
-        );
-    }
-    let mut x = 48.0;
-    let y = height - 0.5 * KEY;
-    for (text, row) in [
-        (
-            "f32",
-            rows.iter()
-                .find(|row| !is_ours(row) && row.precision != Precision::F64),
-        ),
-        (
-            "f64",
-            rows.iter()
-                .find(|row| !is_ours(row) && row.precision == Precision::F64),
-        ),
+    scatter::draw(canvas, &plot, Labels::new(plot.inner()), &points);
+    let of = |is_single: bool| {
+        let is_other =
+            |row: &&&Row| !is_ours(row) && (row.precision != Precision::F64) == is_single;
+        rows.iter().find(is_other)
+    };
+    let entries = [
+        ("f32", of(true)),
+        ("f64", of(false)),
         ("First Light", rows.iter().find(|row| is_ours(row))),
-    ] {
-        let Some(row) = row else { continue };
-        style::marker(canvas, style_of(row), (x, y), 60.0);
-        canvas.text(text, (x + 14.0, y), Label::left(NAME));
-        x += 36.0 + Label::left(NAME).width(text);
-    }
+    ];
+    let there = entries
+        .into_iter()
+        .filter_map(|(text, row)| Some((style_of(row?), 60.0, text.into())));
+    scatter::key(canvas, (48.0, height - 0.5 * KEY), width, there)
 }
 
 fn small(canvas: &Canvas, rows: &[&Row]) {
@@ -200,8 +183,8 @@ fn small(canvas: &Canvas, rows: &[&Row]) {
         let title = column.map_or(name, |column| column.title);
         let place = ((i as f64 * width, LARGE), [width, SMALL]);
         let (plot, points) = panel(canvas, title, place, rows, |row| row.value(name));
-        for (style, point, _) in points {
-            plot.marker(style, point, 24.0);
+        for point in points {
+            plot.marker(point.style, point.at, 24.0);
         }
     }
 }

@@ -172,31 +172,6 @@ fn extra_credit_counts_if_the_instructor_says_so() {
 }
 
 #[test]
-fn a_gradebook_has_points_or_a_reason() {
-    let rows = |outcome: &Outcome| {
-        let text = written(Format::Csv, outcome);
-        text.split_terminator("\r\n")
-            .map(str::to_owned)
-            .collect::<Vec<_>>()
-    };
-    assert_eq!(
-        rows(&partly()),
-        [
-            "id,name,status,score,max_score,extra,max_extra,part1.task3,part1.task3 extra,note",
-            "ada,\"'=Lovelace, Ada\",graded,7.5,10,1,2,7.5,1,"
-        ]
-    );
-    let failed = rows(&failed_grader());
-    assert_eq!(
-        failed[1],
-        "ada,\"'=Lovelace, Ada\",not graded,,0,,0,the disk is full"
-    );
-    assert!(rows(&nothing_compiles())[1].ends_with(",0,0,does not compile: part1.task3"));
-    let refused = ",0,0,refused before it was compiled: intersect: stages/intersect/src/lib.rs:3: `unsafe` is not allowed in a stage";
-    assert!(rows(&stage_refused())[1].ends_with(refused));
-}
-
-#[test]
 fn nothing_that_code_prints_becomes_a_command_a_tag_or_a_cell() {
     let actions = written(Format::Actions, &hostile());
     for line in actions.lines() {

@@ -9,7 +9,7 @@ use grader::course::sources::SourceFile;
 use grader::report::{HintLevel, Report, Reveal, TaskReport, json};
 use grader::score::regularity::{Regularity, Shared};
 use grader::score::{CaseResult, Status, TaskResult};
-use grader::workers::crash::Ended;
+use grader::workers::crash::Crash;
 use judge::findings::{Aspect, Finding, Findings};
 use std::collections::BTreeMap;
 
@@ -42,8 +42,6 @@ pub(crate) fn settings() -> Settings {
         })
     };
     Settings {
-        id: "ada".into(),
-        name: "=Lovelace, Ada".into(),
         add_extra: false,
         visibility: Visibility::AfterDueDate,
         assignment: Assignment::read(get, 1_780_324_321),
@@ -130,10 +128,10 @@ pub(crate) fn partly() -> Outcome {
 
 /// A case panics, one needs another task, one is not written.
 pub(crate) fn broken() -> Outcome {
-    let panicked = Ended {
+    let panicked = Crash {
         call: Some(0),
         panicked_at: Some(("stages/intersect/src/triangle.rs".into(), 4)),
-        ..Ended::from("panicked at stages/intersect/src/triangle.rs:4:5: overflow")
+        ..Crash::from("panicked at stages/intersect/src/triangle.rs:4:5: overflow")
     };
     let statuses = [
         Status::Crashed(panicked),

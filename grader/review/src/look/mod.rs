@@ -1,9 +1,8 @@
 //! `grader look`: a page for students, with what is wrong in one task, and where.
 //!
 //! [`Look::of`] runs the cases of the task and compares its pictures, [`page`] formats them,
-//! `figure` draws the worst ray of a case, `lit_point` those of an estimate of light.
+//! `lit_point` draws the rays of an estimate of light; a [`Sketch`] draws every other call.
 
-mod figure;
 mod lit_point;
 pub mod page;
 
@@ -15,6 +14,7 @@ use grader::diagnosis::{self, Diagnosis};
 use grader::grade;
 use grader::grade::picture::{self, Rendered};
 use grader::score::{CaseResult, Status, TaskResult};
+use grader::sketch::Sketch;
 use grader::workers::worker_set::WorkerSet;
 use judge::Tier;
 use judge::cases::Spec;
@@ -42,8 +42,7 @@ pub struct Look {
 pub struct FailedCase {
     /// Its score and findings.
     pub result: CaseResult,
-    /// The worst call, drawn as SVG with its key, if it is about a ray and a shape, or about the
-    /// light at a point.
+    /// The worst call, drawn as SVG with its key.
     pub figure: Option<String>,
     /// The comparison with the golden picture, if the case makes a picture.
     pub picture: Option<Case>,
@@ -87,7 +86,7 @@ impl Look {
             };
             failed.push(FailedCase {
                 result: case.clone(),
-                figure: answer.and_then(|answer| worst_ray(case, spec, answer)),
+                figure: answer.and_then(|answer| worst_call(case, spec, answer)),
                 picture,
             });
         }
@@ -118,16 +117,14 @@ impl Look {
     }
 }
 
-/// The drawing of the worst ray of a case.
-fn worst_ray(case: &CaseResult, spec: &Spec, answer: &Answer) -> Option<String> {
+/// The drawing of the worst call of a case.
+fn worst_call(case: &CaseResult, spec: &Spec, answer: &Answer) -> Option<String> {
     let wrong = case.findings.iter().filter(|finding| !finding.passed());
     let worst = wrong.filter_map(|finding: &Finding| finding.worst.as_ref());
     let call = worst.map(|worst| worst.call).next()?;
     match spec.shown(Tier::Core, call as usize, Some(answer))? {
-        ShownCall::Ray(ray) => figure::draw(&ray),
+        // From above, so that all rays are apart.
         ShownCall::LitPoint(point) => Some(lit_point::draw(&point)),
-        // The page shows the samples and directions of the others in the picture of the task, and
-        // the simplest call of each.
-        _ => None,
+        call => Sketch::of(&call).map(|sketch| page::drawing(&sketch)),
     }
 }

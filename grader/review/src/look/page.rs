@@ -100,12 +100,7 @@ fn header(look: &Look) -> String {
 fn simplest(call: &SimplestCall) -> String {
     let sketch = call.shown.as_ref().and_then(Sketch::of);
     let figure = sketch.map_or_else(String::new, |sketch| {
-        format!(
-            "<figure class=\"figure\">{}<figcaption>{}.</figcaption><p class=\"key\">{}</p></figure>",
-            sketch.svg(),
-            escape(sketch.caption()),
-            sketch.key()
-        )
+        format!("<figure class=\"figure\">{}</figure>", drawing(&sketch))
     });
     let label = call.aspect.map_or("a crash", Aspect::label);
     format!(
@@ -118,6 +113,16 @@ fn simplest(call: &SimplestCall) -> String {
             "<p class=\"note\">{}.</p>",
             escape(only)
         )),
+    )
+}
+
+/// A call as SVG, with what is seen and what the signs mean.
+pub(super) fn drawing(sketch: &Sketch) -> String {
+    format!(
+        "{}<figcaption>{}.</figcaption><p class=\"key\">{}</p>",
+        sketch.svg(),
+        escape(sketch.caption()),
+        sketch.key()
     )
 }
 
@@ -257,7 +262,7 @@ fn one_case(failed: &FailedCase) -> String {
     let figure = failed
         .figure
         .as_ref()
-        .map(|svg| format!("<div class=\"figure\">{svg}</div>"));
+        .map(|svg| format!("<figure class=\"figure\">{svg}</figure>"));
     format!(
         "<article class=\"case failed\"><div><h3>{}</h3>\n{about}</div>{}</article>\n",
         escape(&case.name),
@@ -401,7 +406,7 @@ mod tests {
             "<h3>front_face</h3>\n<p class=\"about\">Rays from behind.</p>",
             "<strong>hit or miss</strong>: wrong on 3 of 4",
             "your result: miss &lt;here&gt;",
-            "<div class=\"figure\"><svg></svg>",
+            "<figure class=\"figure\"><svg></svg>",
             "<details class=\"hint\"><summary>A hint</summary><p>culling.</p></details>",
             "miss where there is a surface: 1 pixel",
         ] {

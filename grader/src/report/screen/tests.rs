@@ -5,7 +5,7 @@ use crate::report::wrap::columns;
 use crate::score::CaseResult;
 use crate::score::functions::FunctionShare;
 use crate::score::regularity::{Regularity, Shared};
-use crate::workers::crash::Ended;
+use crate::workers::crash::Crash;
 use crate::workers::printed::Printed;
 use judge::findings::{Aspect, Class, Findings, Message};
 use std::path::PathBuf;
@@ -418,9 +418,9 @@ fn an_attempted_task_comes_before_one_that_is_not() {
 #[test]
 fn a_crash_says_how_and_a_stage_that_does_not_compile_shows_the_first_error() {
     let mut crashed = case("back_face", Tier::Core, "");
-    crashed.status = Status::Crashed(Ended {
+    crashed.status = Status::Crashed(Crash {
         call: Some(7),
-        ..Ended::from("panicked at lib.rs:3: too small")
+        ..Crash::from("panicked at lib.rs:3: too small")
     });
     crashed.findings.clear();
     let crash = task("part1.task3", "", 3.0, vec![crashed]);

@@ -4,7 +4,7 @@ use crate::attempts::{self, Attempt};
 use crate::spoilers::{self, Spoiler};
 use base::Workspace;
 use cap::Cap;
-use grader::workers::crash;
+use grader::workers::crash::Crash;
 use grader::workers::launcher::{Launcher, WorkerLimits};
 use grader::workers::runner::{self, Ending, Run, Worker};
 use std::alloc::System;
@@ -32,7 +32,7 @@ const SHORT_LIMIT_MS: u64 = 200;
 /// With this variable, the spoilers run at every level, not only at the strongest.
 const ALL_LEVELS: &str = "FIRSTLIGHT_ALL_LEVELS";
 
-/// What a way out prints that leads out. `crash::describe` shows it.
+/// What a way out prints that leads out. A crash's sentence shows it.
 const GOT_OUT: &str = "GOT OUT";
 
 /// Starts workers as a level of containment does.
@@ -109,7 +109,7 @@ fn changed_counts_that_count(level: &Containment) -> Option<String> {
     let is_scripted = |case: &Case| matches!(&case.work, Work::Traverse(_));
     let case = specs.iter().map(|spec| spec.case()).find(is_scripted);
     let run = run_cases(level, &[case.expect("it has scripted rays")]);
-    let says = crash::describe(&run.endings[0]).unwrap_or_default();
+    let says = Crash::of(&run.endings[0]).unwrap_or_default().how;
     let is_found = says.starts_with("changed the grader's counts of its tests: in call");
     (!is_found).then(|| format!("{level}: changed counts: {:?}", run.endings))
 }
@@ -177,8 +177,7 @@ fn attempts_that_lead_out(level: &Containment, attempts: &[Attempt], mark: &str)
     let run = run(level, &names);
     let mut wrong = Vec::new();
     for (name, ending) in names.iter().zip(&run.endings) {
-        let is_answered =
-            crash::describe(ending).is_none() && matches!(ending, Ending::Recorded(_));
+        let is_answered = Crash::of(ending).is_none() && matches!(ending, Ending::Recorded(_));
         if !is_answered {
             wrong.push(format!("{level}: {name}: {ending:?}"));
         }
@@ -220,7 +219,7 @@ fn spoilers_of_a_worker(level: &Containment, spoilers: &[&Spoiler]) -> Vec<Strin
     let run = run(level, &names);
     let mut wrong = Vec::new();
     for (name, ending) in names.iter().zip(&run.endings) {
-        let says = crash::describe(ending).unwrap_or_else(|| "answers".into());
+        let says = Crash::of(ending).map_or("answers".into(), |crash| crash.how);
         let spoiler = spoilers.iter().find(|it| it.name == name);
         let expected: &[&str] = spoiler.map_or(&["answers"], |spoiler| spoiler.says);
         if !expected.iter().any(|part| says.contains(part)) {

@@ -241,19 +241,6 @@ impl<'a> Lines<'a> {
         }
     }
 
-    /// A sphere as three circles.
-    pub(super) fn ball(&self, center: Vec3, radius: f64, stroke: Stroke) {
-        for (u, v) in [(Vec3::X, Vec3::Y), (Vec3::Y, Vec3::Z), (Vec3::Z, Vec3::X)] {
-            let at = |i: u32| {
-                let (sin, cos) = (std::f64::consts::TAU * f64::from(i) / 64.0).sin_cos();
-                center + radius * (cos * u + sin * v)
-            };
-            for i in 0..64 {
-                self.line(at(i), at(i + 1), stroke, Hidden::Shown);
-            }
-        }
-    }
-
     /// The mark of what is exact: a ring.
     pub(super) fn ring(&self, p: Vec3, color: Color32) {
         if let Some(at) = self.point(p) {
@@ -268,47 +255,11 @@ impl<'a> Lines<'a> {
         }
     }
 
-    /// The end of a range at `p` of a line along `d`: a bar across the line, with a name. `side` is
-    /// 1 or -1: where the name is.
-    pub(super) fn end_mark(&self, p: Vec3, d: Vec3, color: Color32, name: &str, side: f32) {
-        let Some(at) = self.point(p) else { return };
-        let small = 1e-3 * self.projection.distance(p) / d.length();
-        let along = self
-            .point(p + small * d)
-            .map_or(Vector::X, |next| next - at);
-        let across = MARK * 1.4 * side * along.normalized().rot90();
-        let across = if across.length() > 0.0 {
-            across
-        } else {
-            Vector::X * MARK
-        };
-        let stroke = Stroke::new(MARK_WIDTH, color);
-        self.painter
-            .line_segment([at - across, at + across], stroke);
-        let align = match across.x < 0.0 {
-            true => Align2::RIGHT_CENTER,
-            false => Align2::LEFT_CENTER,
-        };
-        self.name(at + 1.5 * across, align, color, name);
-    }
-
     /// An arrow along `d` from `o`, with a name at its head.
     pub(super) fn arrow(&self, o: Vec3, d: Vec3, length: f64, color: Color32, name: &str) {
-        self.patterned_arrow(o, length * d, color, name, Pattern::Solid);
-    }
-
-    /// An arrow from `o` to `o + d` with a pattern, and a name at its head.
-    pub(super) fn patterned_arrow(
-        &self,
-        o: Vec3,
-        d: Vec3,
-        color: Color32,
-        name: &str,
-        pattern: Pattern,
-    ) {
-        let stroke = Stroke::new(2.0, color);
-        self.patterned(o, o + d, stroke, Hidden::Shown, pattern);
-        let (Some(from), Some(to)) = (self.point(o), self.point(o + d)) else {
+        let tip = o + length * d;
+        self.line(o, tip, Stroke::new(2.0, color), Hidden::Shown);
+        let (Some(from), Some(to)) = (self.point(o), self.point(tip)) else {
             return;
         };
         let back = (from - to).normalized();

@@ -7,11 +7,9 @@ use kit::Aabb;
 use std::sync::Arc;
 
 impl Session {
-    /// Walks through the visible tree: that of the scene, or of a case.
+    /// Walks through the tree of the scene.
     pub(super) fn with_tree(&mut self, change: impl FnOnce(&mut TreeWalk, &kit::Bvh)) {
-        if let Some(opened) = self.walked_case() {
-            opened.with_tree(change);
-        } else if let Some(tree) = self.scene.as_ref().and_then(|scene| scene.bvh()) {
+        if let Some(tree) = self.scene.as_ref().and_then(|scene| scene.bvh()) {
             change(&mut self.walk, tree);
         }
     }

@@ -13,6 +13,5 @@ mod keys;
 mod mouse;
 mod pictures;
 mod replays;
-mod reports;
 mod sessions;
 mod views;

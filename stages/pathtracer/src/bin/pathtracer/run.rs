@@ -139,24 +139,18 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
         PictureFile::Picture(file) => file.write(&rendered.film, cell)?,
         PictureFile::Sums(file) => {
             let is_lit = matches!(prepared.picture, Picture::Lit(_));
-            let is_adaptive = light.adaptive.is_some() && is_lit;
-            let taken = match is_adaptive {
-                true => job,
-                false => Job {
-                    samples: (rendered.samples() / cell.area()) as u32,
-                    ..job
-                },
+            let (taken, note) = match light.adaptive.is_some() && is_lit {
+                true => (job, part::note_interrupted_adaptive(rendered.samples())),
+                false => {
+                    let samples = (rendered.samples() / cell.area()) as u32;
+                    let note = part::note_interrupted(&job, samples);
+                    (Job { samples, ..job }, note)
+                }
             };
             part::write(&file, args, &taken, &light, &prepared, &rendered)?;
             if stop.is_interrupted() {
                 outln!("Wrote       {}", path.display());
-                errln!(
-                    "{}",
-                    match is_adaptive {
-                        true => part::note_interrupted_adaptive(rendered.samples()),
-                        false => part::note_interrupted(&job, taken.samples),
-                    }
-                );
+                errln!("{note}");
                 return Ok(ExitCode::from(INTERRUPTED));
             }
         }

@@ -20,6 +20,9 @@ pub use face::judgement::{calls, fits, judge, judge_each, judge_written};
 pub use face::{
     cases, examples, moved, own_cases, picture, pictures, repro, snapshot, truth_tables, whole,
 };
+pub use tasks::part2_task1::exact_boxes;
+pub use tasks::part3_task1::diffuse_density;
+pub use tasks::part4_task1::right_reflectance;
 pub use tools::simple::variations;
 pub use tools::truth::{self, expected, scene};
 pub use tools::{Tier, convert, errors, findings, plural, shown};

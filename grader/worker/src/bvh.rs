@@ -52,10 +52,10 @@ pub(crate) fn traverse(script: &ScriptedWorld) -> Vec<TraverseAnswer> {
 }
 
 /// The corners of a box, bit for bit.
-pub(crate) type BoxKey = [u64; 6];
+pub type BoxKey = [u64; 6];
 
 /// The node of each box of a tree: of several with one box the last.
-pub(crate) fn nodes_by_box(tree: &Bvh) -> HashMap<BoxKey, usize> {
+pub fn nodes_by_box(tree: &Bvh) -> HashMap<BoxKey, usize> {
     let nodes = tree.nodes.iter().enumerate();
     nodes.map(|(i, node)| (box_key(&node.bounds), i)).collect()
 }
@@ -77,7 +77,7 @@ struct Counts {
 
 /// A world with given test results, which it clips to the ray's range. It counts the tests. It asks
 /// the grader for the results that the case does not have.
-pub(crate) struct TraverseScript<'a> {
+pub struct TraverseScript<'a> {
     scripted: &'a ScriptedRay,
     node_of: &'a HashMap<BoxKey, usize>,
     tree: &'a Bvh,
@@ -87,7 +87,7 @@ pub(crate) struct TraverseScript<'a> {
 
 impl<'a> TraverseScript<'a> {
     /// The world of `scripted`; `node_of` has the nodes of its `tree` ([`nodes_by_box`]).
-    pub(crate) fn new(
+    pub fn new(
         scripted: &'a ScriptedRay,
         node_of: &'a HashMap<BoxKey, usize>,
         tree: &'a Bvh,
@@ -103,7 +103,7 @@ impl<'a> TraverseScript<'a> {
 
     /// The interval of `ray` in the node whose box is `b`; `None` if it misses it, or if there is no
     /// such node. Counts nothing.
-    pub(crate) fn interval(&self, b: &Aabb, ray: &Ray) -> Option<Interval> {
+    pub fn interval(&self, b: &Aabb, ray: &Ray) -> Option<Interval> {
         let node = *self.node_of.get(&box_key(b))?;
         let span = match self.scripted.is_hidden {
             true => harness::ask(Question::Box(u32::try_from(node).unwrap_or(u32::MAX))),
@@ -186,7 +186,7 @@ fn wire_tree(tree: &Bvh) -> Tree {
 }
 
 /// A tree of a case.
-pub(crate) fn kit_tree(tree: &Tree) -> Bvh {
+pub fn kit_tree(tree: &Tree) -> Bvh {
     let node = |node: &wire::work::Node| BvhNode {
         bounds: convert::aabb(&node.bounds),
         kind: match node.kind {

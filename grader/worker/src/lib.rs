@@ -13,7 +13,7 @@ mod bbox;
 #[cfg(feature = "bvh")]
 pub mod build_growth;
 #[cfg(feature = "bvh")]
-mod bvh;
+pub mod bvh;
 mod convert;
 #[cfg(feature = "direct")]
 mod direct;

@@ -1,7 +1,6 @@
 //! The flags of the program: those of `pathtracer`, and those of the window.
 
 use crate::snapshot::Shot;
-use clap::error::ErrorKind;
 use clap::{ArgMatches, CommandFactory, FromArgMatches, Parser};
 use pathtracer::args::{Args, with_advice};
 use std::ffi::OsString;
@@ -20,6 +19,10 @@ pub struct ViewerArgs {
     #[command(flatten)]
     pub render: Args,
 
+    /// Show the failing cases of a report of the grader: the report.json that it writes
+    #[arg(long, value_name = "REPORT.json")]
+    pub report: Option<PathBuf>,
+
     /// Write a picture of the window instead of opening it; needs no display
     #[arg(long, num_args = 2, value_names = ["MODE", "OUT.png"])]
     pub snapshot: Option<Vec<String>>,
@@ -35,10 +38,6 @@ pub struct ViewerArgs {
     /// Start with a light window
     #[arg(long)]
     pub light: bool,
-
-    /// A flag that was removed.
-    #[arg(long, hide = true, value_name = "REPORT.json")]
-    report: Option<PathBuf>,
 }
 
 /// The path that stands for no scene.
@@ -57,11 +56,6 @@ impl ViewerArgs {
             .try_get_matches_from(arguments)
             .map_err(with_advice::<ViewerArgs>)?;
         let mut args = ViewerArgs::from_arg_matches(&matches)?;
-        if args.report.is_some() {
-            let instead =
-                "--report was removed: `cargo grader look TASK` draws what is wrong in a task";
-            return Err(ViewerArgs::command().error(ErrorKind::UnknownArgument, instead));
-        }
         if args.render.scene.as_os_str() == NO_SCENE {
             args.render.scene = PathBuf::new();
         }
@@ -96,17 +90,5 @@ impl ViewerArgs {
             [w, h] => [w, h].map(usize::from),
             _ => [1400, 900],
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_flag_that_was_removed_names_its_successor() {
-        let arguments = ["viewer", "--report", "report.json"].map(OsString::from);
-        let error = ViewerArgs::parse_from(arguments).expect_err("no such flag");
-        assert!(error.to_string().contains("cargo grader look"), "{error}");
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::element_walk::ElementKind;
 use crate::picture_pair::PairView;
+use crate::report::CasePart;
 use crate::session::Mode;
 use crate::settings::Change;
 use crate::tree_walk::Side;
@@ -168,6 +169,23 @@ pub enum Command {
     Reload,
     /// Closes the text about a scene that was not loaded.
     CloseProblem,
+    /// Switches to report mode; there already, shows the next part of the case.
+    ShowReport,
+    /// Opens a case of the report.
+    OpenCase(usize),
+    /// Opens the next case of the report, or the previous one.
+    NeighbourCase {
+        /// Forward, else back.
+        forward: bool,
+    },
+    /// Shows a part of the case.
+    ShowPart(CasePart),
+    /// Walks to an event of the case, counted from 1.
+    GoToEvent(usize),
+    /// Go to the event with this number and look at it.
+    FrameEvent(usize),
+    /// Saves the test of the opened case.
+    SaveCaseAsTest,
     /// Closes the list of keys; else asks to close the window.
     Escape,
     /// Saves the picture in progress and closes the window.

@@ -92,8 +92,11 @@ const ALL: &[Mode] = &[];
 const CAMERA: &[Mode] = &[Mode::Edit, Mode::Bvh];
 const VIEWS: &[Mode] = &[Mode::Edit, Mode::Bvh, Mode::Render];
 const BVH: &[Mode] = &[Mode::Bvh];
+const TREE: &[Mode] = &[Mode::Bvh, Mode::Report];
 const EDIT: &[Mode] = &[Mode::Edit];
 const RENDER: &[Mode] = &[Mode::Render];
+const REPORT: &[Mode] = &[Mode::Report];
+const PAIRS: &[Mode] = &[Mode::Render, Mode::Report];
 
 /// The share of the view that a key rotates, pans or moves a vertex by.
 const KEY_STEP: f64 = 0.04;
@@ -123,6 +126,13 @@ pub fn bindings() -> Vec<Binding> {
         any(Key::E, "E", ALL, C::Mode(Mode::Edit), "edit mode"),
         any(Key::V, "V", ALL, C::Mode(Mode::Bvh), "BVH visualiser"),
         any(Key::R, "R", ALL, C::Render, "render; again: start over"),
+        any(
+            Key::Y,
+            "Y",
+            ALL,
+            C::ShowReport,
+            "report; again: its pictures",
+        ),
         any(Key::Space, "Space", CAMERA, C::ResetView, "reset the view"),
         only(
             Key::Num1,
@@ -172,18 +182,18 @@ pub fn bindings() -> Vec<Binding> {
         only(
             Key::ArrowLeft,
             "Left",
-            BVH,
+            TREE,
             C::Descend(Side::Left),
             "to the left child",
         ),
         only(
             Key::ArrowRight,
             "Right",
-            BVH,
+            TREE,
             C::Descend(Side::Right),
             "to the right child",
         ),
-        only(Key::ArrowUp, "Up", BVH, C::Ascend, "to the parent"),
+        only(Key::ArrowUp, "Up", TREE, C::Ascend, "to the parent"),
         any(
             Key::OpenBracket,
             "[",
@@ -295,14 +305,14 @@ pub fn bindings() -> Vec<Binding> {
         any(
             Key::F,
             "F",
-            RENDER,
+            PAIRS,
             C::Flicker,
             "flicker between both pictures",
         ),
         any(
             Key::J,
             "J",
-            RENDER,
+            PAIRS,
             C::NextPairView,
             "wipe, flicker, A, B, difference",
         ),
@@ -326,6 +336,20 @@ pub fn bindings() -> Vec<Binding> {
             RENDER,
             C::SwapCompared,
             "swap both pictures",
+        ),
+        any(
+            Key::Enter,
+            "Enter",
+            REPORT,
+            C::NeighbourCase { forward: true },
+            "next case",
+        ),
+        any(
+            Key::Backspace,
+            "Backspace",
+            REPORT,
+            C::NeighbourCase { forward: false },
+            "previous case",
         ),
         any(
             Key::I,

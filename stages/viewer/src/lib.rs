@@ -7,8 +7,8 @@
 //! [`view_picture`], [`view3d`], [`cut`] and [`pace`] (the ray-traced view), [`render_control`]
 //! (the picture), [`inspector`] (the replay of a pixel) with [`lobe`] and [`convergence`],
 //! [`truth`] (the exact answers), [`compare`] and [`picture_pair`] (A and B), [`luminance`] (false
-//! colours), [`picture_layer`] (layers of a file), [`features`] (what waits for a task),
-//! [`ray_test`], [`remembered`] (from one start to the next),
+//! colours), [`picture_layer`] (layers of a file), [`features`] (what waits for a task), [`report`]
+//! (a report of the grader), [`ray_test`], [`remembered`] (from one start to the next),
 //! [`path_use`]. [`task`] runs work in the background and catches the holes of stages that are not
 //! written yet; [`project`] is the projection of lines, [`digits`] shortens numbers.
 //!
@@ -39,6 +39,7 @@ pub mod raster;
 pub mod ray_test;
 pub mod remembered;
 pub mod render_control;
+pub mod report;
 pub mod scene_data;
 pub mod session;
 pub mod settings;

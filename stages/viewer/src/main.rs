@@ -12,6 +12,7 @@ use viewer::app::App;
 use viewer::cli::ViewerArgs;
 use viewer::command::Command;
 use viewer::remembered::Remembered;
+use viewer::report::OpenReport;
 use viewer::session::Session;
 use viewer::snapshot;
 use viewer::task::{Wake, silence_holes};
@@ -38,6 +39,7 @@ fn run(args: &ViewerArgs) -> Result<(), String> {
     let shot = args.shot()?;
     // Invalid flags are errors before a window opens.
     args.render.light()?;
+    let report = args.report.as_deref().map(OpenReport::load).transpose()?;
     if shot.is_none() && !has_display() {
         return Err(
             "there is no display to open a window on: set DISPLAY or WAYLAND_DISPLAY, or use pathtracer with -f"
@@ -49,6 +51,10 @@ fn run(args: &ViewerArgs) -> Result<(), String> {
         let mut session = Session::new(args.render.clone(), wake);
         if let Some(remembered) = remembered {
             session.restore(remembered);
+        }
+        if let Some(report) = report {
+            session.set_report(report);
+            session.apply(Command::OpenCase(0));
         }
         for picture in &args.compare {
             session.apply(Command::CompareWith(picture.clone()));

@@ -10,6 +10,8 @@ pub use judge::pictures::Differences;
 /// Two pictures of one size and their difference.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PicturePair {
+    /// What they show; for a picture of several panels, from top to bottom.
+    pub about: Vec<String>,
     /// The picture that is judged: that of the student, or A.
     pub first: Image,
     /// The picture that it is compared with: the golden one, or B.
@@ -54,6 +56,7 @@ impl PicturePair {
         }
         let compared = compare_panel(differences, &second, &first);
         Some(PicturePair {
+            about: Vec::new(),
             legend: CauseCount::of_marks(compared.counts.into_iter().flatten()),
             difference: compared.difference,
             first,

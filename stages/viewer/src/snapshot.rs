@@ -27,6 +27,8 @@ pub enum Shot {
     Replay,
     /// The heat map of box tests
     Heat,
+    /// The first failing case of the report
+    Report,
     /// The list of keys
     Keys,
 }
@@ -58,6 +60,7 @@ pub fn take(session: Session, shot: Shot, size: [usize; 2]) -> ColorImage {
         Shot::Render => vec![Command::Render],
         Shot::Replay => vec![Command::Render],
         Shot::Heat => vec![Command::Render, Command::NextHeat],
+        Shot::Report => vec![Command::OpenCase(0)],
         Shot::Keys => vec![Command::ToggleHelp],
     };
     commands

@@ -1,8 +1,9 @@
 //! One call, shown: what the function got, what is right, and what the code returned.
 //!
-//! The one model for whoever draws a call: the page of `grader look`, the text of `grader explain`. A
-//! kind of work makes it in `Check::shown`.
+//! The one model for whoever draws a call: the page of `grader look`, the text of `grader explain`,
+//! the window. A kind of work makes it in `Check::shown`.
 
+use crate::tools::aspects::hits::show;
 use crate::tools::truth::expected::{Expected, HitOrMiss};
 use kit::{Aabb, Camera, Ray, Scene, Vec2, Vec3};
 use wire::answer::Hit;
@@ -54,6 +55,21 @@ pub struct ShownRay {
     pub decision: HitOrMiss,
     /// The normals at the hit, expected and yours, if both are known.
     pub normals: Option<[Vec3; 2]>,
+    /// The numbers side by side.
+    pub rows: Vec<ComparedNumber>,
+}
+
+/// One number or vector of a result.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ComparedNumber {
+    /// What is compared.
+    pub name: &'static str,
+    /// The code's; `None` if it has none.
+    pub yours: Option<String>,
+    /// The exact one; `None` if there is none.
+    pub expected: Option<String>,
+    /// Whether the code's scores: it may be off by the rounding errors of correct code.
+    pub is_right: bool,
 }
 
 /// A pixel that is sampled.
@@ -196,6 +212,7 @@ impl ShownRay {
             points: None,
             decision: HitOrMiss::Miss,
             normals: None,
+            rows: Vec::new(),
         }
     }
 
@@ -221,6 +238,7 @@ impl ShownRay {
                 .map(|(right, hit)| [right.p, hit.p.into()]),
             decision: expected.decision(),
             normals,
+            rows: rows(expected, yours),
             ..ShownRay::new(ray)
         }
     }
@@ -234,4 +252,78 @@ impl ShownRay {
             ..self
         }
     }
+
+    /// A box around the shapes, the ray's origin and its hits.
+    pub fn bounds(&self) -> Aabb {
+        let shapes = self
+            .boxes
+            .iter()
+            .fold(self.scene.bounds(), |all, b| all.union(*b));
+        let hits = self
+            .yours
+            .iter()
+            .chain(&self.expected)
+            .map(|&t| self.ray.at(t));
+        hits.filter(|p| p.is_finite())
+            .fold(shapes.grown_by(self.ray.o), Aabb::grown_by)
+    }
+}
+
+/// The numbers of a hit record beside the right ones.
+fn rows(expected: &Expected, yours: Option<YourHit>) -> Vec<ComparedNumber> {
+    let right = expected.hits.first();
+    let name = |hit: bool| if hit { "hit" } else { "miss" }.to_owned();
+    let right_text = match (right.is_some(), expected.miss) {
+        (true, true) => "hit or miss".to_owned(),
+        (hit, _) => name(hit),
+    };
+    let record = yours.and_then(|yours| yours.record);
+    let mut rows = vec![ComparedNumber {
+        name: "result",
+        yours: yours.map(|_| name(record.is_some())),
+        expected: Some(right_text),
+        is_right: yours.is_some()
+            && match record {
+                Some(_) => right.is_some(),
+                None => expected.miss || right.is_none(),
+            },
+    }];
+    let (Some(hit), Some(right)) = (record, right) else {
+        return rows;
+    };
+    let mut row = |name, yours: String, expected: Option<String>, is_right| {
+        rows.push(ComparedNumber {
+            name,
+            yours: Some(yours),
+            expected,
+            is_right,
+        });
+    };
+    let is_near = |a: Vec3, b: Vec3, bound: f64| (a - b).abs().max_element() <= bound;
+    let is_right = (hit.t - right.t).abs() <= right.t_bound;
+    row(
+        "t",
+        format!("{:?}", hit.t),
+        Some(format!("{:?}", right.t)),
+        is_right,
+    );
+    let is_right = expected.hits.iter().any(|one| one.prim == hit.prim);
+    row(
+        "primitive",
+        hit.prim.to_string(),
+        Some(right.prim.to_string()),
+        is_right,
+    );
+    let p = Vec3::from(hit.p);
+    let is_right = is_near(p, right.p, right.p_bound);
+    row("p", show(p), Some(show(right.p)), is_right);
+    for (name, yours, right, bound) in [
+        ("n", hit.n, right.n, right.n_bound),
+        ("ng", hit.ng, right.ng, right.ng_bound),
+    ] {
+        let yours = Vec3::from(yours);
+        let is_right = right.is_none_or(|right| is_near(yours, right, bound));
+        row(name, show(yours), right.map(show), is_right);
+    }
+    rows
 }

@@ -1,7 +1,8 @@
 //! Replays of single pixels: the same samples again, with every ray and every test recorded.
 //!
 //! Reading order: [`record`] (what is recorded), `recorder` (the [`World`](kit::World) that records
-//! it), [`heat`] (the number of tests of every pixel), [`text`] (a replay as text).
+//! it, for pixels and with [`record_ray`] for single rays), [`heat`] (the number of tests of every
+//! pixel), [`text`] (a replay as text).
 
 pub mod heat;
 pub mod record;
@@ -12,6 +13,7 @@ pub use heat::{HeatMap, heat_map};
 pub use record::{
     Outcome, PixelReplay, PrimAnswer, RayRecord, Roulette, SampleRecord, Test, Visit,
 };
+pub use recorder::record_ray;
 
 use crate::integrator::PathIntegrator;
 use crate::normals::normal_pixel;

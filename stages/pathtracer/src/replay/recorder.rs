@@ -29,13 +29,14 @@ impl<'a> Recorder<'a> {
         self.samples.into_inner()
     }
 
-    fn world(&self, ray: &Ray, skip: Option<PrimId>) -> RecordingWorld<'a> {
+    fn world(&self, ray: &Ray, skip: Option<PrimId>) -> RecordingWorld<'a, SceneWorld<'a>> {
         let tree = match self.accel {
             Accel::Bvh(tree) => Some(tree),
             _ => None,
         };
         RecordingWorld {
             world: SceneWorld::new(self.scene, skip),
+            interval: &bbox::intersect_bbox,
             skip,
             tree,
             expected: Vec::new(),
@@ -134,9 +135,53 @@ impl RayTracer for &Recorder<'_> {
     }
 }
 
-/// The [`World`] of one ray: that of the scene, whose tests it also records.
-struct RecordingWorld<'a> {
-    world: SceneWorld<'a>,
+/// Traces `ray` through `tree` in `world` with the stage `bvh`, and records every test: the closest
+/// hit, or with `any_hit` whether something is in the way.
+///
+/// `interval` tests a box as `world` does, but counts nothing: it finds the boxes that the ray would
+/// enter beyond its hits. The record has the role of a camera ray, or with `any_hit` of a shadow ray.
+pub fn record_ray<W: World>(
+    tree: &Bvh,
+    ray: &Ray,
+    any_hit: bool,
+    world: W,
+    interval: &dyn Fn(&Aabb, &Ray) -> Option<Interval>,
+) -> RayRecord {
+    let mut world = RecordingWorld {
+        world,
+        interval,
+        skip: None,
+        tree: Some(tree),
+        expected: Vec::new(),
+        whole: *ray,
+        tests: Vec::new(),
+    };
+    let outcome = match any_hit {
+        true if bvh::occludes_bvh(tree, ray, &mut world) => Outcome::Blocked,
+        true => Outcome::Unblocked,
+        false => {
+            bvh::intersect_bvh(tree, &mut { *ray }, &mut world).map_or(Outcome::Miss, Outcome::Hit)
+        }
+    };
+    RayRecord {
+        role: match any_hit {
+            true => RayRole::Shadow,
+            false => RayRole::Camera,
+        },
+        depth: 0,
+        parent: None,
+        ray: *ray,
+        skip: None,
+        outcome,
+        tests: world.finish(),
+    }
+}
+
+/// The [`World`] of one ray: another world, whose tests it also records.
+struct RecordingWorld<'a, W> {
+    world: W,
+    /// Tests a box without counting.
+    interval: &'a dyn Fn(&Aabb, &Ray) -> Option<Interval>,
     skip: Option<PrimId>,
     /// The tree that is traversed; `None` for brute force.
     tree: Option<&'a Bvh>,
@@ -147,7 +192,7 @@ struct RecordingWorld<'a> {
     tests: Vec<Test>,
 }
 
-impl RecordingWorld<'_> {
+impl<W> RecordingWorld<'_, W> {
     /// The node whose box is `b`: the root, an untested child of an entered node, or for unusual
     /// traversals any node with an equal box.
     fn node_of(&mut self, b: &Aabb) -> Option<u32> {
@@ -208,7 +253,7 @@ impl RecordingWorld<'_> {
     }
 }
 
-impl World for RecordingWorld<'_> {
+impl<W: World> World for RecordingWorld<'_, W> {
     fn hit_box(&mut self, b: &Aabb, ray: &Ray) -> Option<Interval> {
         let inside = self.world.hit_box(b, ray);
         let node = self.node_of(b);
@@ -218,7 +263,7 @@ impl World for RecordingWorld<'_> {
                 exit: max,
             },
             // Would the ray enter it without the hits so far?
-            None => match bbox::intersect_bbox(b, &self.whole) {
+            None => match (self.interval)(b, &self.whole) {
                 Some(Interval { min, .. }) if min > ray.max_t => Visit::Behind { entry: min },
                 _ => Visit::Missed,
             },

@@ -255,6 +255,30 @@ impl<'a> Lines<'a> {
         }
     }
 
+    /// The end of a range at `p` of a line along `d`: a bar across the line, with a name. `side` is
+    /// 1 or -1: where the name is.
+    pub(super) fn end_mark(&self, p: Vec3, d: Vec3, color: Color32, name: &str, side: f32) {
+        let Some(at) = self.point(p) else { return };
+        let small = 1e-3 * self.projection.distance(p) / d.length();
+        let along = self
+            .point(p + small * d)
+            .map_or(Vector::X, |next| next - at);
+        let across = MARK * 1.4 * side * along.normalized().rot90();
+        let across = if across.length() > 0.0 {
+            across
+        } else {
+            Vector::X * MARK
+        };
+        let stroke = Stroke::new(MARK_WIDTH, color);
+        self.painter
+            .line_segment([at - across, at + across], stroke);
+        let align = match across.x < 0.0 {
+            true => Align2::RIGHT_CENTER,
+            false => Align2::LEFT_CENTER,
+        };
+        self.name(at + 1.5 * across, align, color, name);
+    }
+
     /// An arrow along `d` from `o`, with a name at its head.
     pub(super) fn arrow(&self, o: Vec3, d: Vec3, length: f64, color: Color32, name: &str) {
         let tip = o + length * d;

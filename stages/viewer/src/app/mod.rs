@@ -3,10 +3,14 @@
 //! Reading order: this file (the layout), `input` (keys and files), `view_panel` (the 3D view and
 //! its mouse), `lines` with `scene_lines` and `ray_lines` (grid, boxes, rays), `picture_panel` with
 //! `zoom` and `single_picture` (the picture and its mouse), `pair_view` (two pictures), `divider`
-//! (between them and the view), `side_panel` with `settings_panel`, `compare_panel`, `tree_panel`
-//! and `inspector_panel` (with `sample_plots`), `text` (short numbers), `scale` (legends and the histogram), `problem_panel` (a scene that is
+//! (between them and the view), `case_panel` with `case_lines` (a case of a report), `side_panel`
+//! with `settings_panel`, `compare_panel`, `tree_panel`, `inspector_panel` (with
+//! `sample_plots`) and `report_panel`,
+//! `text` (short numbers), `scale` (legends and the histogram), `problem_panel` (a scene that is
 //! not loaded), `sheets` (help, questions), `file_dialog`.
 
+mod case_lines;
+mod case_panel;
 mod colors;
 mod compare_panel;
 mod divider;
@@ -18,6 +22,8 @@ mod pair_view;
 mod picture_panel;
 mod problem_panel;
 mod ray_lines;
+mod report_panel;
+mod sample_lines;
 mod sample_plots;
 mod scale;
 mod scene_lines;
@@ -46,6 +52,7 @@ pub struct App {
     pub session: Session,
     view: view_panel::ViewPanel,
     picture: picture_panel::PicturePanel,
+    case: case_panel::CasePanel,
     divider: divider::Divider,
     dialog: file_dialog::FileDialog,
     frames: FrameRate,
@@ -66,6 +73,7 @@ impl App {
             session,
             view: Default::default(),
             picture: Default::default(),
+            case: Default::default(),
             divider: Default::default(),
             dialog: Default::default(),
             frames: FrameRate::default(),
@@ -139,6 +147,10 @@ impl App {
         if !shows_view {
             ui.painter().rect_filled(rect, 0.0, colors::backdrop(ui));
         }
+        if self.session.mode() == Mode::Report {
+            self.case.show(ui, rect, &mut self.session, commands);
+            return false;
+        }
         if self.session.mode() != Mode::Render {
             return self.view.show(ui, rect, &mut self.session, commands, fps);
         }
@@ -158,7 +170,16 @@ impl App {
 
     fn top_bar(&mut self, ui: &mut Ui, commands: &mut Vec<Command>) {
         ui.horizontal(|ui| {
-            let modes = [(Mode::Edit, "E"), (Mode::Bvh, "V"), (Mode::Render, "R")];
+            let modes = [
+                (Mode::Edit, "E"),
+                (Mode::Bvh, "V"),
+                (Mode::Render, "R"),
+                (Mode::Report, "Y"),
+            ];
+            let has_report = self.session.report().is_some();
+            let modes = modes
+                .into_iter()
+                .filter(|(m, _)| *m != Mode::Report || has_report);
             for (mode, key) in modes {
                 let text = RichText::new(format!("{} ({key})", mode.name())).strong();
                 let selected = self.session.mode() == mode;
@@ -177,6 +198,7 @@ impl App {
                 if response.clicked() {
                     commands.push(match mode {
                         Mode::Render if self.session.render().is_none() => Command::Render,
+                        Mode::Report => Command::ShowReport,
                         mode => Command::Mode(mode),
                     });
                 }

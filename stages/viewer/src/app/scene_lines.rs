@@ -176,7 +176,7 @@ pub(super) fn of_session(ui: &Ui, rect: Rect, session: &Session) {
     match session.mode() {
         Mode::Edit => selection(&lines, session),
         Mode::Bvh => tree_boxes(&lines, session),
-        Mode::Render => {}
+        Mode::Render | Mode::Report => {}
     }
     if let Some(inspected) = session.inspector.inspected() {
         let job = &inspected.job;

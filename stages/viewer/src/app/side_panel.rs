@@ -1,6 +1,6 @@
-//! The panel at the side: what belongs to the mode, the inspector.
+//! The panel at the side: what belongs to the mode, the inspector, the report.
 
-use super::{inspector_panel, settings_panel, text, tree_panel};
+use super::{inspector_panel, report_panel, settings_panel, text, tree_panel};
 use crate::command::Command;
 use crate::cut::Cut;
 use crate::digits;
@@ -10,6 +10,9 @@ use kit::Vec3;
 
 pub(super) fn show(ui: &mut Ui, session: &mut Session, commands: &mut Vec<Command>) {
     ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+        if session.mode() == Mode::Report {
+            return report_panel::show(ui, session, commands);
+        }
         // The replay is what the user looks at: it comes first.
         let replay_first = session.mode() == Mode::Render;
         if replay_first {
@@ -19,6 +22,7 @@ pub(super) fn show(ui: &mut Ui, session: &mut Session, commands: &mut Vec<Comman
             Mode::Edit => selection(ui, session),
             Mode::Bvh => tree_panel::show(ui, session, commands),
             Mode::Render => settings_panel::progress(ui, session, commands),
+            Mode::Report => {}
         }
         if !replay_first {
             inspector_panel::show(ui, session, commands);

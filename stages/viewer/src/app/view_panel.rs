@@ -172,6 +172,7 @@ impl ViewPanel {
                 Some(failure) => format!("{failure}: camera rays instead of a picture"),
                 None => "Rays of the pixel".to_owned(),
             },
+            Mode::Report => String::new(),
         };
         let inset = egui::vec2(8.0, 6.0);
         painter.text(

@@ -14,6 +14,9 @@ impl Session {
         let camera = match self.mode {
             Mode::Edit | Mode::Bvh => self.orbit.as_mut(),
             Mode::Render => self.spy.as_mut(),
+            Mode::Report => self
+                .opened_case_mut()
+                .and_then(|opened| opened.orbit.as_mut()),
         };
         if let Some(camera) = camera {
             change(camera);
@@ -24,6 +27,7 @@ impl Session {
     pub fn view_orbit(&self) -> Option<&Orbit> {
         match self.mode {
             Mode::Render => self.spy.as_ref(),
+            Mode::Report => self.opened_case()?.orbit.as_ref(),
             Mode::Edit | Mode::Bvh => self.orbit.as_ref(),
         }
     }

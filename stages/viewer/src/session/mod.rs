@@ -3,7 +3,7 @@
 //! Everything here works without a display. [`Session::apply`] executes a command;
 //! [`Session::update`] takes the results of background work. Reading order: this file, `state` (what
 //! is read of it), then `loading` (scenes), `cameras`, `kept_cameras`, `selecting` and `editing`,
-//! `tree`, `rendering`, `heat`, `comparison`, `pointer`, `files` (what is written).
+//! `tree`, `rendering`, `heat`, `comparison`, `pointer`, `reports`, `files` (what is written).
 
 mod cameras;
 mod comparison;
@@ -17,6 +17,7 @@ mod luminance;
 mod pointer;
 pub mod progress;
 mod rendering;
+mod reports;
 mod selecting;
 mod state;
 mod tree;
@@ -40,6 +41,7 @@ use crate::path_use::PathUse;
 use crate::picture_pair::PairDisplay;
 use crate::remembered::KeptCamera;
 use crate::render_control::RenderControl;
+use crate::report::OpenReport;
 use crate::scene_data::SceneData;
 use crate::settings::RenderSettings;
 use crate::task::{Task, Wake};
@@ -63,11 +65,13 @@ pub enum Mode {
     Bvh,
     /// The picture.
     Render,
+    /// The failing cases of a report.
+    Report,
 }
 
 impl Mode {
     /// All modes.
-    pub const ALL: [Mode; 3] = [Mode::Edit, Mode::Bvh, Mode::Render];
+    pub const ALL: [Mode; 4] = [Mode::Edit, Mode::Bvh, Mode::Render, Mode::Report];
 
     /// The name in the window.
     pub fn name(self) -> &'static str {
@@ -75,6 +79,7 @@ impl Mode {
             Mode::Edit => "Edit",
             Mode::Bvh => "BVH",
             Mode::Render => "Render",
+            Mode::Report => "Report",
         }
     }
 }
@@ -122,6 +127,7 @@ pub struct Session {
     comparisons: u64,
     /// The replay of a pixel.
     pub inspector: Inspector,
+    report: Option<OpenReport>,
     finding_features: Option<Task<MissingFeatures>>,
     missing: MissingFeatures,
     /// The picture of the 3D view.
@@ -182,6 +188,7 @@ impl Session {
             kept: Vec::new(),
             comparisons: 0,
             inspector: Inspector::default(),
+            report: None,
             finding_features: None,
             missing: MissingFeatures::default(),
             view: View3d::default(),
@@ -280,7 +287,10 @@ impl Session {
             Command::Inspect(x, y) => self.inspect(x, y),
             Command::InspectNext(x, y) => self.inspect_next(x, y),
             Command::InspectUnderPointer => self.inspect_under_pointer(),
-            Command::StepTest { forward } => self.inspector.step_test(forward),
+            Command::StepTest { forward } => match self.walked_case() {
+                Some(opened) => opened.step_test(forward),
+                None => self.inspector.step_test(forward),
+            },
             Command::StepRay { forward } => self.inspector.step_ray(forward),
             Command::SelectSample(sample) => self.inspector.select_sample(sample),
             Command::SelectRay(ray) => self.inspector.select_ray(ray),
@@ -306,6 +316,26 @@ impl Session {
             Command::Open(path) => self.open(path),
             Command::Reload => self.reload(),
             Command::CloseProblem => self.problem = None,
+            Command::ShowReport => self.show_report(),
+            Command::OpenCase(case) => self.open_case(case),
+            Command::NeighbourCase { forward } => self.open_neighbour(forward),
+            Command::ShowPart(part) => {
+                if let Some(opened) = self.opened_case_mut() {
+                    opened.show(part);
+                }
+            }
+            Command::GoToEvent(step) => {
+                if let Some(opened) = self.opened_case_mut() {
+                    opened.go_to_event(step);
+                }
+            }
+            Command::FrameEvent(step) => {
+                if let Some(opened) = self.opened_case_mut() {
+                    opened.go_to_event(step);
+                    opened.orbit = None;
+                }
+            }
+            Command::SaveCaseAsTest => self.save_case_as_test(),
             Command::Escape => self.escape(),
             Command::SaveAndQuit => {
                 self.screenshot();
@@ -339,11 +369,13 @@ impl Session {
         self.update_heat(wait);
         self.inspector.update(wait);
         self.update_camera_rays(wait);
+        let runs_case = self.update_case(wait);
         let shows_rays = self.inspector.inspected().is_some() || !self.camera_rays().is_empty();
         if shows_rays && self.spy.is_none() {
             self.spy = self.orbit.map(cameras::beside);
         }
         self.loading.is_some()
+            || runs_case
             || self.edit.is_rebuilding()
             || self.heat.is_counting()
             || self.inspector.running().is_some()
@@ -375,7 +407,9 @@ impl Session {
 
     /// Changes how the visible pair of pictures is shown.
     fn with_pair(&mut self, change: impl FnOnce(&mut PairDisplay)) {
-        if let Some(comparison) = &mut self.comparison {
+        if let Some(opened) = self.walked_case() {
+            change(&mut opened.display);
+        } else if let Some(comparison) = &mut self.comparison {
             change(&mut comparison.display);
         }
     }

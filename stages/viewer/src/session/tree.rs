@@ -7,9 +7,11 @@ use kit::Aabb;
 use std::sync::Arc;
 
 impl Session {
-    /// Walks through the tree of the scene.
+    /// Walks through the visible tree: that of the scene, or of a case.
     pub(super) fn with_tree(&mut self, change: impl FnOnce(&mut TreeWalk, &kit::Bvh)) {
-        if let Some(tree) = self.scene.as_ref().and_then(|scene| scene.bvh()) {
+        if let Some(opened) = self.walked_case() {
+            opened.with_tree(change);
+        } else if let Some(tree) = self.scene.as_ref().and_then(|scene| scene.bvh()) {
             change(&mut self.walk, tree);
         }
     }

@@ -1,10 +1,12 @@
 //! Contrast of text, measured in the pixels of the window.
 
 use super::common::{Window, session};
+use super::reports::{failed, sized_window_with};
 use egui::Key;
 use egui_kittest::kittest::NodeT;
 use std::collections::HashMap;
 use viewer::command::Command;
+use viewer::report::CaseContent;
 
 /// The least contrast of text and its background (WCAG 2.2, level AA).
 const LEAST: f64 = 4.5;
@@ -108,4 +110,33 @@ fn every_text_has_contrast() {
         window.press(Key::L);
     }
     assert!(checked > 150, "{checked}");
+}
+
+/// Of every kind of case, light and dark.
+#[test]
+fn texts_of_cases_have_contrast_in_a_small_window_and_controls_have_names() {
+    for (task, name) in [
+        ("part1.task1", "samples_inside_the_pixel"),
+        ("part1.task3", "back_face"),
+        ("part2.task1", "centroids_on_the_split"),
+        ("part2.task3", "both_children"),
+        ("part3.task1", "sampled_directions"),
+        ("part4.task1", "mirror"),
+        ("part4.task3", "mean_of_many"),
+        ("part5.task2", ""),
+    ] {
+        let name = match name {
+            "" => judge::cases::of(task, 0)[0].name,
+            name => name,
+        };
+        let case = failed(task, name);
+        let content = CaseContent::of(&case);
+        let mut window = sized_window_with([700.0, 500.0], case, content);
+        assert!(window.named_controls(name) >= 10, "{task} {name}");
+        for _theme in 0..2 {
+            let checked = check(&mut window);
+            assert!(checked > 10, "{checked} in {task} {name}");
+            window.press(Key::L);
+        }
+    }
 }

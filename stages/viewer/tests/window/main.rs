@@ -13,5 +13,6 @@ mod keys;
 mod mouse;
 mod pictures;
 mod replays;
+mod reports;
 mod sessions;
 mod views;

@@ -1,9 +1,11 @@
 //! One call in words and shown.
 
+use crate::tools::aspects::hits::show;
 use crate::tools::call_text::{holding, point};
 use crate::tools::convert;
-use crate::tools::shown::{ShownCall, ShownRay};
-use kit::{Mat3, Ray, Vec3};
+use crate::tools::shown::{ComparedNumber, ShownCall, ShownRay};
+use kit::camera::half_tan;
+use kit::{Mat3, Ray, Vec2, Vec3};
 use wire::work::{self, Camera, CameraWork, Xyz};
 
 /// The camera and the point of the sensor of a call.
@@ -65,6 +67,13 @@ pub(super) fn circumstances(work: &CameraWork, call: usize) -> Option<Vec<&'stat
     ]))
 }
 
+/// The largest distance on the film between a sample and the point where its ray goes.
+const SENSOR_TOLERANCE: f64 = 1e-9;
+
+/// The largest difference of the length of a unit vector from 1: a normalisation has about 4
+/// roundings.
+const UNIT_TOLERANCE: f64 = 1e-14;
+
 /// The camera, and the ray that the code generated; without it, the camera's axis.
 pub(super) fn shown(
     work: &CameraWork,
@@ -77,8 +86,67 @@ pub(super) fn shown(
     let axis = Ray::new(camera.pos, -camera.c2w.z_axis);
     Some(ShownCall::Ray(ShownRay {
         camera: Some((camera, sensor.into())),
+        rows: rows(&camera, sensor.into(), yours.as_ref()),
         ..ShownRay::new(yours.unwrap_or(axis))
     }))
+}
+
+/// The point of the film where the ray goes; `None` behind the camera.
+fn film_point(camera: &kit::Camera, ray: &Ray) -> Option<Vec2> {
+    let local = camera.c2w.transpose() * (ray.o + ray.d - camera.pos);
+    let half = [camera.h_fov, camera.v_fov].map(half_tan);
+    let at = |along: f64, half: f64| 0.5 + 0.5 * along / -local.z / half;
+    (local.z < 0.0).then(|| Vec2::new(at(local.x, half[0]), at(local.y, half[1])))
+}
+
+fn rows(camera: &kit::Camera, sensor: Vec2, yours: Option<&Ray>) -> Vec<ComparedNumber> {
+    let text = |at: Option<Vec2>| {
+        at.map_or("behind the camera".to_owned(), |p| {
+            format!("({:?}, {:?})", p.x, p.y)
+        })
+    };
+    let row = |name,
+               yours_text: &dyn Fn(&Ray) -> String,
+               expected: String,
+               is_right: &dyn Fn(&Ray) -> bool| ComparedNumber {
+        name,
+        yours: yours.map(yours_text),
+        expected: Some(expected),
+        is_right: yours.is_some_and(is_right),
+    };
+    let is_there = |ray: &Ray| {
+        film_point(camera, ray).is_some_and(|at| at.distance(sensor) <= SENSOR_TOLERANCE)
+    };
+    let length = |ray: &Ray| ray.d.length();
+    vec![
+        row("o", &|ray| show(ray.o), show(camera.pos), &|ray| {
+            ray.o == camera.pos
+        }),
+        row(
+            "point on the film",
+            &|ray| text(film_point(camera, ray)),
+            text(Some(sensor)),
+            &is_there,
+        ),
+        row(
+            "length of d",
+            &|ray| format!("{:?}", length(ray)),
+            "1.0".to_owned(),
+            &|ray| (length(ray) - 1.0).abs() <= UNIT_TOLERANCE,
+        ),
+        row(
+            "min_t",
+            &|ray| format!("{:?}", ray.min_t),
+            format!("{:?}", camera.n_clip),
+            &|ray| ray.min_t == camera.n_clip,
+        ),
+        row(
+            "max_t",
+            &|ray| format!("{:?}", ray.max_t),
+            format!("{:?}", camera.f_clip),
+            &|ray| ray.max_t == camera.f_clip,
+        ),
+    ]
 }
 
 fn camera_of(camera: &Camera) -> kit::Camera {

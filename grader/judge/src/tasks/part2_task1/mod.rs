@@ -22,9 +22,18 @@ use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::Content;
 use crate::tools::snapshot::Fields;
 use crate::tools::snapshot::number;
+use kit::Aabb;
 use wire::answer::BuildAnswer;
 use wire::kind;
-use wire::work::{BuildWork, Tree};
+use wire::work::{BuildWork, Tree, Xyz};
+
+/// For each node of a tree over primitives with the boxes `bounds`, the smallest box around the
+/// primitives below it: what its box must contain. The error is a sentence: the first fault of a
+/// tree whose nodes are not reached once each, or that does not hold each primitive once.
+pub fn exact_boxes(tree: &Tree, bounds: &[[Xyz; 2]]) -> Result<Vec<Aabb>, String> {
+    let walk = structure::walk(tree, bounds.len()).map_err(|fault| fault.message)?;
+    Ok(judge::tight_boxes(tree, &walk, bounds))
+}
 
 impl Check for kind::Build {
     const MAIN: &'static [Aspect] = &[Aspect::Structure, Aspect::Bounds, Aspect::Work];

@@ -2,10 +2,11 @@
 
 use crate::tools::call_text::{holding, point, ray_and, ray_circumstances};
 use crate::tools::convert;
-use crate::tools::shown::{ShownCall, ShownRay};
+use crate::tools::shown::{ComparedNumber, ShownCall, ShownRay};
 use crate::tools::snapshot::{Fields, Value};
 use crate::tools::truth::expected::HitOrMiss;
-use kit::{Aabb, Vec3};
+use kit::{Aabb, Interval, Vec3};
+use oracle::KernelClass;
 use wire::work::{BoxWork, Ray};
 
 pub(super) fn input(work: &BoxWork, call: usize) -> Option<String> {
@@ -74,6 +75,15 @@ pub(super) fn shown(
     let (b, ray) = inputs(work, call)?;
     let yours = answers.and_then(|answers| answers.get(call));
     let expected = exact_ends(&b, &ray);
+    let text = |ends: Option<[f64; 2]>| match ends {
+        Some([enters, leaves]) => format!("[{enters:?}, {leaves:?}]"),
+        None => "miss".to_owned(),
+    };
+    let scores = |ends: &Option<[f64; 2]>| {
+        let interval = ends.map(|[min, max]| Interval { min, max });
+        let verdict = oracle::bbox(&b, &ray);
+        verdict.judge(KernelClass::Textbook, interval).scores()
+    };
     Some(ShownCall::Ray(ShownRay {
         boxes: vec![b],
         decision: match expected {
@@ -82,6 +92,12 @@ pub(super) fn shown(
         },
         expected: expected.into_iter().flatten().collect(),
         yours: yours.into_iter().flatten().flatten().copied().collect(),
+        rows: vec![ComparedNumber {
+            name: "interval",
+            yours: yours.map(|ends| text(*ends)),
+            expected: Some(text(expected)),
+            is_right: yours.is_some_and(scores),
+        }],
         ..ShownRay::new(ray)
     }))
 }

@@ -22,6 +22,12 @@ use wire::direct::{LambertAnswer, LambertProbe};
 use wire::kind;
 use wire::light::BsdfSample;
 
+/// The right density of the directions that a diffuse surface samples, by their cosine to the
+/// normal: for drawings.
+pub fn diffuse_density() -> impl Fn(f64) -> f64 {
+    truth::density()
+}
+
 impl Check for kind::Lambert {
     const MAIN: &'static [Aspect] = &[
         Aspect::Bsdf,

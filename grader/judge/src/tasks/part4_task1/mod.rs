@@ -21,6 +21,17 @@ use crate::tools::snapshot::lines::each;
 use wire::global::{SpecularAnswer, SpecularCall};
 use wire::kind;
 
+/// The right result of a call of `fresnel_dielectric`; `None` of another function.
+pub fn right_reflectance(call: &SpecularCall) -> Option<f64> {
+    let SpecularCall::Fresnel { .. } = call else {
+        return None;
+    };
+    match truth::result(call).0 {
+        truth::Right::Share(share) => Some(share),
+        _ => None,
+    }
+}
+
 impl Check for kind::Specular {
     const MAIN: &'static [Aspect] = &[Aspect::Fresnel, Aspect::SampledDirection];
 

@@ -19,6 +19,8 @@ const MAY_DEPEND_ON: &[(&str, &[&str])] = &[
     ("lanes", &["kit"]),
     ("simd_bvh", &["kit", "lanes"]),
     ("simd_paths", &["kit", "lanes"]),
+    // Its benchmarks use the stages, and nothing depends on it.
+    ("benches", &[]),
     ("book", &["base", "kit"]),
     // It links mdBook. Nothing depends on it.
     ("book_site", &["base", "book"]),

@@ -78,6 +78,32 @@ fn a_library_that_is_not_tested_has_no_unit_tests() {
     }
 }
 
+/// Rustdoc reads all of a library to find its examples.
+#[test]
+fn a_library_whose_examples_are_not_tested_has_none() {
+    for package in packages() {
+        let libraries = package.targets.iter().filter(|t| t.is_lib() && !t.doctest);
+        for library in libraries {
+            let folder = library.src_path.parent().expect("a folder");
+            let files = Command::new("git")
+                .args(["ls-files", "*.rs"])
+                .current_dir(folder)
+                .output();
+            let files = String::from_utf8(files.expect("git runs").stdout).expect("it is UTF-8");
+            for file in files.lines() {
+                let text = read(folder.join(file).as_std_path());
+                let comments = text.lines().map(str::trim_start).filter_map(|line| {
+                    line.strip_prefix("///").or_else(|| line.strip_prefix("//!"))
+                });
+                let fences = comments.filter_map(|line| line.trim_start().strip_prefix("```"));
+                for language in fences.step_by(2) {
+                    assert_eq!(language, "text", "{folder}/{file} has an example that never runs");
+                }
+            }
+        }
+    }
+}
+
 /// A program of some lines has no tests, and is not linked a second time for them.
 #[test]
 fn a_program_that_is_not_tested_has_no_tests() {

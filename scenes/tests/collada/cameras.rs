@@ -1,6 +1,6 @@
 //! Cameras that cannot be used. They are left out, with one warning, and the scene is framed.
 
-use crate::small::{SMALL, edited, load_edited};
+use crate::collada::small::{SMALL, edited, load_edited};
 use kit::{FilmSize, Scene};
 use scenes::placement;
 

@@ -1,6 +1,6 @@
 //! Invalid files. Each gives one error with the position, what was expected, and what to do.
 
-use crate::small::{self, SMALL, load_edited};
+use crate::collada::small::{self, SMALL, load_edited};
 use scenes::SceneError;
 
 /// The error of the small file with `from` replaced by `to`.

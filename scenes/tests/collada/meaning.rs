@@ -1,6 +1,6 @@
 //! Tests which scene the elements of a valid COLLADA file give.
 
-use crate::small::{SMALL, edited, load_edited};
+use crate::collada::small::{SMALL, edited, load_edited};
 use kit::{Camera, Light, Material, Scene, Spectrum, Triangle, Vec3};
 
 fn read(text: &str) -> Scene {

@@ -1,6 +1,6 @@
 //! Meshes, transforms and controllers with parts that are repaired or left out.
 
-use crate::small::{SMALL, edited, load_edited};
+use crate::collada::small::{SMALL, edited, load_edited};
 use kit::{Scene, Vec3};
 use scenes::Loaded;
 

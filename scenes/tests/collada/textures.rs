@@ -1,6 +1,6 @@
 //! Textures: their image files and texture coordinates.
 
-use crate::small::SMALL;
+use crate::collada::small::SMALL;
 use kit::{Hit, PrimId, Scene, Vec2, Vec3};
 
 const COLOR: &str = "<color>0.8 0.1 0.1 1</color>";

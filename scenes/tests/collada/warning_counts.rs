@@ -1,6 +1,6 @@
 //! Many warnings: those of one kind are counted together.
 
-use crate::small::{edited, load_edited};
+use crate::collada::small::{edited, load_edited};
 
 #[test]
 fn warnings_of_one_kind_are_counted_together() {

@@ -1,6 +1,6 @@
 //! Files with problems that the reader can repair or ignore. Each gives a warning.
 
-use crate::small::{SMALL, edited, load_edited};
+use crate::collada::small::{SMALL, edited, load_edited};
 use kit::{Material, Scene, Spectrum};
 
 /// Text to replace, its replacement, the title of the warning, and its label.

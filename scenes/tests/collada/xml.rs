@@ -1,6 +1,6 @@
 //! XML: comments, declarations, encodings, line ends, references. None of them changes the scene.
 
-use crate::small::{SMALL, edited};
+use crate::collada::small::{SMALL, edited};
 use kit::Scene;
 
 fn read(name: &str, text: &str) -> Scene {

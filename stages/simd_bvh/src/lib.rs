@@ -2,8 +2,8 @@
 //! triangles at a time.
 //!
 //! There are only these hints: [`WideBvh`] documents what to compute, and the earlier stages show
-//! how. The speed is up to you: `cargo bench -p simd_bvh` compares your tree with that of stage
-//! `bvh`.
+//! how. The speed is up to you: in a checkout of the whole course, `cargo bench -p benches --bench
+//! simd_bvh` compares your tree with that of stage `bvh`.
 //!
 // BEGIN SOLUTION(part6.task1)
 //! Reading order: `wide`, `intersect`, `stream` and `ray_tile` (the tree, and how rays are traced),

@@ -64,7 +64,7 @@ pub fn without_unused_profiles(text: &str, lock: &str) -> String {
 }
 
 /// Libraries that only tests and benches in separate folders use, never unit tests in `src`.
-const FOR_TESTS: [&str; 3] = ["criterion", "cargo_metadata", "snapbox"];
+const FOR_TESTS: [&str; 2] = ["cargo_metadata", "snapbox"];
 
 /// Removes the `[[test]]`, `[[bench]]` and `[[example]]` tables from a crate's `Cargo.toml`, the
 /// libraries that only they use, and `autotests` with its comment.
@@ -209,7 +209,7 @@ mod tests {
 
     #[test]
     fn only_tests_and_benches_are_removed() {
-        let text = "[package]\nname = \"a\"\n# One program.\nautotests = false\n\n[dev-dependencies]\ncriterion.workspace = true\n\n[[bench]]\nname = \"b\"\nharness = false\n\n[lints]\nworkspace = true\n\n[[test]]\nname = \"t\"\n";
+        let text = "[package]\nname = \"a\"\n# One program.\nautotests = false\n\n[dev-dependencies]\nsnapbox.workspace = true\n\n[[bench]]\nname = \"b\"\nharness = false\n\n[lints]\nworkspace = true\n\n[[test]]\nname = \"t\"\n";
         let expected =
             "[package]\nname = \"a\"\n\n[dev-dependencies]\n\n[lints]\nworkspace = true\n";
         assert_eq!(without_tests(text), expected);

@@ -1,7 +1,7 @@
 //! Benchmarks of the triangle and sphere tests: rays that hit, rays that miss, and a random mix of
 //! both.
 //!
-//! Run with `cargo bench -p intersect`; arguments after `--` are criterion's. Each ray has its own
+//! Run with `cargo bench -p benches --bench intersect`; arguments after `--` are criterion's. Each ray has its own
 //! shape, so no result can be reused. Each time is that of one test, with about a nanosecond for the
 //! loop around it.
 
@@ -71,7 +71,6 @@ fn bench<S: Clone, H>(
     group.finish();
 }
 
-// BEGIN SOLUTION(part1.task3)
 /// The textbook test, for comparison (Möller, Trumbore, "Fast, minimum storage ray-triangle
 /// intersection", 1997).
 #[inline]
@@ -96,19 +95,16 @@ fn moller_trumbore(tri: &Triangle, ray: &Ray) -> Option<kit::TriangleHit> {
     let t = e2.dot(q) * inv_det;
     ray.in_range(t).then_some(kit::TriangleHit { t, b1, b2 })
 }
-// END SOLUTION(part1.task3)
 
 fn main() {
     let mut c = Criterion::default().configure_from_args();
     bench(&mut c, "triangle", triangles, intersect::test_triangle);
-    // BEGIN SOLUTION(part1.task3)
     bench(
         &mut c,
         "triangle_moller_trumbore",
         triangles,
         moller_trumbore,
     );
-    // END SOLUTION(part1.task3)
     bench(&mut c, "sphere", spheres, intersect::test_sphere);
     c.final_summary();
 }

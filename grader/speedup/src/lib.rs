@@ -1,7 +1,7 @@
 //! `grader speedup`: what each step from brute force to a wide tree gains in speed.
 //!
 //! Reading order: [`Rung`] (one step of the ladder), [`RaySets`] (what is traced), [`measure`] (the
-//! times, in turns), [`table`] and `plot` (what is printed), [`page`] (the plots).
+//! times, in turns), [`table`] (what is printed), [`page`] (the plots).
 //!
 //! Unlike `grader part2`, which times the student's code in a worker, this program links the stages:
 //! it measures and judges nothing.
@@ -9,7 +9,6 @@
 mod clock;
 mod measure;
 pub mod page;
-mod plot;
 mod rays;
 mod rung;
 pub mod table;

@@ -1,7 +1,6 @@
 //! The results as text.
 
 use crate::measure::{Ladder, RungCost};
-use crate::plot;
 use crate::rays::RayKind;
 use crate::rung::RungKind;
 use meshes::MeshKind;
@@ -15,10 +14,9 @@ are those of a bounce ray. Bytes are those of the tree, for each triangle.
 * is your code: `bvh` and `simd_bvh`; both use your tests of boxes and triangles.
 ";
 
-/// What follows the rows: the plot, how the time of a ray grows, and what the columns are.
+/// What follows the rows: how the time of a ray grows, and what the columns are.
 pub fn summary(ladder: &Ladder) -> String {
-    let mut text = plot::show(ladder);
-    text.push_str(&growth(ladder));
+    let mut text = growth(ladder);
     let _ = writeln!(text, "{}", ladder.agreement());
     for why in &ladder.missing {
         let _ = writeln!(text, "{why}.");
@@ -109,7 +107,7 @@ fn figures(x: f64) -> String {
 /// How the time of a ray grows with the number of triangles.
 fn growth(ladder: &Ladder) -> String {
     let mut text = String::from(
-        "With ten times the triangles a ray takes this many times the time (camera,\nbounce, shadow), which grows as a power of their number n:\n",
+        "\nWith ten times the triangles a ray takes this many times the time (camera,\nbounce, shadow), which grows as a power of their number n:\n",
     );
     for kind in RungKind::ALL {
         let all = |of: &dyn Fn(RayKind) -> Option<String>| -> Vec<String> {

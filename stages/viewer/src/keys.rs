@@ -103,340 +103,94 @@ const KEY_STEP: f64 = 0.04;
 /// The share of the view that a key moves a vertex by.
 const VERTEX_STEP: f64 = 0.01;
 
+/// One line for each key: what is held, the key, its name on the help sheet, the modes in which it
+/// works, the command, and what it does.
+macro_rules! keys {
+    ($($held:ident $key:ident $label:literal $modes:ident $command:expr => $help:literal;)*) => {
+        vec![$(Binding {
+            key: Key::$key,
+            held: Held::$held,
+            label: $label,
+            modes: $modes,
+            command: $command,
+            help: $help,
+        },)*]
+    };
+}
+
 /// All bindings, in the order of the help sheet.
 ///
 /// In the assignment's program S, D, C and H mean other things in edit mode than in render mode.
 /// Here every key has one meaning, in all modes where it does something.
 pub fn bindings() -> Vec<Binding> {
     use Command as C;
-    let bind = |key, held, label, modes, command, help| Binding {
-        key,
-        held,
-        label,
-        modes,
-        command,
-        help,
-    };
-    let any = |key, label, modes, command, help| bind(key, Held::Any, label, modes, command, help);
-    let only =
-        |key, label, modes, command, help| bind(key, Held::Nothing, label, modes, command, help);
-    let shift =
-        |key, label, modes, command, help| bind(key, Held::Shift, label, modes, command, help);
-    let mut bindings = vec![
-        any(Key::E, "E", ALL, C::Mode(Mode::Edit), "edit mode"),
-        any(Key::V, "V", ALL, C::Mode(Mode::Bvh), "BVH visualiser"),
-        any(Key::R, "R", ALL, C::Render, "render; again: start over"),
-        any(
-            Key::Y,
-            "Y",
-            ALL,
-            C::ShowReport,
-            "report; again: its pictures",
-        ),
-        any(Key::Space, "Space", CAMERA, C::ResetView, "reset the view"),
-        only(
-            Key::Num1,
-            "1",
-            EDIT,
-            select(ElementKind::Vertex, true),
-            "next vertex; Shift: previous",
-        ),
-        shift(Key::Num1, "", EDIT, select(ElementKind::Vertex, false), ""),
-        only(
-            Key::Num2,
-            "2",
-            EDIT,
-            select(ElementKind::Edge, true),
-            "next edge; Shift: previous",
-        ),
-        shift(Key::Num2, "", EDIT, select(ElementKind::Edge, false), ""),
-        only(
-            Key::Num3,
-            "3",
-            EDIT,
-            select(ElementKind::Face, true),
-            "next face; Shift: previous",
-        ),
-        shift(Key::Num3, "", EDIT, select(ElementKind::Face, false), ""),
-        any(Key::PageUp, "Page Up", ALL, C::Zoom(1.0), "nearer"),
-        any(Key::PageDown, "Page Down", ALL, C::Zoom(-1.0), "farther"),
-        any(Key::W, "W", CAMERA, C::ToggleEdges, "edges of triangles"),
-        only(
-            Key::Num5,
-            "5",
-            VIEWS,
-            C::NextCut,
-            "cut open at x, y, z; Shift: other side",
-        ),
-        shift(Key::Num5, "", VIEWS, C::FlipCut, ""),
-        only(
-            Key::Z,
-            "Z",
-            EDIT,
-            C::UndoMove,
-            "undo the last move; Shift: redo",
-        ),
-        shift(Key::Z, "", EDIT, C::RedoMove, ""),
-        bind(Key::Z, Held::Ctrl, "", EDIT, C::UndoMove, ""),
-        bind(Key::Y, Held::Ctrl, "", EDIT, C::RedoMove, ""),
-        only(
-            Key::ArrowLeft,
-            "Left",
-            TREE,
-            C::Descend(Side::Left),
-            "to the left child",
-        ),
-        only(
-            Key::ArrowRight,
-            "Right",
-            TREE,
-            C::Descend(Side::Right),
-            "to the right child",
-        ),
-        only(Key::ArrowUp, "Up", TREE, C::Ascend, "to the parent"),
-        any(
-            Key::OpenBracket,
-            "[",
-            ALL,
-            C::Samples(Change::Less),
-            "half the camera rays",
-        ),
-        any(
-            Key::CloseBracket,
-            "]",
-            ALL,
-            C::Samples(Change::More),
-            "twice the camera rays",
-        ),
-        any(
-            Key::Minus,
-            "-",
-            ALL,
-            C::LightSamples(Change::Less),
-            "half the light samples",
-        ),
-        any(
-            Key::Equals,
-            "= +",
-            ALL,
-            C::LightSamples(Change::More),
-            "twice the light samples",
-        ),
-        any(
-            Key::Comma,
-            ", <",
-            ALL,
-            C::Depth(Change::Less),
-            "ray depth - 1",
-        ),
-        any(
-            Key::Period,
-            ". >",
-            ALL,
-            C::Depth(Change::More),
-            "ray depth + 1",
-        ),
-        any(
-            Key::H,
-            "H",
-            ALL,
-            C::ToggleHemisphere,
-            "sample the hemisphere",
-        ),
-        any(
-            Key::M,
-            "M",
-            ALL,
-            C::ToggleMis,
-            "multiple importance sampling",
-        ),
-        any(Key::A, "A", ALL, C::ToggleAdaptive, "adaptive sampling"),
-        any(
-            Key::U,
-            "U",
-            ALL,
-            C::NextSampler,
-            "next distribution of samples",
-        ),
-        any(
-            Key::C,
-            "C",
-            RENDER,
-            C::ToggleCell,
-            "cell mode: drag a rectangle",
-        ),
-        any(Key::P, "P", RENDER, C::StopOrResume, "stop or resume"),
-        any(
-            Key::O,
-            "O",
-            RENDER,
-            C::AddSamples,
-            "add as many samples again",
-        ),
-        any(Key::T, "T", RENDER, C::ToggleRate, "samples of each pixel"),
-        any(
-            Key::X,
-            "X",
-            RENDER,
-            C::NextHeat,
-            "heat map: boxes, primitives, off",
-        ),
-        any(
-            Key::Num6,
-            "6",
-            RENDER,
-            C::ToggleFalseColor,
-            "false colours: the luminance",
-        ),
-        any(
-            Key::G,
-            "G",
-            RENDER,
-            C::GoToCostliest,
-            "inspect the costliest pixel",
-        ),
-        any(
-            Key::K,
-            "K",
-            RENDER,
-            C::KeepForComparison,
-            "keep the picture to compare",
-        ),
-        any(
-            Key::F,
-            "F",
-            PAIRS,
-            C::Flicker,
-            "flicker between both pictures",
-        ),
-        any(
-            Key::J,
-            "J",
-            PAIRS,
-            C::NextPairView,
-            "wipe, flicker, A, B, difference",
-        ),
-        any(
-            Key::Num8,
-            "8",
-            BVH,
-            C::ToggleWideTree,
-            "boxes of the wide tree, of the binary one",
-        ),
-        any(
-            Key::Num9,
-            "9",
-            RENDER,
-            C::NextCompared,
-            "compare with the next kept picture",
-        ),
-        any(
-            Key::Num0,
-            "0",
-            RENDER,
-            C::SwapCompared,
-            "swap both pictures",
-        ),
-        any(
-            Key::Enter,
-            "Enter",
-            REPORT,
-            C::NeighbourCase { forward: true },
-            "next case",
-        ),
-        any(
-            Key::Backspace,
-            "Backspace",
-            REPORT,
-            C::NeighbourCase { forward: false },
-            "previous case",
-        ),
-        any(
-            Key::I,
-            "I",
-            ALL,
-            C::InspectUnderPointer,
-            "inspect the pixel under the mouse",
-        ),
-        only(
-            Key::N,
-            "N",
-            ALL,
-            C::StepTest { forward: true },
-            "next test of the ray",
-        ),
-        only(
-            Key::B,
-            "B",
-            ALL,
-            C::StepTest { forward: false },
-            "previous test (back)",
-        ),
-        shift(
-            Key::N,
-            "Shift N",
-            ALL,
-            C::StepRay { forward: true },
-            "next ray",
-        ),
-        shift(
-            Key::B,
-            "Shift B",
-            ALL,
-            C::StepRay { forward: false },
-            "previous ray",
-        ),
-        any(Key::Q, "Q", ALL, C::CloseInspector, "close the inspector"),
-        any(Key::S, "S", ALL, C::Screenshot, "save a screenshot"),
-        only(
-            Key::Num4,
-            "4",
-            ALL,
-            C::KeepCamera,
-            "keep the camera; Shift: to the next kept",
-        ),
-        shift(Key::Num4, "", ALL, C::NextKeptCamera, ""),
-        bind(
-            Key::O,
-            Held::Ctrl,
-            "Ctrl O",
-            ALL,
-            C::ChooseFile,
-            "open a scene, a picture, a camera",
-        ),
-        bind(
-            Key::S,
-            Held::Ctrl,
-            "Ctrl S",
-            ALL,
-            C::SaveScene,
-            "save the scene as another file",
-        ),
-        any(
-            Key::D,
-            "D",
-            ALL,
-            C::DumpCamera,
-            "write the camera to a file for -c",
-        ),
-        any(
-            Key::Backtick,
-            "`",
-            ALL,
-            C::ToggleOverlay,
-            "text in the view",
-        ),
-        any(Key::L, "L", ALL, C::ToggleTheme, "light or dark"),
-        any(Key::F5, "F5", ALL, C::Reload, "read the scene file again"),
-        any(Key::Questionmark, "?", ALL, C::ToggleHelp, "this sheet"),
-        any(Key::F1, "F1", ALL, C::ToggleHelp, "this sheet"),
-        any(
-            Key::Escape,
-            "Esc",
-            ALL,
-            C::Escape,
-            "close the sheet, then the window",
-        ),
+    let mut bindings = keys![
+        Any E "E" ALL C::Mode(Mode::Edit) => "edit mode";
+        Any V "V" ALL C::Mode(Mode::Bvh) => "BVH visualiser";
+        Any R "R" ALL C::Render => "render; again: start over";
+        Any Y "Y" ALL C::ShowReport => "report; again: its pictures";
+        Any Space "Space" CAMERA C::ResetView => "reset the view";
+        Nothing Num1 "1" EDIT select(ElementKind::Vertex, true) => "next vertex; Shift: previous";
+        Shift Num1 "" EDIT select(ElementKind::Vertex, false) => "";
+        Nothing Num2 "2" EDIT select(ElementKind::Edge, true) => "next edge; Shift: previous";
+        Shift Num2 "" EDIT select(ElementKind::Edge, false) => "";
+        Nothing Num3 "3" EDIT select(ElementKind::Face, true) => "next face; Shift: previous";
+        Shift Num3 "" EDIT select(ElementKind::Face, false) => "";
+        Any PageUp "Page Up" ALL C::Zoom(1.0) => "nearer";
+        Any PageDown "Page Down" ALL C::Zoom(-1.0) => "farther";
+        Any W "W" CAMERA C::ToggleEdges => "edges of triangles";
+        Nothing Num5 "5" VIEWS C::NextCut => "cut open at x, y, z; Shift: other side";
+        Shift Num5 "" VIEWS C::FlipCut => "";
+        Nothing Z "Z" EDIT C::UndoMove => "undo the last move; Shift: redo";
+        Shift Z "" EDIT C::RedoMove => "";
+        Ctrl Z "" EDIT C::UndoMove => "";
+        Ctrl Y "" EDIT C::RedoMove => "";
+        Nothing ArrowLeft "Left" TREE C::Descend(Side::Left) => "to the left child";
+        Nothing ArrowRight "Right" TREE C::Descend(Side::Right) => "to the right child";
+        Nothing ArrowUp "Up" TREE C::Ascend => "to the parent";
+        Any OpenBracket "[" ALL C::Samples(Change::Less) => "half the camera rays";
+        Any CloseBracket "]" ALL C::Samples(Change::More) => "twice the camera rays";
+        Any Minus "-" ALL C::LightSamples(Change::Less) => "half the light samples";
+        Any Equals "= +" ALL C::LightSamples(Change::More) => "twice the light samples";
+        Any Comma ", <" ALL C::Depth(Change::Less) => "ray depth - 1";
+        Any Period ". >" ALL C::Depth(Change::More) => "ray depth + 1";
+        Any H "H" ALL C::ToggleHemisphere => "sample the hemisphere";
+        Any M "M" ALL C::ToggleMis => "multiple importance sampling";
+        Any A "A" ALL C::ToggleAdaptive => "adaptive sampling";
+        Any U "U" ALL C::NextSampler => "next distribution of samples";
+        Any C "C" RENDER C::ToggleCell => "cell mode: drag a rectangle";
+        Any P "P" RENDER C::StopOrResume => "stop or resume";
+        Any O "O" RENDER C::AddSamples => "add as many samples again";
+        Any T "T" RENDER C::ToggleRate => "samples of each pixel";
+        Any X "X" RENDER C::NextHeat => "heat map: boxes, primitives, off";
+        Any Num6 "6" RENDER C::ToggleFalseColor => "false colours: the luminance";
+        Any G "G" RENDER C::GoToCostliest => "inspect the costliest pixel";
+        Any K "K" RENDER C::KeepForComparison => "keep the picture to compare";
+        Any F "F" PAIRS C::Flicker => "flicker between both pictures";
+        Any J "J" PAIRS C::NextPairView => "wipe, flicker, A, B, difference";
+        Any Num8 "8" BVH C::ToggleWideTree => "boxes of the wide tree, of the binary one";
+        Any Num9 "9" RENDER C::NextCompared => "compare with the next kept picture";
+        Any Num0 "0" RENDER C::SwapCompared => "swap both pictures";
+        Any Enter "Enter" REPORT C::NeighbourCase { forward: true } => "next case";
+        Any Backspace "Backspace" REPORT C::NeighbourCase { forward: false } => "previous case";
+        Any I "I" ALL C::InspectUnderPointer => "inspect the pixel under the mouse";
+        Nothing N "N" ALL C::StepTest { forward: true } => "next test of the ray";
+        Nothing B "B" ALL C::StepTest { forward: false } => "previous test (back)";
+        Shift N "Shift N" ALL C::StepRay { forward: true } => "next ray";
+        Shift B "Shift B" ALL C::StepRay { forward: false } => "previous ray";
+        Any Q "Q" ALL C::CloseInspector => "close the inspector";
+        Any S "S" ALL C::Screenshot => "save a screenshot";
+        Nothing Num4 "4" ALL C::KeepCamera => "keep the camera; Shift: to the next kept";
+        Shift Num4 "" ALL C::NextKeptCamera => "";
+        Ctrl O "Ctrl O" ALL C::ChooseFile => "open a scene, a picture, a camera";
+        Ctrl S "Ctrl S" ALL C::SaveScene => "save the scene as another file";
+        Any D "D" ALL C::DumpCamera => "write the camera to a file for -c";
+        Any Backtick "`" ALL C::ToggleOverlay => "text in the view";
+        Any L "L" ALL C::ToggleTheme => "light or dark";
+        Any F5 "F5" ALL C::Reload => "read the scene file again";
+        Any Questionmark "?" ALL C::ToggleHelp => "this sheet";
+        Any F1 "F1" ALL C::ToggleHelp => "this sheet";
+        Any Escape "Esc" ALL C::Escape => "close the sheet, then the window";
     ];
     bindings.extend(arrows());
     bindings

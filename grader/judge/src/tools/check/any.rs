@@ -13,106 +13,6 @@ use std::marker::PhantomData;
 use wire::work::Xyz;
 use wire::{Answer, Work};
 
-/// The [`Check`] of some kind of work. It is called with work and answers of its own kind only;
-/// [`AnyCheck::fits`] says whether an answer is.
-pub(crate) trait AnyCheck: Debug + Sync {
-    /// As [`Check::NEEDS_ALL_STAGES`].
-    fn needs_all_stages(&self) -> bool;
-
-    /// As [`Check::LIMIT_MS`].
-    fn limit_ms(&self) -> u64;
-
-    /// As [`Check::calls`].
-    fn calls(&self, work: &Work) -> usize;
-
-    /// As [`Check::only_call`].
-    fn only_call(&self, work: &Work, call: usize) -> Option<Work>;
-
-    /// As [`Check::MAIN`].
-    fn main(&self) -> &'static [Aspect];
-
-    /// As [`Check::fits`]. An answer to another kind of work does not fit.
-    fn fits(&self, work: &Work, answer: &Answer) -> Result<(), String>;
-
-    /// As [`Check::symmetries`].
-    fn symmetries(&self, work: &Work) -> Symmetries;
-
-    /// As [`Check::NOT_MOVED`].
-    fn why_not_moved(&self) -> &'static str;
-
-    /// As [`Check::moved`].
-    fn moved(&self, work: &Work, by: &Move) -> Work;
-
-    /// As [`Check::moved_back`]. An answer to another kind of work stays.
-    fn moved_back(&self, answer: Answer, back: &Move) -> Answer;
-
-    /// As [`Check::expected`].
-    fn expected(&self, work: &Work, tier: Tier, enclosed: bool) -> Vec<Expected>;
-
-    /// As [`Check::look_up_truth`].
-    fn look_up_truth(&self, work: &Work);
-
-    /// As [`Check::judge`].
-    fn judge(
-        &self,
-        findings: &mut Findings,
-        case: &CaseContext<'_>,
-        tier: Tier,
-        work: &Work,
-        answer: &Answer,
-    );
-
-    /// As [`Check::judge_rest`].
-    fn judge_rest(
-        &self,
-        findings: &mut Findings,
-        case: &CaseContext<'_>,
-        tier: Tier,
-        work: &Work,
-        answer: &Answer,
-    );
-
-    /// As [`Check::lines`].
-    fn lines(&self, work: &Work, answer: &Answer) -> Option<Content>;
-
-    /// As [`Check::repro`].
-    fn repro(&self, tier: Tier, work: &Work, call: usize) -> Option<String>;
-
-    /// As [`Check::repro_shows`].
-    fn repro_shows(&self, aspect: Aspect) -> bool;
-
-    /// As [`Check::colours`].
-    fn colours(&self, answer: &Answer) -> Option<Vec<Xyz>>;
-
-    /// As [`Check::simple`].
-    fn simple(&self, work: &Work) -> Vec<Work>;
-
-    /// The work after `change` of its numbers, as by [`Check::vary`].
-    fn varied(&self, work: &Work, change: &mut dyn FnMut(Number, &mut f64)) -> Work;
-
-    /// As [`Check::input`].
-    fn input(&self, work: &Work, call: usize) -> Option<String>;
-
-    /// As [`Check::circumstances`].
-    fn circumstances(&self, work: &Work, call: usize) -> Option<Vec<&'static str>>;
-
-    /// As [`Check::exact`].
-    fn exact(&self, work: &Work, enclosed: bool, calls: &[u32]) -> Option<Vec<Fields>>;
-
-    /// As [`Check::shown`].
-    fn shown(
-        &self,
-        work: &Work,
-        tier: Tier,
-        enclosed: bool,
-        call: usize,
-        answer: Option<&Answer>,
-    ) -> Option<ShownCall>;
-
-    /// As [`Check::overview`].
-    fn overview(&self, work: &Work) -> String;
-}
-
 /// The check of the kind of work `K`.
 pub(crate) fn check_of_kind<K: Check>() -> &'static dyn AnyCheck {
     &ErasedCheck::<K>(PhantomData)
@@ -133,28 +33,49 @@ impl<K> Debug for ErasedCheck<K> {
     }
 }
 
-impl<K: Check> AnyCheck for ErasedCheck<K> {
-    fn needs_all_stages(&self) -> bool {
+/// Declares [`AnyCheck`] and implements it for [`ErasedCheck`], from one list of functions.
+macro_rules! any_check {
+    ($($(#[$about:meta])* fn $name:ident($($arg:ident: $kind:ty),*) $(-> $result:ty)? $body:block)*) => {
+        /// The [`Check`] of some kind of work. It is called with work and answers of its own kind
+        /// only; [`AnyCheck::fits`] says whether an answer is.
+        pub(crate) trait AnyCheck: Debug + Sync {
+            $($(#[$about])* fn $name(&self, $($arg: $kind),*) $(-> $result)?;)*
+        }
+
+        impl<K: Check> AnyCheck for ErasedCheck<K> {
+            $(fn $name(&self, $($arg: $kind),*) $(-> $result)? $body)*
+        }
+    };
+}
+
+any_check! {
+    /// As [`Check::NEEDS_ALL_STAGES`].
+    fn needs_all_stages() -> bool {
         K::NEEDS_ALL_STAGES
     }
 
-    fn limit_ms(&self) -> u64 {
+    /// As [`Check::LIMIT_MS`].
+    fn limit_ms() -> u64 {
         K::LIMIT_MS
     }
 
-    fn calls(&self, work: &Work) -> usize {
+    /// As [`Check::calls`].
+    fn calls(work: &Work) -> usize {
         K::calls(Self::question(work))
     }
 
-    fn only_call(&self, work: &Work, call: usize) -> Option<Work> {
+    /// As [`Check::only_call`].
+    fn only_call(work: &Work, call: usize) -> Option<Work> {
         K::only_call(Self::question(work), call).map(K::work)
     }
 
-    fn main(&self) -> &'static [Aspect] {
+    /// As [`Check::MAIN`].
+    fn main() -> &'static [Aspect] {
         K::MAIN
     }
 
-    fn fits(&self, work: &Work, answer: &Answer) -> Result<(), String> {
+    /// As [`Check::fits`]. An answer to another kind of work does not fit.
+    fn fits(work: &Work, answer: &Answer) -> Result<(), String> {
         match K::answer(answer) {
             Some(answer) => K::fits(Self::question(work), answer),
             None => Err(format!(
@@ -164,112 +85,128 @@ impl<K: Check> AnyCheck for ErasedCheck<K> {
         }
     }
 
-    fn symmetries(&self, work: &Work) -> Symmetries {
+    /// As [`Check::symmetries`].
+    fn symmetries(work: &Work) -> Symmetries {
         K::symmetries(Self::question(work))
     }
 
-    fn why_not_moved(&self) -> &'static str {
+    /// As [`Check::NOT_MOVED`].
+    fn why_not_moved() -> &'static str {
         K::NOT_MOVED
     }
 
-    fn moved(&self, work: &Work, by: &Move) -> Work {
+    /// As [`Check::moved`].
+    fn moved(work: &Work, by: &Move) -> Work {
         K::work(K::moved(Self::question(work), by))
     }
 
-    fn moved_back(&self, answer: Answer, back: &Move) -> Answer {
+    /// As [`Check::moved_back`]. An answer to another kind of work stays.
+    fn moved_back(answer: Answer, back: &Move) -> Answer {
         match K::answer(&answer) {
             Some(typed) => K::answered(K::moved_back(typed, back)),
             None => answer,
         }
     }
 
-    fn expected(&self, work: &Work, tier: Tier, enclosed: bool) -> Vec<Expected> {
+    /// As [`Check::expected`].
+    fn expected(work: &Work, tier: Tier, enclosed: bool) -> Vec<Expected> {
         K::expected(Self::question(work), tier, enclosed)
     }
 
-    fn look_up_truth(&self, work: &Work) {
+    /// As [`Check::look_up_truth`].
+    fn look_up_truth(work: &Work) {
         K::look_up_truth(Self::question(work));
     }
 
+    /// As [`Check::judge`].
     fn judge(
-        &self,
         findings: &mut Findings,
         case: &CaseContext<'_>,
         tier: Tier,
         work: &Work,
-        answer: &Answer,
+        answer: &Answer
     ) {
-        debug_assert_eq!(self.fits(work, answer), Ok(()), "{}", case.name);
+        debug_assert_eq!(check_of_kind::<K>().fits(work, answer), Ok(()), "{}", case.name);
         if let Some(answer) = K::answer(answer) {
             K::judge(findings, case, tier, Self::question(work), answer);
         }
     }
 
+    /// As [`Check::judge_rest`].
     fn judge_rest(
-        &self,
         findings: &mut Findings,
         case: &CaseContext<'_>,
         tier: Tier,
         work: &Work,
-        answer: &Answer,
+        answer: &Answer
     ) {
         if let Some(answer) = K::answer(answer) {
             K::judge_rest(findings, case, tier, Self::question(work), answer);
         }
     }
 
-    fn lines(&self, work: &Work, answer: &Answer) -> Option<Content> {
+    /// As [`Check::lines`].
+    fn lines(work: &Work, answer: &Answer) -> Option<Content> {
         K::lines(Self::question(work), K::answer(answer)?)
     }
 
-    fn repro(&self, tier: Tier, work: &Work, call: usize) -> Option<String> {
+    /// As [`Check::repro`].
+    fn repro(tier: Tier, work: &Work, call: usize) -> Option<String> {
         K::repro(tier, Self::question(work), call)
     }
 
-    fn repro_shows(&self, aspect: Aspect) -> bool {
+    /// As [`Check::repro_shows`].
+    fn repro_shows(aspect: Aspect) -> bool {
         K::repro_shows(aspect)
     }
 
-    fn colours(&self, answer: &Answer) -> Option<Vec<Xyz>> {
+    /// As [`Check::colours`].
+    fn colours(answer: &Answer) -> Option<Vec<Xyz>> {
         K::colours(K::answer(answer)?)
     }
 
-    fn simple(&self, work: &Work) -> Vec<Work> {
+    /// As [`Check::simple`].
+    fn simple(work: &Work) -> Vec<Work> {
         let questions = K::simple(Self::question(work)).into_iter();
         questions.map(K::work).collect()
     }
 
-    fn varied(&self, work: &Work, change: &mut dyn FnMut(Number, &mut f64)) -> Work {
+    /// The work after `change` of its numbers, as by [`Check::vary`].
+    fn varied(work: &Work, change: &mut dyn FnMut(Number, &mut f64)) -> Work {
         let mut question = Self::question(work).clone();
         K::vary(&mut question, change);
         K::work(question)
     }
 
-    fn input(&self, work: &Work, call: usize) -> Option<String> {
+    /// As [`Check::input`].
+    fn input(work: &Work, call: usize) -> Option<String> {
         K::input(Self::question(work), call)
     }
 
-    fn circumstances(&self, work: &Work, call: usize) -> Option<Vec<&'static str>> {
+    /// As [`Check::circumstances`].
+    fn circumstances(work: &Work, call: usize) -> Option<Vec<&'static str>> {
         K::circumstances(Self::question(work), call)
     }
 
-    fn exact(&self, work: &Work, enclosed: bool, calls: &[u32]) -> Option<Vec<Fields>> {
+    /// As [`Check::exact`].
+    fn exact(work: &Work, enclosed: bool, calls: &[u32]) -> Option<Vec<Fields>> {
         K::exact(Self::question(work), enclosed, calls)
     }
 
+    /// As [`Check::shown`].
     fn shown(
-        &self,
         work: &Work,
         tier: Tier,
         enclosed: bool,
         call: usize,
-        answer: Option<&Answer>,
+        answer: Option<&Answer>
     ) -> Option<ShownCall> {
         let answer = answer.and_then(K::answer);
         K::shown(Self::question(work), tier, enclosed, call, answer)
     }
 
-    fn overview(&self, work: &Work) -> String {
+    /// As [`Check::overview`].
+    fn overview(work: &Work) -> String {
         K::overview(Self::question(work))
     }
 }

@@ -318,6 +318,30 @@ pub fn build_program_with_stages(
     build_in(root, package, target_folder::of(root), &[])
 }
 
+/// The test program of each stage with the worked examples of its chapters.
+pub(crate) const WORKED_EXAMPLE: &str = "worked_example";
+
+/// Builds the worked examples of `stage` as `cargo test` does. Returns the test program, or `None`
+/// if it does not compile: the compiler's messages were printed to stderr.
+pub(crate) fn build_worked_example(
+    root: &Path,
+    stage: &str,
+) -> Result<Option<PathBuf>, GraderError> {
+    let mut command = Command::new(child_processes::cargo());
+    command.current_dir(root);
+    command.args(["test", "--no-run", "--test", WORKED_EXAMPLE]);
+    command.args(["--package", stage]);
+    in_json(&mut command, has_colours());
+    if let Some(target) = target_folder::of(root) {
+        command.arg("--target-dir").arg(target);
+    }
+    let built = run_cargo(command, stage, true, None)?;
+    if let Err(errors) = &built {
+        errors.ensure_of_the_code()?;
+    }
+    Ok(built.ok())
+}
+
 /// The folder in which cargo builds the stages of the workspace `root`; `None` for cargo's default.
 pub fn stages_target(root: &Path) -> Option<PathBuf> {
     target_folder::of(root)
@@ -357,8 +381,13 @@ fn release_build(root: &Path, package: &str, colours: bool) -> Command {
 
 /// The arguments of that command.
 fn build_arguments(command: &mut Command, package: &str, colours: bool) {
+    command.args(["build", "--release", "--package", package, "--bin", package]);
+    in_json(command, colours);
+}
+
+/// Lets cargo print its messages as JSON.
+fn in_json(command: &mut Command, colours: bool) {
     command
-        .args(["build", "--release", "--package", package, "--bin", package])
         .arg("--message-format")
         .arg(if colours {
             "json-diagnostic-rendered-ansi"

@@ -2,7 +2,7 @@
 //!
 //! This program does what students do all day: `grader part1` ([`grade`]; `case` for a single
 //! case), `grader watch`, `grader check`, `grader status`, `grader explain`, `grader examples`,
-//! `grader picture`, `grader book`, `grader predict`, `grader gym`, `grader reset`. Each other
+//! `grader picture`, `grader book`, `grader predict`, `grader gym`, `grader reset`, `grader test`. Each other
 //! command is a separate program (`subprogram`), so that a student who only grades does not have to
 //! compile it. This module contains what they all share: the [`Exit`], the exit codes
 //! ([`run_to_exit_code`]) and common options.
@@ -27,6 +27,7 @@ pub mod programs;
 mod reset;
 mod status;
 pub mod subprogram;
+mod test;
 mod watch;
 
 pub use options::{Format, seed_argument, seed_of};
@@ -42,8 +43,9 @@ use std::process::ExitCode;
 type Run = fn(&ArgMatches) -> Result<Exit, GraderError>;
 
 /// The commands of this program, in the order of `--help`, where `help` is the last of all.
-const COMMANDS: [(fn() -> Command, Run); 15] = [
+const COMMANDS: [(fn() -> Command, Run); 16] = [
     (status::command, |_| status::run()),
+    (test::command, test::run),
     (watch::command, watch::run),
     (check::command, check::run),
     (explain::command, explain::run),

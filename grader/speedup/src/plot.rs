@@ -107,6 +107,7 @@ mod tests {
             }; 3],
             checked_rays: 0,
             differing_hits: 0,
+            first_differing: None,
         };
         let ladder = Ladder {
             mesh: "smooth".into(),

@@ -14,7 +14,7 @@ use crate::build::read_files::ReadFiles;
 use crate::course::sources;
 use crate::workers::launcher::Launcher;
 use crate::workers::runner::Worker;
-use base::{GraderError, Workspace, child_processes, err};
+use base::{GraderError, Workspace, child_processes, err, errln};
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
@@ -127,6 +127,11 @@ impl BuildRoot<'_> {
     /// stderr as they arrive, unless the build is sealed.
     pub fn build_worker(&self, features: &[&str]) -> Result<BuildOutcome, GraderError> {
         let show = !self.sealed && !self.quiet;
+        if show && is_first_build(self.root, "release/worker.d") {
+            errln!(
+                "Compiling your code and the program that runs it: some ten seconds the first time."
+            );
+        }
         let command = self.command(features, show && has_colours());
         let built = run_cargo(command, WORKER, show, self.most_time())?;
         match self.without_foreign_files(built, features)? {
@@ -285,8 +290,9 @@ impl BuildRoot<'_> {
         if self.sealed {
             command.args(["--offline", "--locked"]);
         }
-        if self.sealed || self.quiet {
-            command.stderr(Stdio::piped());
+        command.stderr(Stdio::piped());
+        if colours {
+            command.env("CARGO_TERM_COLOR", "always");
         }
         let target = self.target.map(Path::to_path_buf);
         if let Some(target) = target.or_else(|| target_folder::of(self.root)) {
@@ -327,6 +333,9 @@ pub(crate) fn build_worked_example(
     root: &Path,
     stage: &str,
 ) -> Result<Option<PathBuf>, GraderError> {
+    if is_first_build(root, "debug/deps") {
+        errln!("Compiling the tests, as `cargo test` does: half a minute the first time.");
+    }
     let mut command = Command::new(child_processes::cargo());
     command.current_dir(root);
     command.args(["test", "--no-run", "--test", WORKED_EXAMPLE]);
@@ -365,6 +374,14 @@ fn build_in(
             Ok(Err(errors.messages))
         }
     }
+}
+
+/// Whether cargo has never written `file` in its own folder of the workspace `root`.
+fn is_first_build(root: &Path, file: &str) -> bool {
+    let program = std::env::current_exe().ok();
+    let target = program.as_deref().and_then(|path| path.parent()?.parent());
+    let is_own = target_folder::of(root).is_none();
+    is_own && target.is_some_and(|target| !target.join(file).exists())
 }
 
 fn has_colours() -> bool {

@@ -92,7 +92,7 @@ pub fn remember_checkout(started: &Workspace, checkout: &Workspace) -> Result<()
 }
 
 /// The checkout beside which a folder was made, if it is still there and of the same version.
-fn checkout_of(started: &Workspace) -> Option<Workspace> {
+pub(crate) fn checkout_of(started: &Workspace) -> Option<Workspace> {
     let root = std::fs::read_to_string(started.outputs().join(CHECKOUT)).ok()?;
     let checkout = Workspace::above(Path::new(&root)).ok()?;
     checkout

@@ -20,7 +20,6 @@ const MAY_DEPEND_ON: &[(&str, &[&str])] = &[
     ("simd_bvh", &["kit", "lanes"]),
     ("simd_paths", &["kit", "lanes"]),
     // Its benchmarks use the stages, and nothing depends on it.
-    ("benches", &[]),
     ("book", &["base", "kit"]),
     // It links mdBook. Nothing depends on it.
     ("book_site", &["base", "book"]),
@@ -65,6 +64,7 @@ const MAY_DEPEND_ON: &[(&str, &[&str])] = &[
         ],
     ),
     ("damage", &[]),
+    ("timings", &[]),
     ("wire", &[]),
     ("sandbox", &[]),
     ("harness", &["kit", "sandbox", "wire"]),

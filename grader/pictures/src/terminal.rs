@@ -1,8 +1,10 @@
-//! Pictures in a terminal: two pixels per character, one above the other, as `▀` in the colour of
-//! the upper one on the colour of the lower one.
+//! Pictures in a terminal: as files in those that show files ([`shown`]), elsewhere two pixels per
+//! character, one above the other, as `▀` in the colour of the upper one on the colour of the lower
+//! one ([`half_blocks`]).
 
 use crate::Image;
 use crate::image::Rgb;
+use crate::png;
 use std::fmt::Write;
 
 /// How many colours a terminal has.
@@ -25,6 +27,63 @@ pub fn colours(environment: impl Fn(&str) -> Option<String>) -> Option<Colours> 
         Some("truecolor" | "24bit") => Some(Colours::True),
         _ => Some(Colours::Cube),
     }
+}
+
+/// The picture, `columns` wide, for the terminal that the environment describes; `None` where it has
+/// no colours.
+pub fn shown(
+    picture: &Image,
+    columns: u32,
+    environment: impl Fn(&str) -> Option<String>,
+) -> Option<String> {
+    let colours = colours(&environment)?;
+    let is = |name: &str, values: &[&str]| {
+        environment(name).is_some_and(|value| values.contains(&value.as_str()))
+    };
+    // Multiplexers do not pass these sequences on.
+    let is_direct = environment("TMUX").is_none() && environment("STY").is_none();
+    if is_direct && (is("TERM", &["xterm-kitty"]) || is("TERM_PROGRAM", &["ghostty"])) {
+        return Some(as_kitty_reads(picture, columns));
+    }
+    if is_direct && is("TERM_PROGRAM", &["iTerm.app", "WezTerm"]) {
+        let file = base64(&png::encode(picture));
+        return Some(format!(
+            "\x1b]1337;File=inline=1;width={columns}:{file}\x07\n"
+        ));
+    }
+    Some(half_blocks(picture, columns, colours))
+}
+
+/// The picture in the protocol of kitty: in pieces of at most 4,096 characters.
+fn as_kitty_reads(picture: &Image, columns: u32) -> String {
+    let file = base64(&png::encode(picture));
+    let mut pieces = file.as_bytes().chunks(4096).peekable();
+    let mut keys = format!("a=T,f=100,q=2,c={columns},");
+    let mut text = String::new();
+    while let Some(piece) = pieces.next() {
+        let is_more = u8::from(pieces.peek().is_some());
+        let piece = String::from_utf8_lossy(piece);
+        let _ = write!(text, "\x1b_G{keys}m={is_more};{piece}\x1b\\");
+        keys.clear();
+    }
+    text + "\n"
+}
+
+/// Bytes as text (RFC 4648).
+fn base64(bytes: &[u8]) -> String {
+    const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    let digits = bytes.chunks(3).flat_map(|three| {
+        let byte = |at: usize| u32::from(three.get(at).copied().unwrap_or(0));
+        let bits = byte(0) << 16 | byte(1) << 8 | byte(2);
+        [18, 12, 6, 0]
+            .into_iter()
+            .enumerate()
+            .map(move |(at, shift)| match at <= three.len() {
+                true => char::from(DIGITS[(bits >> shift & 63) as usize]),
+                false => '=',
+            })
+    });
+    digits.collect()
 }
 
 /// The picture as text of at most `columns` columns, scaled down if it is wider.
@@ -105,6 +164,32 @@ mod tests {
             text,
             "\x1b[38;2;0;0;0;48;2;100;0;0m▀\x1b[0m\n\x1b[0;38;2;200;0;0m▀\x1b[0m\n"
         );
+    }
+
+    #[test]
+    fn terminals_that_show_files_get_the_file() {
+        for (bytes, text) in [("", ""), ("f", "Zg=="), ("fo", "Zm8="), ("foo", "Zm9v")] {
+            assert_eq!(base64(bytes.as_bytes()), text);
+        }
+        let picture = Image::from_fn([100, 100], |x, y| [(x * y) as u8, (x ^ y) as u8, 9]);
+        let shown = |set: &'static [(&str, &str)]| {
+            let of = |name: &str| {
+                let found = set.iter().find(|(known, _)| *known == name);
+                found.map(|(_, value)| (*value).to_string())
+            };
+            shown(&picture, 64, of)
+        };
+        let kitty = shown(&[("TERM", "xterm-kitty")]).expect("a picture");
+        assert!(
+            kitty.starts_with("\x1b_Ga=T,f=100,q=2,c=64,m=1;iVBOR"),
+            "{kitty}"
+        );
+        assert!(kitty.contains("\x1b_Gm=0;"), "{kitty}");
+        let iterm = shown(&[("TERM_PROGRAM", "iTerm.app")]).expect("a picture");
+        assert!(iterm.starts_with("\x1b]1337;File=inline=1;width=64:iVBOR"));
+        let inside = shown(&[("TERM", "xterm-kitty"), ("TMUX", "1")]);
+        assert!(inside.is_some_and(|text| text.contains('▀')));
+        assert_eq!(shown(&[("TERM", "xterm-kitty"), ("NO_COLOR", "1")]), None);
     }
 
     #[test]

@@ -1,5 +1,6 @@
 //! Runs cargo and reads its messages: the program that it built, or what does not compile.
 
+use crate::build::compile_errors::plain;
 use crate::build::compile_warnings::Warnings;
 use crate::build::{BuildLimit, CompileErrors, WORKER};
 use base::child_processes::{self, Watchdog, tail};
@@ -29,7 +30,7 @@ pub(crate) fn run_cargo(
     let progress = child
         .stderr
         .take()
-        .map(|pipe| std::thread::spawn(move || tail(pipe)));
+        .map(|pipe| std::thread::spawn(move || if show { pass_on(pipe) } else { tail(pipe) }));
     let stdout = child
         .stdout
         .take()
@@ -41,6 +42,8 @@ pub(crate) fn run_cargo(
     while let Some(line) = read_line(&mut stdout)? {
         match Message::read(&line) {
             Some(Message::Program(path)) => program = Some(path),
+            // The worker is no code of the student's.
+            Some(Message::Warning { of_crate }) if of_crate == WORKER => {}
             Some(Message::Warning { of_crate }) => warnings.add(&of_crate),
             None => {}
             Some(Message::Error {
@@ -71,7 +74,7 @@ pub(crate) fn run_cargo(
         err!("{}", warnings.summary());
     }
     let stderr = progress.map(|thread| thread.join().unwrap_or_default());
-    let says = stderr.as_deref().unwrap_or("Cargo's message is above.");
+    let says = stderr.as_deref().unwrap_or(ABOVE);
     if limited && !status.success() {
         errors.add_crashes(says, killed);
     }
@@ -88,6 +91,28 @@ pub(crate) fn run_cargo(
             says.trim()
         ))),
     }
+}
+
+/// What an error says whose reason cargo has printed.
+const ABOVE: &str = "Cargo's message is above.";
+
+/// Prints what cargo does, line by line, but not that the worker does not compile: what this means for
+/// the stage is printed instead.
+fn pass_on(progress: impl Read) -> String {
+    for line in BufReader::new(progress).split(b'\n').map_while(Result::ok) {
+        let line = String::from_utf8_lossy(&line);
+        if !is_of_the_worker(&plain(&line)) {
+            err!("{line}\n");
+        }
+    }
+    ABOVE.to_owned()
+}
+
+/// Whether cargo says that the worker has errors, or that it goes on with other crates.
+fn is_of_the_worker(line: &str) -> bool {
+    let has_errors =
+        line.starts_with("error: could not compile `worker`") && line.contains(" due to ");
+    has_errors || line.starts_with("warning: build failed, waiting")
 }
 
 /// How long cargo may run for a submission. Building one stage and the worker takes some seconds; on
@@ -309,6 +334,14 @@ mod tests {
         };
         assert!(is_counted("unused_variables"));
         assert!(!is_counted("missing_docs"));
+    }
+
+    #[test]
+    fn only_errors_in_the_code_of_the_worker_are_not_passed_on() {
+        let error = "error: could not compile `worker` (lib) due to 2 previous errors";
+        assert!(is_of_the_worker(error));
+        assert!(!is_of_the_worker(&error.replace("worker", "bvh")));
+        assert!(!is_of_the_worker("error: could not compile `worker` (lib)"));
     }
 
     #[test]

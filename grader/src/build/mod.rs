@@ -14,7 +14,7 @@ use crate::build::read_files::ReadFiles;
 use crate::course::sources;
 use crate::workers::launcher::Launcher;
 use crate::workers::runner::Worker;
-use base::{GraderError, Workspace, child_processes, err};
+use base::{GraderError, Workspace, child_processes, err, errln};
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
@@ -127,6 +127,11 @@ impl BuildRoot<'_> {
     /// stderr as they arrive, unless the build is sealed.
     pub fn build_worker(&self, features: &[&str]) -> Result<BuildOutcome, GraderError> {
         let show = !self.sealed && !self.quiet;
+        if show && is_first_build(self.root, "release/worker.d") {
+            errln!(
+                "Compiling your code and the program that runs it: some ten seconds the first time."
+            );
+        }
         let command = self.command(features, show && has_colours());
         let built = run_cargo(command, WORKER, show, self.most_time())?;
         match self.without_foreign_files(built, features)? {
@@ -285,8 +290,9 @@ impl BuildRoot<'_> {
         if self.sealed {
             command.args(["--offline", "--locked"]);
         }
-        if self.sealed || self.quiet {
-            command.stderr(Stdio::piped());
+        command.stderr(Stdio::piped());
+        if colours {
+            command.env("CARGO_TERM_COLOR", "always");
         }
         let target = self.target.map(Path::to_path_buf);
         if let Some(target) = target.or_else(|| target_folder::of(self.root)) {
@@ -318,6 +324,33 @@ pub fn build_program_with_stages(
     build_in(root, package, target_folder::of(root), &[])
 }
 
+/// The test program of each stage with the worked examples of its chapters.
+pub(crate) const WORKED_EXAMPLE: &str = "worked_example";
+
+/// Builds the worked examples of `stage` as `cargo test` does. Returns the test program, or `None`
+/// if it does not compile: the compiler's messages were printed to stderr.
+pub(crate) fn build_worked_example(
+    root: &Path,
+    stage: &str,
+) -> Result<Option<PathBuf>, GraderError> {
+    if is_first_build(root, "debug/deps") {
+        errln!("Compiling the tests, as `cargo test` does: half a minute the first time.");
+    }
+    let mut command = Command::new(child_processes::cargo());
+    command.current_dir(root);
+    command.args(["test", "--no-run", "--test", WORKED_EXAMPLE]);
+    command.args(["--package", stage]);
+    in_json(&mut command, has_colours());
+    if let Some(target) = target_folder::of(root) {
+        command.arg("--target-dir").arg(target);
+    }
+    let built = run_cargo(command, stage, true, None)?;
+    if let Err(errors) = &built {
+        errors.ensure_of_the_code()?;
+    }
+    Ok(built.ok())
+}
+
 /// The folder in which cargo builds the stages of the workspace `root`; `None` for cargo's default.
 pub fn stages_target(root: &Path) -> Option<PathBuf> {
     target_folder::of(root)
@@ -343,6 +376,14 @@ fn build_in(
     }
 }
 
+/// Whether cargo has never written `file` in its own folder of the workspace `root`.
+fn is_first_build(root: &Path, file: &str) -> bool {
+    let program = std::env::current_exe().ok();
+    let target = program.as_deref().and_then(|path| path.parent()?.parent());
+    let is_own = target_folder::of(root).is_none();
+    is_own && target.is_some_and(|target| !target.join(file).exists())
+}
+
 fn has_colours() -> bool {
     std::io::stderr().is_terminal()
 }
@@ -357,8 +398,13 @@ fn release_build(root: &Path, package: &str, colours: bool) -> Command {
 
 /// The arguments of that command.
 fn build_arguments(command: &mut Command, package: &str, colours: bool) {
+    command.args(["build", "--release", "--package", package, "--bin", package]);
+    in_json(command, colours);
+}
+
+/// Lets cargo print its messages as JSON.
+fn in_json(command: &mut Command, colours: bool) {
     command
-        .args(["build", "--release", "--package", package, "--bin", package])
         .arg("--message-format")
         .arg(if colours {
             "json-diagnostic-rendered-ansi"

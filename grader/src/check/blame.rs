@@ -111,16 +111,9 @@ impl<'a> Blame<'a> {
     pub fn only(&self, function: &str, findings: Vec<Finding>) -> Vec<Finding> {
         let wrong = wrong(&findings);
         let chosen = findings.iter().map(|finding| {
-            let mut own = finding.faults.clone();
-            own.retain(|fault| self.of(&findings, &wrong, finding, fault) == Some(function));
-            let calls: BTreeSet<u32> = own.iter().map(|fault| fault.call).collect();
-            let worst = finding.worst.clone();
-            Finding {
-                wrong: calls.len() as u32,
-                worst: worst.filter(|worst| calls.contains(&worst.call)),
-                faults: own,
-                ..finding.clone()
-            }
+            let is_own =
+                |fault: &Fault| self.of(&findings, &wrong, finding, fault) == Some(function);
+            finding.with_only(is_own)
         });
         chosen.collect()
     }

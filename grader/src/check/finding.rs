@@ -3,7 +3,6 @@
 use super::blame::Blame;
 use crate::course::Task;
 use crate::course::sources::SourceFile;
-use crate::diagnosis::Diagnosis;
 use crate::diagnosis::simplest::SimplestCall;
 use crate::grade::one_by_one::{Graded, is_whole};
 use crate::report::{HintLevel, TaskReport, message};
@@ -12,7 +11,7 @@ use crate::score::{CaseResult, Status, TaskResult, order};
 use crate::workers::crash::CrashKind;
 use base::GraderError;
 use judge::cases::checked;
-use judge::findings::{Aspect, Fault, Finding as Counted};
+use judge::findings::Finding as Counted;
 use judge::{Tier, plural};
 use serde::{Deserialize, Serialize};
 use std::cmp::Reverse;
@@ -228,20 +227,13 @@ fn ends_the_task(task: &Task, report: &TaskReport, case: &CaseResult) -> bool {
 
 /// How many wrong answers of `cases` are in places that the mistake of the task explains.
 fn explained_by(report: &TaskReport, cases: &[&CaseResult]) -> usize {
-    let Some(Diagnosis { places, .. }) = &report.diagnosis else {
+    let Some(diagnosis) = &report.diagnosis else {
         return 0;
-    };
-    let is_explained = |aspect: Aspect, fault: &Fault| {
-        let mut of_aspect = places.iter().filter(|(other, _)| *other == aspect);
-        of_aspect.any(|(_, function)| {
-            let functions = function.as_deref().zip(fault.named_function());
-            functions.is_none_or(|(place, own)| place == own)
-        })
     };
     let findings = cases.iter().flat_map(|case| &case.findings);
     let faults = findings.flat_map(|of| of.faults.iter().map(|fault| (of.aspect, fault)));
     faults
-        .filter(|(aspect, fault)| is_explained(*aspect, fault))
+        .filter(|(aspect, fault)| diagnosis.explains(*aspect, fault.named_function()))
         .count()
 }
 
@@ -330,7 +322,8 @@ impl Finding {
 mod tests {
     use super::*;
     use crate::course::Course;
-    use judge::findings::Findings;
+    use crate::diagnosis::Diagnosis;
+    use judge::findings::{Aspect, Findings};
     use std::collections::BTreeSet;
 
     /// Two mistakes, of which the likely one explains the second: it is named there, not at the

@@ -227,7 +227,7 @@ fn browser() -> Finding {
     };
     let says = format!(
         "{found}: open the pages yourself whose paths `cargo grader look` prints; \
-         `cargo grader picture` draws in the terminal"
+         `cargo grader look --no-page` draws in the terminal"
     );
     Finding::new("browser", State::Optional, says)
 }

@@ -1,6 +1,6 @@
 //! The command `grader part1`: grades the code in the workspace.
 
-use super::{Format, case, seed_argument, seed_of};
+use super::{Format, case, picture, seed_argument, seed_of};
 use crate::build::compile_errors;
 use crate::course::given;
 use crate::course::sources;
@@ -176,6 +176,11 @@ pub(super) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
         Format::Table => {
             let context = run.context(&workspace, &request.what)?;
             let page = Page::of_stdout();
+            if let Some((_, lit)) = &run.graded.lit
+                && report.is_full()
+            {
+                out!("{}", picture::in_terminal(lit).unwrap_or_default());
+            }
             let text = screen::format_screen(report, &context, reveal, page);
             out!("{}", links::for_stdout(text, &workspace));
         }
@@ -305,6 +310,7 @@ impl GradedRun {
             next: next_task::first_open(&known, &tasks).cloned(),
             compiler: self.quiet.then(|| self.graded.compiler.clone()),
             first_error: self.first_error_out_of_sight(),
+            lit: self.graded.lit.as_ref().map(|(path, _)| path.clone()),
             printed: self.graded.printed.clone(),
             changed_given: given::changed(workspace)?,
         })

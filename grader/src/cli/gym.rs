@@ -1,6 +1,7 @@
 //! The command `grader gym`: mistakes to recognize.
 
 use super::asking::{self, AnswerInput};
+use super::picture::in_terminal;
 use crate::course::Course;
 use crate::grade;
 use crate::gym::{exercise, round};
@@ -10,8 +11,7 @@ use base::program::Exit;
 use base::{GraderError, Workspace, out, outln, write_whole};
 use clap::{Arg, ArgMatches, Command};
 use judge::plural;
-use pictures::{png, terminal};
-use std::io::{IsTerminal, stdout};
+use pictures::png;
 use std::path::Path;
 
 /// The name of the command.
@@ -50,8 +50,6 @@ pub(super) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     workspace.create_outputs()?;
     let file = workspace.outputs().join("gym.png");
     let page = Page::of_stdout();
-    let colours =
-        terminal::colours(|name| std::env::var(name).ok()).filter(|_| stdout().is_terminal());
     outln!(
         "{} mistakes. Left is the right picture, right that of the mistake; also in {}. An empty line skips one, \
          `q` ends.",
@@ -63,12 +61,7 @@ pub(super) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
         let picture = exercise.picture()?;
         write_whole(&file, &png::encode(&picture))?;
         outln!();
-        if let Some(colours) = colours {
-            out!(
-                "{}",
-                terminal::half_blocks(&picture, page.width as u32, colours)
-            );
-        }
+        out!("{}", in_terminal(&picture).unwrap_or_default());
         Ok(())
     };
     let mut session = Session {

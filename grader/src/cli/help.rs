@@ -24,6 +24,9 @@ const DAILY: [&str; 5] = ["watch", "look", "hint", "book", "status"];
 /// The options of a day.
 const DAILY_OPTIONS: [&str; 5] = ["hint", "long", "extra", "case", "call"];
 
+/// Older words for what another command does. They still work.
+const OLDER: [&str; 4] = [super::picture::NAME, "predict", "gym", "examples"];
+
 fn is_for_students(name: &str) -> bool {
     FOR_STUDENTS.contains(&name)
 }
@@ -107,7 +110,7 @@ fn more() -> Command {
         let name = command.get_name();
         let is_of_others =
             SUBPROGRAMS.iter().any(|(other, ..)| *other == name) && !is_for_students(name);
-        !DAILY.contains(&name) && !is_of_others
+        !DAILY.contains(&name) && !OLDER.contains(&name) && !is_of_others
     };
     let commands: Vec<Command> = whole.get_subcommands().filter(is_more).cloned().collect();
     let is_of_more = |argument: &&Arg| {
@@ -165,7 +168,7 @@ mod tests {
             );
         }
         for theirs in [
-            "start", "explain", "picture", "predict", "gym", "cost", "speedup", "check",
+            "start", "explain", "practice", "solution", "cost", "speedup", "check",
         ] {
             assert!(more.contains(&format!("  {theirs} ")), "{theirs}:\n{more}");
             assert!(
@@ -176,6 +179,8 @@ mod tests {
         assert!(help.lines().count() < 40, "{help}");
         assert!(!help.contains("For instructors: c"), "{help}");
         for other in [
+            "  gym",
+            "  predict ",
             "mutants",
             "bless",
             "handout",
@@ -205,7 +210,8 @@ mod tests {
         );
         for command in crate::cli::command().get_subcommands() {
             let name = command.get_name();
-            assert!(both.contains(&format!("  {name} ")), "{name}:\n{both}");
+            let is_there = both.contains(&format!("  {name} "));
+            assert!(is_there != OLDER.contains(&name), "{name}:\n{both}");
         }
         // An option that only says where it has moved to is in neither.
         let moved = grade::submission_arguments();

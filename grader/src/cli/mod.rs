@@ -1,8 +1,8 @@
 //! The command line of `grader`.
 //!
 //! This program does what students do all day: `grader part1` ([`grade`]; `case` for a single
-//! case), `grader watch`, `grader check`, `grader status`, `grader explain`, `grader examples`,
-//! `grader picture`, `grader book`, `grader predict`, `grader gym`, `grader reset`. Each other
+//! case), `grader watch`, `grader check`, `grader status`, `grader explain`,
+//! `grader practice`, `grader solution`, `grader book`, `grader reset`, `grader test`. Each other
 //! command is a separate program (`subprogram`), so that a student who only grades does not have to
 //! compile it. This module contains what they all share: the [`Exit`], the exit codes
 //! ([`run_to_exit_code`]) and common options.
@@ -22,11 +22,14 @@ mod help;
 mod offline;
 mod options;
 pub mod picture;
+mod practice;
 mod predict;
 pub mod programs;
 mod reset;
+mod solution;
 mod status;
 pub mod subprogram;
+mod test;
 mod watch;
 
 pub use options::{Format, seed_argument, seed_of};
@@ -42,16 +45,19 @@ use std::process::ExitCode;
 type Run = fn(&ArgMatches) -> Result<Exit, GraderError>;
 
 /// The commands of this program, in the order of `--help`, where `help` is the last of all.
-const COMMANDS: [(fn() -> Command, Run); 15] = [
+const COMMANDS: [(fn() -> Command, Run); 18] = [
     (status::command, |_| status::run()),
+    (test::command, test::run),
     (watch::command, watch::run),
     (check::command, check::run),
     (explain::command, explain::run),
+    (practice::command, practice::run),
+    (solution::command, solution::run),
     (reset::command, reset::run),
-    (examples::command, examples::run),
-    (picture::command, picture::run),
     (hint_command, hint),
     (book::command, book::run),
+    (examples::command, examples::run),
+    (picture::command, picture::run),
     (predict::command, predict::run),
     (gym::command, gym::run),
     (doctor::command, |_| doctor::run()),
@@ -65,7 +71,7 @@ const SUBPROGRAMS: &[(&str, &str, &str)] = &[
     (
         "look",
         "review",
-        "Shows what is wrong in a task: writes a page with pictures and rays, and opens it in the browser",
+        "Renders a task's picture with your code, and opens a page of what is wrong in the task",
     ),
     (
         "cost",
@@ -198,6 +204,9 @@ fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
         let Some((_, package, _)) = subprogram else {
             unreachable!("`{name}` is in neither list of commands");
         };
+        if name == programs::LOOK && !picture::look(rest)? {
+            return Ok(Exit::Passed);
+        }
         // A command is always the first argument.
         return subprogram::run(package, std::env::args_os().skip(1).collect());
     }

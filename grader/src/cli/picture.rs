@@ -1,27 +1,31 @@
-//! The command `grader picture part1.task3`: shows what the code in the workspace renders.
+//! What the code in the workspace renders: the first half of `grader look part1.task3`. The older
+//! command `grader picture` is this half alone.
 
+use super::programs::NO_PAGE;
 use crate::build::BuildRoot;
 use crate::course::{Course, Task};
 use crate::grade::picture::{self, Rendered};
 use crate::progress::next_task;
 use crate::report::table::status_text;
+use crate::report::terminal::Page;
 use crate::score::Status;
 use crate::workers::worker_set::WorkerSet;
 use base::program::Exit;
 use base::{GraderError, Workspace, out, outln};
 use clap::{Arg, ArgMatches, Command};
 use judge::plural;
+use pictures::Image;
 use pictures::terminal::{self, Colours};
 use std::fmt::Write;
 use std::io::IsTerminal;
 use std::path::Path;
 
-/// The name of the command.
+/// The older name of `look --no-page`.
 pub(super) const NAME: &str = "picture";
 
 pub(super) fn command() -> Command {
     Command::new(NAME)
-        .about("Renders the picture of a task with your code, beside the expected picture and their difference")
+        .about("Renders the picture of a task: `grader look --no-page`")
         .arg(task_argument())
 }
 
@@ -55,6 +59,22 @@ fn one_task<'a>(course: &'a Course, key: &str) -> Result<&'a Task, GraderError> 
 }
 
 pub(super) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
+    // A picture gives no points: that it differs is no failure.
+    Ok(match show(matches)?.yours {
+        Ok(_) => Exit::Passed,
+        Err(_) => Exit::Failed,
+    })
+}
+
+/// Draws the picture for `grader look`. Returns whether the page comes next.
+pub(super) fn look(matches: &ArgMatches) -> Result<bool, GraderError> {
+    let rendered = show(matches)?;
+    let compiles = !matches!(rendered.yours, Err(Status::DoesNotCompile));
+    Ok(compiles && !matches.get_flag(NO_PAGE))
+}
+
+/// Renders the picture that `matches` name, writes it and prints it.
+fn show(matches: &ArgMatches) -> Result<Rendered, GraderError> {
     let workspace = Workspace::above(Path::new("."))?;
     let course = Course::read(&workspace)?;
     let task = task_of(matches, &workspace, &course)?;
@@ -64,29 +84,36 @@ pub(super) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     let rendered = picture::render(&workspace, &course, task, &workers)?
         .ok_or_else(|| GraderError::new(format!("`{}` has no picture", task.key)))?;
     let path = rendered.write(&workspace)?;
-    let colours = match std::io::stdout().is_terminal() {
-        true => terminal::colours(|name| std::env::var(name).ok()),
-        false => None,
-    };
-    out!("{}", describe(task, &rendered, colours));
+    let drawn = in_terminal(&rendered.sheet());
+    let colours = terminal::colours(|name| std::env::var(name).ok());
+    let colours = colours.filter(|_| drawn.is_some());
+    outln!("{}  {}", task.key, task.title);
+    out!("{}", drawn.unwrap_or_default());
+    out!("{}", legend(task, &rendered, colours));
     outln!("picture: {}", workspace.relative(&path).display());
-    // A picture gives no points: that it differs is no failure.
-    Ok(match rendered.yours {
-        Ok(_) => Exit::Passed,
-        Err(_) => Exit::Failed,
-    })
+    if let (Ok(_), Some((path, _))) = (
+        &rendered.yours,
+        picture::write_lit(&workspace, &course, &[task], &workers)?,
+    ) {
+        outln!("with light: {}", path.display());
+    }
+    Ok(rendered)
 }
 
-/// The width of a picture in the terminal, in columns.
-const COLUMNS: u32 = 80;
+/// The largest width of a picture in the terminal, in columns.
+const COLUMNS: usize = 80;
 
-/// The picture, if the terminal has colours, and the legend.
-fn describe(task: &Task, rendered: &Rendered, colours: Option<Colours>) -> String {
-    let mut text = format!("{}  {}\n", task.key, task.title);
-    if let Some(colours) = colours {
-        text.push_str(&terminal::half_blocks(&rendered.sheet(), COLUMNS, colours));
-    }
-    text.push_str("Left: expected. Middle: yours. Right: where yours differs.\n");
+/// A picture as text, if stdout is a terminal with colours.
+pub fn in_terminal(picture: &Image) -> Option<String> {
+    let is_terminal = std::io::stdout().is_terminal();
+    let columns = Page::of_stdout().width.min(COLUMNS);
+    let variable = |name: &str| std::env::var(name).ok();
+    is_terminal.then(|| terminal::shown(picture, columns as u32, variable))?
+}
+
+/// What the three pictures are, and what differs.
+fn legend(task: &Task, rendered: &Rendered, colours: Option<Colours>) -> String {
+    let mut text = String::from("Left: expected. Middle: yours. Right: where yours differs.\n");
     let counts = match &rendered.yours {
         Ok((_, comparison)) => &comparison.counts,
         Err(status) => {
@@ -136,7 +163,6 @@ fn without_picture(status: &Status, task: &str) -> String {
 mod tests {
     use super::*;
     use crate::course::of_this_checkout;
-    use pictures::Image;
     use pictures::difference::compare;
 
     #[test]
@@ -164,7 +190,7 @@ mod tests {
             golden,
             yours: Ok((yours, comparison)),
         };
-        let text = describe(task, &rendered, None);
+        let text = legend(task, &rendered, None);
         assert!(
             text.ends_with(
                 "  normals:\n    miss where there is a surface, 1 pixel\n    another normal, 1 pixel\n  distances: as expected\n"
@@ -172,8 +198,7 @@ mod tests {
             "{text}"
         );
         assert!(!text.contains('\x1b'), "{text}");
-        let in_terminal = describe(task, &rendered, Some(Colours::True));
-        assert!(in_terminal.contains('▀') && in_terminal.contains('\x1b'));
-        assert!(in_terminal.lines().count() < 30, "{in_terminal}");
+        let in_terminal = legend(task, &rendered, Some(Colours::True));
+        assert!(in_terminal.contains('\x1b'), "{in_terminal}");
     }
 }

@@ -12,13 +12,19 @@ use clap::{Arg, ArgAction, Command};
 /// pictures rendered by the workspace's program.
 pub const EXPERIMENTS: [&str; 6] = ["triangle", "sphere", "box", "bvh", "world", "picture"];
 
+/// The command that draws the picture of a task and opens the page of what is wrong in it.
+pub(super) const LOOK: &str = "look";
+
+/// The option of [`look`] with which it only draws the picture.
+pub(super) const NO_PAGE: &str = "no-page";
+
 /// The names of the meshes of `grader speedup`, the default first.
 pub const MESHES: [&str; 4] = ["terrain", "smooth", "knot", "needles"];
 
 /// The command line of the program `name`, if students use it.
 pub(super) fn of(name: &str) -> Option<Command> {
     match name {
-        "look" => Some(look()),
+        LOOK => Some(look()),
         "cost" => Some(cost()),
         "speedup" => Some(speedup()),
         _ => None,
@@ -27,9 +33,15 @@ pub(super) fn of(name: &str) -> Option<Command> {
 
 /// The command line of `grader look`.
 pub fn look() -> Command {
-    Command::new("look")
-        .about("Shows what is wrong in a task: writes a page with pictures and rays, and opens it in the browser")
+    Command::new(LOOK)
+        .about("Renders a task's picture with your code, beside the expected one, and opens a page of what is wrong in the task, drawn")
         .arg(task_argument())
+        .arg(
+            Arg::new(NO_PAGE)
+                .long(NO_PAGE)
+                .action(ArgAction::SetTrue)
+                .help("Only draw the picture in the terminal, and write it to a file"),
+        )
         .arg(
             Arg::new("no-open")
                 .long("no-open")

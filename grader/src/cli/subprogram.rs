@@ -2,6 +2,7 @@
 //!
 //! Cargo builds each of them on its first use.
 
+use super::programs::LOOK;
 use crate::build;
 use base::program::{Exit, HELP, help_in};
 use base::{GraderError, Workspace, errln, outln};
@@ -9,11 +10,8 @@ use std::ffi::OsString;
 use std::path::Path;
 use std::process::Command;
 
-/// The command of `review` that students use, for which it is built without the libraries of the
-/// others.
-const LOOK: &str = "look";
-
-/// The commands whose programs are built in seconds.
+/// The commands whose programs are built in seconds. That of [`LOOK`] is `review` without the
+/// libraries of its other commands.
 const SMALL: [&str; 3] = [LOOK, "start", "handout"];
 
 /// Prints the help of the command that `arguments` name, if they ask for it, without building its

@@ -58,6 +58,15 @@ impl Diagnosis {
         self.certainty == Certainty::Likely
     }
 
+    /// Whether it explains wrong answers in this field, given by this function if it is known.
+    pub(crate) fn explains(&self, aspect: Aspect, function: Option<&str>) -> bool {
+        let mut of_field = self.places.iter().filter(|(field, _)| *field == aspect);
+        of_field.any(|(_, place)| {
+            let functions = place.as_deref().zip(function);
+            functions.is_none_or(|(place, own)| place == own)
+        })
+    }
+
     /// Whether the answers are those of the known mistake, each of them.
     pub(super) fn is_exact(&self) -> bool {
         let is_exact = self.claim == Claim::Alike(Evidence::Exact);
@@ -108,5 +117,27 @@ impl Certainty {
             Certainty::Likely => "Likely",
             Certainty::Perhaps => "Perhaps",
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_mistake_explains_its_fields_in_its_functions() {
+        let places = [
+            (Aspect::Normal, None),
+            (Aspect::T, Some("test_triangle".into())),
+        ];
+        let mistake = Diagnosis {
+            places: places.into(),
+            ..Diagnosis::default()
+        };
+        assert!(mistake.explains(Aspect::Normal, Some("record_triangle")));
+        assert!(mistake.explains(Aspect::T, Some("test_triangle")));
+        assert!(mistake.explains(Aspect::T, None));
+        assert!(!mistake.explains(Aspect::T, Some("intersect_triangle")));
+        assert!(!mistake.explains(Aspect::HitOrMiss, None));
     }
 }

@@ -36,7 +36,7 @@ pub(super) fn is_ruled_out(
                 .wrong_calls(&|case| spec_of(case).map(Spec::calls));
             let elsewhere = wrong
                 .iter()
-                .filter(|(case, call, _)| is_elsewhere(case, *call));
+                .filter(|wrong| is_elsewhere(&wrong.case, wrong.call));
             elsewhere.count() >= REFUTING
         })
 }

@@ -4,6 +4,7 @@
 //! same for everybody, and the judge of the case judges the answers. The first wrong answer with
 //! the same aspect, the same function and the same class of error is the simplest.
 
+use super::{Diagnosis, Explanation};
 use crate::score::{CaseResult, TaskResult, order};
 use crate::sketch::Sketch;
 use crate::workers::crash::{Crash, CrashKind};
@@ -77,6 +78,58 @@ pub fn of_task(
     specs: &[Spec],
 ) -> Result<Option<SimplestCall>, GraderError> {
     of_wrong(workers, task, specs, &|findings| findings)
+}
+
+/// The simplest call for the failed cases of `task`, and what `explain` says of their wrong answers,
+/// given the circumstances of wrong simple calls.
+///
+/// With two mistakes at once one half may be named, and the call that is simpler than all others may
+/// show the other half. Then the simplest call that the named mistake explains is shown instead.
+pub fn with_explanation(
+    workers: &StageWorkers,
+    task: &TaskResult,
+    specs: &[Spec],
+    explain: &dyn Fn(&[Vec<&str>]) -> Explanation,
+) -> Result<(Option<SimplestCall>, Explanation), GraderError> {
+    let Some(simplest) = of_task(workers, task, specs)? else {
+        return Ok((None, explain(&[])));
+    };
+    let explanation = explain(&simplest.wrong_where);
+    let of_mistake = match &explanation.diagnosis {
+        Some(named) if is_of_another(&simplest, named) => {
+            let choice = |findings: Vec<Finding>| explained_by(named, &findings);
+            let mut explained = task.clone();
+            for case in &mut explained.cases {
+                case.findings = choice(std::mem::take(&mut case.findings));
+            }
+            of_wrong(workers, &explained, specs, &choice)?
+        }
+        _ => None,
+    };
+    Ok(match of_mistake {
+        // What is said must be true of both calls.
+        Some(call) => {
+            let both = [simplest.wrong_where, call.wrong_where.clone()].concat();
+            let explanation = explain(&both);
+            (Some(call), explanation)
+        }
+        None => (Some(simplest), explanation),
+    })
+}
+
+/// Whether a call shows wrong answers that the mistake does not explain. Where a mistake explains
+/// none, or the call ends the code, this is not known.
+fn is_of_another(call: &SimplestCall, mistake: &Diagnosis) -> bool {
+    let is_explained = |aspect| mistake.explains(aspect, call.function);
+    !mistake.places.is_empty() && !call.aspect.is_none_or(is_explained)
+}
+
+/// The findings with those wrong answers alone that the mistake explains.
+fn explained_by(mistake: &Diagnosis, findings: &[Finding]) -> Vec<Finding> {
+    let chosen = findings.iter().map(|finding| {
+        finding.with_only(|fault| mistake.explains(finding.aspect, fault.named_function()))
+    });
+    chosen.collect()
 }
 
 /// Leaves only some wrong answers in the findings of a case or of a simple question.

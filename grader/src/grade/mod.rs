@@ -19,6 +19,8 @@ use base::{GraderError, Workspace};
 use judge::cases::{self, Spec};
 use judge::packed_truth;
 use judge::repro::{self, FailedCase};
+use pictures::Image;
+use std::path::PathBuf;
 use wire::record::HoleCall;
 use wire::{Answer, Outcome};
 
@@ -48,6 +50,9 @@ pub struct Graded {
     /// Pictures of tasks that lost core points, if they were asked for: PNG files of expected,
     /// yours and their difference, by the keys of the tasks.
     pub pictures: Vec<(String, Vec<u8>)>,
+    /// The picture with light of the last complete task that has one, with its file below the
+    /// workspace's root folder.
+    pub lit: Option<(PathBuf, Image)>,
 }
 
 /// Grades the code in `workspace` in place. With `times` it also measures the speedups by the BVH,
@@ -95,6 +100,16 @@ pub fn in_place(
     for report in &mut tasks {
         add_examples(workspace, &course, &mut report.result)?;
     }
+    let is_complete = |task: &Task| {
+        let mut results = tasks.iter().map(|report| &report.result);
+        results.any(|of| of.key == task.key && of.score >= of.max_score)
+    };
+    let complete: Vec<&Task> = course
+        .select(&request.what)?
+        .into_iter()
+        .filter(|task| is_complete(task))
+        .collect();
+    let lit = picture::write_lit(workspace, &course, &complete, &workers)?;
     let speedups = if times && speedup::is_attempted(&tasks) {
         Some(speedup::measure(&course, &workers.whole_scene)?)
     } else {
@@ -107,6 +122,7 @@ pub fn in_place(
         limit: workers.limit,
         may_be_the_machine,
         pictures: Vec::new(),
+        lit,
     })
 }
 
@@ -156,6 +172,7 @@ pub fn at(
     }
     Ok(Graded {
         pictures: sheets,
+        lit: None,
         report: Report::new(
             explain(workspace, course, run.results, &specs, seed, &workers)?,
             None,
@@ -282,15 +299,17 @@ fn explain(
         };
         let cases = unmoved.as_ref().unwrap_or(&result.cases);
         let known = diagnosis::known(workspace, &result.key)?;
-        let simplest = match &of_stage {
-            Some(workers) => simplest::of_task(workers, &result, specs)?,
-            None => None,
+        let explained = |wrong_where: &[Vec<&str>]| {
+            diagnosis::explain(&result, cases, &known, (specs, seed), wrong_where)
         };
-        let wrong_where = simplest.as_ref().map_or(&[][..], |call| &call.wrong_where);
+        let (simplest, explanation) = match &of_stage {
+            Some(workers) => simplest::with_explanation(workers, &result, specs, &explained)?,
+            None => (None, explained(&[])),
+        };
         let Explanation {
             diagnosis,
             regularities,
-        } = diagnosis::explain(&result, cases, &known, (specs, seed), wrong_where);
+        } = explanation;
         let simplest_test = simplest.as_ref().and_then(|call| call.test.as_ref());
         let worst_as_test = match simplest_test {
             Some(test) => Some(repro::as_file(SIMPLEST, &result.key, test)),

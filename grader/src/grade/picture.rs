@@ -8,9 +8,10 @@ use crate::workers::worker_set::WorkerSet;
 use base::{GraderError, Workspace, write_whole};
 use judge::pictures::{NAME, TaskPicture};
 use pictures::difference::{Comparison, compare};
-use pictures::{Image, png, sheet, tone};
+use pictures::{Image, light, png, sheet, tone};
 use std::path::PathBuf;
 use wire::Answer;
+use wire::picture::PictureAnswer;
 
 /// The picture of a task beside its golden.
 #[derive(Clone, Debug)]
@@ -111,6 +112,16 @@ pub fn rendered_by(
     picture: &TaskPicture,
     worker: &Worker,
 ) -> Result<Result<Image, Status>, GraderError> {
+    let answer = answer_of(course, picture, worker)?;
+    Ok(answer.map(|answer| tone::compose(picture, &answer)))
+}
+
+/// What `worker` answers to the question of a picture, or why it does not.
+fn answer_of(
+    course: &Course,
+    picture: &TaskPicture,
+    worker: &Worker,
+) -> Result<Result<PictureAnswer, Status>, GraderError> {
     let mut run = runner::run(worker, &[picture.spec().case()])?;
     let ending = run
         .endings
@@ -118,10 +129,41 @@ pub fn rendered_by(
         .ok_or_else(|| GraderError::new("the worker returned no picture"))?;
     let ending = Ok(ending);
     Ok(match grade::answered(picture.task, &ending, course)? {
-        Ok(Answer::Picture(answer)) => Ok(tone::compose(picture, answer)),
+        Ok(Answer::Picture(answer)) => Ok(answer.clone()),
         Ok(_) => Err(Status::Failed),
         Err(status) => Err(status),
     })
+}
+
+/// The file, among what the grader writes, of the last task's picture with light.
+const LIT: &str = "yours.png";
+
+/// Renders the picture of the last of the complete `tasks` that shows shapes, with light, and writes
+/// it. Returns the file below the workspace's root folder, and the picture.
+pub fn write_lit(
+    workspace: &Workspace,
+    course: &Course,
+    tasks: &[&Task],
+    workers: &WorkerSet,
+) -> Result<Option<(PathBuf, Image)>, GraderError> {
+    let pictures = tasks.iter().rev().filter_map(|task| {
+        let picture = judge::pictures::of(&task.key)?.to_be_lit()?;
+        Some((picture, workers.workers(&task.stage)?))
+    });
+    for (picture, of_stage) in pictures {
+        let answer = answer_of(course, &picture, &of_stage.stage)?;
+        let Some(lit) = answer
+            .ok()
+            .and_then(|answer| light::lit(&picture.work, &answer))
+        else {
+            continue;
+        };
+        let path = workspace.for_students(LIT)?;
+        write_whole(&path, &png::encode(&lit))?;
+        let inside = path.strip_prefix(workspace.root()).unwrap_or(&path);
+        return Ok(Some((inside.to_path_buf(), lit)));
+    }
+    Ok(None)
 }
 
 /// Renders and writes the pictures of `tasks`. Returns the keys of those that show something, and

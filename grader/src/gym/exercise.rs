@@ -6,13 +6,14 @@ use crate::course::{Task, chapter};
 use crate::diagnosis::{self, Known};
 use crate::report::message;
 use crate::report::wrap::{one_line, shorten_numbers};
+use crate::signature::WrongCall;
 use base::{GraderError, Workspace};
 use judge::cases::Spec;
-use judge::findings::Aspect;
+use judge::findings::{Aspect, Class};
 use judge::snapshot;
 use pictures::image::Image;
 use pictures::png;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 
 /// Columns of an input or an answer.
@@ -50,6 +51,12 @@ impl Exercise {
         format!("{}: {}", self.task, self.names[0][0])
     }
 
+    /// The question: what one sees in the picture of the mistake.
+    pub fn text(&self) -> String {
+        let seen = &self.names[0][1];
+        format!("{}: one sees: {seen}. Which code does that?", self.task)
+    }
+
     /// The right picture beside that of the mistake.
     pub fn picture(&self) -> Result<Image, GraderError> {
         let failed =
@@ -85,6 +92,7 @@ pub fn of(
     let text = std::fs::read_to_string(&path).map_err(|e| GraderError::file("read", &path, e))?;
     let all_known = diagnosis::known(workspace, &task.key)?;
     let table = names(&text);
+    let mut shown = BTreeSet::new();
     let mut found = Vec::new();
     for (i, name) in pictured(&text).into_iter().enumerate() {
         let Some(row) = table.iter().position(|row| row[0] == name) else {
@@ -95,7 +103,12 @@ pub fn of(
         let known = all_known
             .iter()
             .find(|known| known.descriptions == [name.as_str()]);
-        let calls = known.map_or(Ok(Vec::new()), |known| calls(workspace, task, specs, known))?;
+        let mut calls =
+            known.map_or(Ok(Vec::new()), |known| calls(workspace, task, specs, known))?;
+        // What other mistakes do as well comes last.
+        calls.sort_by_key(|call| shown.contains(call));
+        calls.truncate(CALLS);
+        shown.extend(calls.iter().cloned());
         found.push(Exercise {
             task: task.key.clone(),
             names,
@@ -111,7 +124,7 @@ pub fn of(
     Ok(found)
 }
 
-/// Up to [`CALLS`] calls that the mistake makes wrong, each of another case, with short numbers.
+/// Calls that the mistake makes wrong, each of another case, with short numbers.
 fn calls(
     workspace: &Workspace,
     task: &Task,
@@ -123,43 +136,62 @@ fn calls(
         .signature
         .wrong_calls(&|case| spec_of(case).map(Spec::calls));
     // Of each case the call that is shortest to read, and of these the shortest.
-    let mut shortest: BTreeMap<String, (usize, u32, Aspect, String)> = BTreeMap::new();
-    for (case, call, aspect) in wrong {
-        let Some(input) = spec_of(&case).and_then(|spec| spec.input(call as usize)) else {
+    let mut shortest: BTreeMap<String, (usize, WrongCall, String)> = BTreeMap::new();
+    for wrong in wrong {
+        let spec = spec_of(&wrong.case);
+        let Some(input) = spec.and_then(|spec| spec.input(wrong.call as usize)) else {
             continue;
         };
         let length = digits(&input);
-        let known = shortest.get(&case);
+        let known = shortest.get(&wrong.case);
         if known.is_none_or(|(known, ..)| length < *known) {
-            shortest.insert(case, (length, call, aspect, input));
+            shortest.insert(wrong.case.clone(), (length, wrong, input));
         }
     }
-    let mut shortest: Vec<_> = shortest.into_iter().collect();
-    shortest.sort_by_key(|(_, (length, ..))| *length);
+    let mut shortest: Vec<_> = shortest.into_values().collect();
+    shortest.sort_by_key(|(length, ..)| *length);
     let mut texts = Vec::new();
-    for (case, (_, call, aspect, input)) in shortest {
-        let golden = packed::read_snapshot(workspace, &task.key, &case)?
+    for (_, wrong, input) in shortest {
+        let golden = packed::read_snapshot(workspace, &task.key, &wrong.case)?
             .and_then(|text| snapshot::parse(&text).ok());
         let answer = golden
             .as_ref()
-            .and_then(|golden| Some(golden.row(call)?.answer_text()));
+            .and_then(|golden| Some(golden.row(wrong.call)?.answer_text()));
         if let Some(answer) = answer {
-            let instead = match aspect {
-                Aspect::HitOrMiss if answer.starts_with("miss") => "a hit".into(),
-                Aspect::HitOrMiss => "a miss".into(),
-                other if other.is_plural() => format!("other {}", other.label()),
-                other => format!("another {}", other.label()),
-            };
+            let instead = instead(&wrong, &answer);
             let (input, answer) = (short(&input), short(&answer));
             texts.push(format!(
                 "{input}. Right: {answer}. With the mistake: {instead}."
             ));
         }
-        if texts.len() == CALLS {
-            break;
-        }
     }
     Ok(texts)
+}
+
+/// The wrong answer in place of the right one, as far as the stored signature tells it.
+fn instead(wrong: &WrongCall, right: &str) -> String {
+    let label = wrong.aspect.label();
+    let what = match wrong.class {
+        Some(Class::Zero) => "is 0",
+        Some(Class::NotANumber) => "is NaN",
+        Some(Class::Infinite) => "is infinite",
+        Some(Class::Negated) => "has the opposite sign",
+        Some(Class::OtherSide) => "is on the other side",
+        Some(Class::WrongLength) => "has another length",
+        Some(Class::Swapped) => "has its numbers swapped",
+        Some(Class::Ratio(1)) => "is about twice the right one",
+        Some(Class::Ratio(-1)) => "is about half the right one",
+        Some(Class::Ratio(2)) => "is about four times the right one",
+        Some(Class::Ratio(-2)) => "is about a quarter of the right one",
+        _ => "",
+    };
+    match wrong.aspect {
+        Aspect::HitOrMiss if right.starts_with("miss") => "a hit".into(),
+        Aspect::HitOrMiss => "a miss".into(),
+        other if other.is_plural() => format!("other {label}"),
+        _ if what.is_empty() => format!("another {label}"),
+        _ => format!("{label} {what}"),
+    }
 }
 
 /// The digits of a text.
@@ -215,6 +247,8 @@ mod tests {
         for task in course.tasks() {
             let exercises = of(&workspace, task, &specs).unwrap_or_else(|error| panic!("{error}"));
             assert!(exercises.len() >= 2, "{}: {}", task.key, exercises.len());
+            let texts: BTreeSet<String> = exercises.iter().map(Exercise::text).collect();
+            assert_eq!(texts.len(), exercises.len(), "{}: {texts:?}", task.key);
             for exercise in exercises {
                 assert!(exercise.names.len() >= 4, "{}", exercise.id());
                 assert!(!exercise.hint.is_empty(), "{} is not known", exercise.id());

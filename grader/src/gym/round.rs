@@ -90,7 +90,7 @@ fn question(exercise: &Exercise, seed: u64) -> Question {
     };
     let choices = right.iter().map(|row| choice(row, true));
     Question {
-        text: format!("{}: which code does that?", exercise.task),
+        text: exercise.text(),
         choices: choices
             .chain(others.iter().map(|row| choice(row, false)))
             .collect(),

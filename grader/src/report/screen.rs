@@ -11,13 +11,14 @@ use super::message;
 use super::table::{number, summary};
 use super::terminal::{GREEN, Page, style_of};
 use super::wrap::{columns, one_line, shorten_numbers, wrap_to};
-use super::{Report, Reveal, TaskReport};
+use super::{HintLevel, Report, Reveal, TaskReport};
 use crate::course::given;
 use crate::course::sources::Place;
 use crate::score::{CaseResult, Status, TaskResult};
 use crate::workers::printed::Printed;
 use judge::cases::checked;
 use judge::{Tier, plural};
+use std::path::PathBuf;
 
 /// What a screen says besides the report.
 #[derive(Clone, Debug, Default)]
@@ -33,6 +34,8 @@ pub struct Context {
     /// The first error of the compiler in a line, if its messages were printed and are longer than
     /// the page: so they begin out of sight.
     pub first_error: Option<String>,
+    /// The file of the picture with light, if there is one.
+    pub lit: Option<PathBuf>,
     /// What the student's code printed.
     pub printed: Vec<Printed>,
     /// The given files that were changed: [`crate::course::given::changed`].
@@ -79,7 +82,10 @@ pub fn format_screen(report: &Report, context: &Context, reveal: Reveal, page: P
             lines: wrap_to(&sentence, 2, page.width, 4),
         });
     }
-    fit(&mut blocks, page.height);
+    // Whoever asks for more gets all that less shows, the drawing too.
+    if reveal.hint < HintLevel::Mistake {
+        fit(&mut blocks, page.height);
+    }
     let lines = blocks.iter().flat_map(|block| &block.lines);
     lines.flat_map(|line| [line.as_str(), "\n"]).collect()
 }
@@ -318,6 +324,10 @@ fn success(report: &Report, context: &Context, page: Page) -> Vec<Block> {
     let mut tasks = report.tasks.iter().rev();
     if let Some(picture) = tasks.find_map(|task| task.picture.as_ref()) {
         blocks.push(block(1, format!("picture: {}", picture.display())));
+    }
+    if let Some(lit) = &context.lit {
+        let text = format!("Your picture with light, to show around: {}", lit.display());
+        blocks.push(block(1, text));
     }
     if let Some(line) = speedup(report) {
         blocks.push(block(2, line));

@@ -5,7 +5,7 @@ use crate::score::CaseResult;
 use crate::workers::crash::CrashKind;
 use base::fnv;
 use judge::findings::{BLACK_CHANNEL, Class, DirectionCounts, Fault};
-use std::collections::{BTreeMap, HashSet};
+use std::collections::{BTreeMap, HashMap};
 use std::fmt;
 use std::sync::LazyLock;
 
@@ -136,7 +136,7 @@ pub(super) fn distributions_of(case: &CaseResult) -> Vec<(SignatureKey, Vec<Dire
 /// The codes of classes that identify a mistake on their own, such as the same wrong factor in
 /// every answer. Other classes describe where the answer is wrong, or how large the error is, which
 /// partly depends on random numbers.
-pub(super) static TELLING_KINDS: LazyLock<HashSet<u16>> = LazyLock::new(|| {
+pub(super) static TELLING_KINDS: LazyLock<HashMap<u16, Class>> = LazyLock::new(|| {
     let ratios = (-99..=99).map(Class::Ratio);
     // Grey factors of colours, some of whose channels may be black.
     let greys = (-40..=40).flat_map(|ratio| {
@@ -160,7 +160,7 @@ pub(super) static TELLING_KINDS: LazyLock<HashSet<u16>> = LazyLock::new(|| {
         Class::Swapped,
     ];
     let all = ratios.chain(greys).chain(others);
-    all.map(|class| digest(&[class])).collect()
+    all.map(|class| (digest(&[class]), class)).collect()
 });
 
 impl Codes {

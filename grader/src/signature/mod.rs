@@ -20,7 +20,7 @@ pub use together::{Alone, Together};
 
 use crate::score::CaseResult;
 use judge::Tier;
-use judge::findings::{Aspect, DirectionCounts};
+use judge::findings::{Aspect, Class, DirectionCounts};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// For each side of each case a code for each call: 0 where the answer is right, else a digest of
@@ -53,6 +53,19 @@ impl PartialEq for Signature {
 type Distributions = BTreeMap<SignatureKey, Vec<DirectionCounts>>;
 
 type Cases = BTreeMap<SignatureKey, Codes>;
+
+/// A wrong answer of a signature.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct WrongCall {
+    /// The case.
+    pub case: String,
+    /// The number of the call.
+    pub call: u32,
+    /// What is wrong.
+    pub aspect: Aspect,
+    /// How, if the code has only this class and this class tells it.
+    pub class: Option<Class>,
+}
 
 /// The codes of a side of a case, call by call; none where every call is right.
 fn codes_at<'a>(cases: &'a Cases, key: &SignatureKey) -> &'a [u16] {
@@ -165,13 +178,10 @@ impl Signature {
         self.cases().values().map(Codes::wrong).sum()
     }
 
-    /// Calls that are wrong, with the aspect. `calls_of` says how many calls a case has. Left out
+    /// Calls that are wrong, with the aspect, and how, if that is known. `calls_of` says how many calls a case has. Left out
     /// are crashes, and calls of which only the neighbourhood is known: the first wrong one of a
     /// side in a large case.
-    pub fn wrong_calls(
-        &self,
-        calls_of: &dyn Fn(&str) -> Option<usize>,
-    ) -> Vec<(String, u32, Aspect)> {
+    pub fn wrong_calls(&self, calls_of: &dyn Fn(&str) -> Option<usize>) -> Vec<WrongCall> {
         let mut wrong = Vec::new();
         for (key, codes) in self.cases() {
             let (Side::Aspect { aspect, .. }, Some(calls)) = (&key.side, calls_of(&key.case))
@@ -182,11 +192,16 @@ impl Signature {
             let places = (0_u32..)
                 .zip(&codes.0)
                 .filter(|(_, code)| **code != 0)
-                .map(|(place, _)| place * stride);
+                .map(|(place, code)| (place * stride, code));
             let places = places
                 .skip(usize::from(stride > 1))
-                .filter(|call| (*call as usize) < calls);
-            wrong.extend(places.map(|call| (key.case.clone(), call, *aspect)));
+                .filter(|(call, _)| (*call as usize) < calls);
+            wrong.extend(places.map(|(call, code)| WrongCall {
+                case: key.case.clone(),
+                call,
+                aspect: *aspect,
+                class: TELLING_KINDS.get(code).copied(),
+            }));
         }
         wrong
     }
@@ -394,7 +409,7 @@ impl Signature {
             let codes: BTreeSet<u16> = codes.0.iter().copied().filter(|code| *code != 0).collect();
             // A distribution also identifies a mistake.
             let is_spread = matches!(side.place(), Some((Aspect::Spread, _)));
-            let telling = |code| is_spread || TELLING_KINDS.contains(code);
+            let telling = |code| is_spread || TELLING_KINDS.contains_key(code);
             if !codes.iter().all(telling) {
                 return None;
             }

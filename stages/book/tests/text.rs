@@ -41,6 +41,44 @@ fn figures_are_drawn_by_the_code_and_each_is_shown() {
     assert_eq!(files.count(), drawn.len(), "a file that no code draws");
 }
 
+/// Parts 1 and 2 are for whoever begins: a chapter can be followed from its first lines.
+#[test]
+fn chapters_of_the_first_parts_begin_with_a_short_path() {
+    const MOST_WORDS: usize = 150;
+    let is_of_first = |chapter: &&Chapter| {
+        let path = chapter.path.to_string_lossy().into_owned();
+        ["part1/task", "part2/task"]
+            .iter()
+            .any(|start| path.starts_with(start))
+    };
+    let all = chapters();
+    let first: Vec<&Chapter> = all.iter().filter(is_of_first).collect();
+    assert_eq!(first.len(), 7);
+    for chapter in first {
+        let at = chapter.path.display();
+        let lines = chapter
+            .text
+            .lines()
+            .skip_while(|line| !line.starts_with("> **In short**"));
+        let lines: Vec<&str> = lines.take_while(|line| line.starts_with('>')).collect();
+        let text = lines.join(" ");
+        for item in [
+            "*In:*",
+            "*To do:*",
+            "*Out:*",
+            "(#the-figure)",
+            "(#a-worked-example)",
+            "*The trap:*",
+        ] {
+            assert!(text.contains(item), "{at}: no {item}");
+        }
+        let words = text
+            .split_whitespace()
+            .filter(|word| !matches!(*word, ">" | "-"));
+        assert!(words.count() <= MOST_WORDS, "{at}");
+    }
+}
+
 #[test]
 fn the_index_of_symbols_is_that_of_the_chapters() {
     let glossary = chapters();

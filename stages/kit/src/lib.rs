@@ -1,6 +1,7 @@
 //! The types and helper functions that all stages share.
 //!
-//! Reading order:
+//! For Part 1 read [`ray`], [`hit`], [`shapes`] and [`camera`], about 300 lines, and of [`sampler`]
+//! only [`PixelSampler::get_sample`]. Read the others when a part needs them:
 //!
 //! - [`ray`], [`hit`]: the input and the result of an intersection test.
 //! - [`shapes`], [`aabb`]: primitives and bounding boxes.

@@ -2,7 +2,7 @@
 //! triangles at a time.
 //!
 //! There are only these hints: [`WideBvh`] documents what to compute, and the earlier stages show
-//! how. The speed is up to you: in a checkout of the whole course, `cargo bench -p benches --bench
+//! how. The speed is up to you: in a checkout of the whole course, `cargo bench -p timings --bench
 //! simd_bvh` compares your tree with that of stage `bvh`.
 //!
 // BEGIN SOLUTION(part6.task1)

@@ -5,20 +5,17 @@ use base::program::Exit;
 use base::{GraderError, Workspace, errln, out, outln};
 use clap::{Arg, ArgMatches, Command, value_parser};
 use grader::book;
+use grader::cli::picture::in_terminal;
 use grader::course::Course;
 use grader::progress::next_task;
 use grader::report::screen;
 use handout::repository::Repository;
 use handout::{Handout, built, output_folder};
-use pictures::{Image, png, terminal};
-use std::io::IsTerminal;
+use pictures::{Image, png};
 use std::path::{Path, PathBuf};
 
 /// The name of the command.
 pub(crate) const NAME: &str = "start";
-
-/// The width of the picture in the terminal, in columns.
-const COLUMNS: u32 = 64;
 
 pub(crate) fn command() -> Command {
     Command::new(NAME)
@@ -89,22 +86,13 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
 /// The upper panel of the picture of a task, where the terminal has colours, and a line about it.
 fn picture(started: &Workspace, task: &str, part: u32) -> Result<String, GraderError> {
     let path = started.golden_picture(task, "task");
-    let colours = match std::io::stdout().is_terminal() {
-        true => terminal::colours(|name| std::env::var(name).ok()),
-        false => None,
-    };
-    let Some(colours) = colours else {
-        return Ok(format!(
-            "What Part {part} draws at its end: {}\n",
-            path.display()
-        ));
-    };
     let sheet = png::read(&path).map_err(|why| GraderError::file("read", &path, why))?;
     let panels = judge::pictures::of(task).map_or(1, |picture| picture.panels.len() as u32);
     let [w, h] = sheet.size();
     let panel = Image::from_fn([w, h / panels.max(1)], |x, y| sheet.get(x, y));
-    let drawn = terminal::half_blocks(&panel, COLUMNS, colours);
-    Ok(format!(
-        "{drawn}What Part {part} draws at its end: each colour is the direction of a surface.\n"
-    ))
+    let about = format!("What Part {part} draws at its end");
+    Ok(match in_terminal(&panel) {
+        Some(drawn) => format!("{drawn}{about}: each colour is the direction of a surface.\n"),
+        None => format!("{about}: {}\n", path.display()),
+    })
 }

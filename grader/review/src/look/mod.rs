@@ -94,11 +94,11 @@ impl Look {
             Status::Passed | Status::NotAttempted => (None, None),
             _ => {
                 let known = diagnosis::known(workspace, &task.key)?;
-                let simplest = simplest::of_task(&of_stage, &result, specs)?;
-                let wrong_where = simplest.as_ref().map_or(&[][..], |call| &call.wrong_where);
-                let questions = (specs, 0);
-                let explanation =
-                    diagnosis::explain(&result, &result.cases, &known, questions, wrong_where);
+                let explain = |wrong_where: &[Vec<&str>]| {
+                    diagnosis::explain(&result, &result.cases, &known, (specs, 0), wrong_where)
+                };
+                let (simplest, explanation) =
+                    simplest::with_explanation(&of_stage, &result, specs, &explain)?;
                 (simplest, explanation.diagnosis)
             }
         };

@@ -92,14 +92,23 @@ fn not_written(out: &mut Lines, task: &TaskResult, context: &Context) {
     out.add(1, 2, &run);
 }
 
+/// The chapter of the book about Rust, and its section about the compiler's messages.
+const RUST: [&str; 2] = ["rust", "errors-and-warnings-that-come-up-here"];
+
 fn does_not_compile(out: &mut Lines, task: &TaskResult, context: &Context) {
     let what = format!("{}: stages/{} does not compile", task.key, task.stage);
+    let [chapter, section] = RUST;
+    let means = format!(
+        "  What such errors mean, and what to do: {}",
+        book_command(chapter, section)
+    );
     let Some(messages) = &context.compiler else {
         let text = format!("{what}: the compiler's messages are above.");
         out.add(0, 2, &text);
         if let Some(first) = &context.first_error {
             out.add(0, SENTENCES, &format!("  The first: {first}"));
         }
+        out.add(1, 2, &means);
         return;
     };
     out.add(0, 2, &format!("{what}."));
@@ -120,6 +129,7 @@ fn does_not_compile(out: &mut Lines, task: &TaskResult, context: &Context) {
         let others = judge::plural(count - 1, "other message", "other messages");
         out.add(2, 1, &format!("  and {others} of the compiler"));
     }
+    out.add(1, 2, &means);
 }
 
 /// The failed cases that count: the core cases, or with `extra` the robust ones if no core case
@@ -160,11 +170,13 @@ fn wrong(out: &mut Lines, report: &TaskReport, reveal: Reveal) {
         &format!("{}: {verb}: {}", task.key, names.join(", ")),
     );
     reduced(out, task);
-    if reveal.hint == HintLevel::Cases {
+    if reveal.hint != HintLevel::Findings {
         for case in cases.iter().take(DESCRIBED) {
             let text = format!("  {} tests: {}", case.name, checked(&case.about));
             out.add(3, NAMES, &text);
         }
+    }
+    if reveal.hint == HintLevel::Cases {
         return;
     }
     explanation(out, report, reveal);

@@ -44,6 +44,8 @@ mod traversal;
 use eye::Eye;
 #[cfg(any(feature = "intersect", feature = "raygen", feature = "bvh"))]
 use kit::Vec3;
+#[cfg(any(feature = "intersect", feature = "bbox"))]
+use wire::picture::NEAR_AND_FAR;
 use wire::picture::{PictureAnswer, PictureWork, Subject};
 
 /// Renders a picture on the linked stage.
@@ -168,12 +170,12 @@ fn direction_colour(d: Vec3) -> [f64; 3] {
     (0.5 * d + 0.5).to_array()
 }
 
-/// The brightness of a distance: from 0.7 at `near` to 0.02 at `far`, so that no hit is as black as
-/// a miss. A NaN stays one.
+/// The brightness of a distance between `near` and `far`. A NaN stays one.
 #[cfg(any(feature = "intersect", feature = "bbox"))]
 fn nearness(t: f64, [near, far]: [f64; 2]) -> f64 {
     let share = (t - near) / (far - near);
-    0.7 - 0.68 * share.clamp(0.0, 1.0)
+    let [brightest, darkest] = NEAR_AND_FAR;
+    brightest - (brightest - darkest) * share.clamp(0.0, 1.0)
 }
 
 /// The colour of a number from 0 to 1, from dark blue over green and yellow to white.

@@ -79,6 +79,20 @@ const fn coarse(about: &'static str, differences: Differences, steps: u8) -> Pan
 }
 
 impl TaskPicture {
+    /// The same view with twice as many columns and rows, if it shows shapes: their normals and
+    /// distances are all that light needs.
+    pub fn to_be_lit(&self) -> Option<TaskPicture> {
+        let mut large = self.clone();
+        let Subject::Shapes { view, .. } = &mut large.work.subject else {
+            return None;
+        };
+        for step in [&mut view.right, &mut view.up] {
+            *step = step.map(|coordinate| 0.5 * coordinate);
+        }
+        large.work.size = large.work.size.map(|count| 2 * count);
+        Some(large)
+    }
+
     /// The picture as a case for a worker: it has the picture's name and no points.
     pub fn spec(&self) -> Spec {
         Spec::new::<kind::Picture>(

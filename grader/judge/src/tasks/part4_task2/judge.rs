@@ -3,6 +3,7 @@
 use super::draws;
 use super::throughput;
 use super::truth::Right;
+use crate::plural;
 use crate::tools::aspects::hits::show;
 use crate::tools::aspects::numbers;
 use crate::tools::findings::{Aspect, Class, Findings, Message};
@@ -23,9 +24,9 @@ pub(crate) fn paths(findings: &mut Findings, paths: &[ScriptedPath], answers: &[
         let about = || {
             let steps = path.steps.iter().map(|step| format!("{:?}", step.material));
             format!(
-                "-m {}, a path of {} surfaces: {}",
+                "-m {}, a path of {}: {}",
                 path.max_depth,
-                path.steps.len(),
+                plural(path.steps.len(), "surface", "surfaces"),
                 steps.collect::<Vec<_>>().join(", ")
             )
         };

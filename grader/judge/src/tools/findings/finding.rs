@@ -3,6 +3,7 @@
 use super::{Aspect, Class, Message};
 use crate::tools::errors::{ErrorSpread, NumberError};
 use serde::Serialize;
+use std::collections::BTreeSet;
 use std::fmt;
 
 /// The result of judging one aspect in one case.
@@ -134,6 +135,21 @@ pub struct Worst {
 }
 
 impl Finding {
+    /// The finding with those wrong answers alone.
+    #[must_use]
+    pub fn with_only(&self, is_kept: impl Fn(&Fault) -> bool) -> Finding {
+        let mut faults = self.faults.clone();
+        faults.retain(is_kept);
+        let calls: BTreeSet<u32> = faults.iter().map(|fault| fault.call).collect();
+        let worst = self.worst.clone();
+        Finding {
+            wrong: calls.len() as u32,
+            worst: worst.filter(|worst| calls.contains(&worst.call)),
+            faults,
+            ..self.clone()
+        }
+    }
+
     /// The same counts without the answers, which are many.
     pub fn counts(&self) -> Finding {
         Finding {

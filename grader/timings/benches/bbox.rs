@@ -1,7 +1,7 @@
 //! Benchmarks of the box test: rays that hit, rays that miss, and a random mix; and one ray against
 //! many boxes, where the inverse direction can be computed once.
 //!
-//! Run with `cargo bench -p benches --bench bbox`; arguments after `--` are criterion's. Each time is that of one
+//! Run with `cargo bench -p timings --bench bbox`; arguments after `--` are criterion's. Each time is that of one
 //! test, with about a nanosecond for the loop around it.
 
 use criterion::{Criterion, Throughput};

@@ -1,7 +1,7 @@
 //! From world space to the view: where a point appears, and what hides it.
 
 use kit::camera::half_tan;
-use kit::{Camera, Vec2, Vec3};
+use kit::{Aabb, Camera, Vec2, Vec3};
 use raygen::generate_ray;
 
 /// The projection of a camera.
@@ -81,6 +81,11 @@ impl Projection {
             0.5 * on_plane + 0.5
         })
     }
+}
+
+/// Whether a box can be drawn: it is neither empty nor endless.
+pub fn is_drawn(b: &Aabb) -> bool {
+    !b.is_empty() && b.min.is_finite() && b.max.is_finite()
 }
 
 #[cfg(test)]

@@ -241,6 +241,19 @@ impl<'a> Lines<'a> {
         }
     }
 
+    /// A sphere as three circles.
+    pub(super) fn ball(&self, center: Vec3, radius: f64, stroke: Stroke) {
+        for (u, v) in [(Vec3::X, Vec3::Y), (Vec3::Y, Vec3::Z), (Vec3::Z, Vec3::X)] {
+            let at = |i: u32| {
+                let (sin, cos) = (std::f64::consts::TAU * f64::from(i) / 64.0).sin_cos();
+                center + radius * (cos * u + sin * v)
+            };
+            for i in 0..64 {
+                self.line(at(i), at(i + 1), stroke, Hidden::Shown);
+            }
+        }
+    }
+
     /// The mark of what is exact: a ring.
     pub(super) fn ring(&self, p: Vec3, color: Color32) {
         if let Some(at) = self.point(p) {
@@ -281,9 +294,21 @@ impl<'a> Lines<'a> {
 
     /// An arrow along `d` from `o`, with a name at its head.
     pub(super) fn arrow(&self, o: Vec3, d: Vec3, length: f64, color: Color32, name: &str) {
-        let tip = o + length * d;
-        self.line(o, tip, Stroke::new(2.0, color), Hidden::Shown);
-        let (Some(from), Some(to)) = (self.point(o), self.point(tip)) else {
+        self.patterned_arrow(o, length * d, color, name, Pattern::Solid);
+    }
+
+    /// An arrow from `o` to `o + d` with a pattern, and a name at its head.
+    pub(super) fn patterned_arrow(
+        &self,
+        o: Vec3,
+        d: Vec3,
+        color: Color32,
+        name: &str,
+        pattern: Pattern,
+    ) {
+        let stroke = Stroke::new(2.0, color);
+        self.patterned(o, o + d, stroke, Hidden::Shown, pattern);
+        let (Some(from), Some(to)) = (self.point(o), self.point(o + d)) else {
             return;
         };
         let back = (from - to).normalized();

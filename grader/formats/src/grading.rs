@@ -13,7 +13,6 @@ use grader::report::{self, Reveal, table};
 use grader::workers::printed;
 use judge::Tier;
 use std::any::Any;
-use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
@@ -96,7 +95,6 @@ fn in_place(
         json,
         reveal,
         notes,
-        refused: BTreeMap::new(),
     })))
 }
 
@@ -123,7 +121,6 @@ fn submission(
     Ok(Outcome::Graded(Box::new(Graded {
         annotations: annotation::all(&report.scores, &report.compiler, &files, reveal),
         notes: notes(&report),
-        refused: report.refused_stages,
         what: options.request.what,
         report: report.scores,
         json,
@@ -211,7 +208,6 @@ mod tests {
                     extra: false,
                 },
                 notes: "containment: none\n".into(),
-                refused: BTreeMap::new(),
                 annotations: Vec::new(),
             }));
             match with_seed(graded, drawn) {

@@ -3,7 +3,6 @@
 use crate::annotation::Annotation;
 use grader::report::{Report, Reveal, TaskReport, table};
 use grader::score::Status;
-use std::collections::BTreeMap;
 
 /// What a run of the grader came to.
 #[derive(Clone, Debug)]
@@ -37,8 +36,6 @@ pub struct Graded {
     /// What is said besides the tasks, such as ignored files and the compiler's messages. Empty if
     /// there is nothing.
     pub notes: String,
-    /// Stages of a submission that were refused before they were compiled, with the reasons.
-    pub refused: BTreeMap<String, Vec<String>>,
     /// Remarks about lines of the code.
     pub annotations: Vec<Annotation>,
 }

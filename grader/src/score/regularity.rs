@@ -439,6 +439,7 @@ pub(crate) fn drop_refuted(regularities: &mut Vec<Regularity>, wrong_where: &[Ve
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::score::Status;
     use judge::findings::Findings;
 
     const TASK: &str = "part1.task4";

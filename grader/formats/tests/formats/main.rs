@@ -5,9 +5,7 @@ mod junit_schema;
 mod outcomes;
 
 use formats::{Format, Outcome};
-use outcomes::{
-    all, failed_grader, full, hostile, nothing_compiles, partly, refused, settings, stage_refused,
-};
+use outcomes::{all, failed_grader, full, hostile, nothing_compiles, partly, refused, settings};
 use serde_json::Value;
 
 fn written(format: Format, outcome: &Outcome) -> String {

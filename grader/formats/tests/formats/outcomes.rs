@@ -11,7 +11,6 @@ use grader::score::regularity::{Regularity, Shared};
 use grader::score::{CaseResult, Status, TaskResult};
 use grader::workers::crash::Crash;
 use judge::findings::{Aspect, Finding, Findings};
-use std::collections::BTreeMap;
 
 const COURSE: &str = r#"
 conventions = []
@@ -106,7 +105,6 @@ fn graded(statuses: [Status; 4], wrong: [u32; 4], said: &str) -> Outcome {
         report,
         reveal,
         notes: format!("{compiler}{said}\n"),
-        refused: BTreeMap::new(),
     }))
 }
 
@@ -145,16 +143,6 @@ pub(crate) fn broken() -> Outcome {
 pub(crate) fn nothing_compiles() -> Outcome {
     let statuses = [const { Status::DoesNotCompile }; 4];
     graded(statuses, [0; 4], "mismatched types")
-}
-
-/// Code of which the only stage was refused before it was compiled.
-pub(crate) fn stage_refused() -> Outcome {
-    let Outcome::Graded(mut graded) = nothing_compiles() else {
-        unreachable!("code that does not compile is graded");
-    };
-    let why = "stages/intersect/src/lib.rs:3: `unsafe` is not allowed in a stage";
-    graded.refused = BTreeMap::from([("intersect".into(), vec![why.into()])]);
-    Outcome::Graded(graded)
 }
 
 /// Code that says things which are commands, tags or fences elsewhere.

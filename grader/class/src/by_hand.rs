@@ -21,6 +21,7 @@ use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::io::ErrorKind;
 use submission::Untrusted;
+use unicode_normalization::UnicodeNormalization;
 
 /// The name of the file in `OUT`.
 pub const FILE: &str = "by_hand.csv";
@@ -254,13 +255,20 @@ fn shown(text: &str) -> String {
     Untrusted::from(text).line()
 }
 
+/// Whether two names look the same: some systems store `ë` as one character, others as two.
+fn is_same(a: &str, b: &str) -> bool {
+    a == b || a.nfc().eq(b.nfc())
+}
+
 /// The submission with this name, as it is or as `gradebook.csv` shows it.
 fn of_submission(
     name: &str,
     plan: &Plan,
     roster: Option<(&Roster, &Join)>,
 ) -> Result<Whose, String> {
-    let is = |planned: &Untrusted| planned.raw() == name || text(&planned.line()).trim() == name;
+    let is = |planned: &Untrusted| {
+        is_same(planned.raw(), name) || is_same(text(&planned.line()).trim(), name)
+    };
     let submissions = plan.submissions.iter().enumerate();
     let fitting: Vec<usize> = submissions
         .filter(|(_, planned)| is(&planned.name))
@@ -303,7 +311,7 @@ fn of_student(name: &str, roster: Option<(&Roster, &Join)>) -> Result<Whose, Str
             &student.number,
             &student.name,
         ];
-        own.iter().any(|text| **text == name)
+        own.iter().any(|text| is_same(text.raw(), name))
     };
     let students: Vec<usize> = (0..roster.students.len())
         .filter(|i| is(&roster.students[*i]))
@@ -543,6 +551,14 @@ mod tests {
         ] {
             assert_eq!(read(text).as_ref(), Ok(&plain), "{text}");
         }
+    }
+
+    #[test]
+    fn names_that_look_the_same_are_the_same() {
+        for (a, b) in [("Zoë", "Zoe\u{308}"), ("Zoe\u{308}", "Zoë"), ("x", "x")] {
+            assert!(is_same(a, b), "{a} {b}");
+        }
+        assert!(!is_same("Zoë", "Zoe"));
     }
 
     #[test]

@@ -25,6 +25,7 @@ impl Sheet {
         let unmarked = text.trim_start_matches('\u{feff}');
         let text = unmarked.replace("\r\n", "\n").replace('\r', "\n");
         let separator = separator(&text);
+        ensure_closed_marks(&text, separator)?;
         let mut reader = csv::ReaderBuilder::new()
             .flexible(true)
             .has_headers(false)
@@ -46,20 +47,6 @@ impl Sheet {
                 lines.push((line, cells));
             }
         }
-        // A mark that is not closed makes one cell of all that follows.
-        let is_open = text.matches('"').count() % 2 == 1;
-        if let Some((line, cells)) = lines.last().filter(|_| is_open)
-            && cells.iter().any(|cell| cell.contains('\n'))
-        {
-            let cell = cells.iter().find(|cell| cell.contains('\n'));
-            let start = cell
-                .and_then(|cell| cell.lines().next())
-                .unwrap_or_default();
-            return Err(format!(
-                "line {line}: a quotation mark is not closed, before `{}`: close it, or write it twice in a cell between marks",
-                Untrusted::from(start).line()
-            ));
-        }
         let columns = match lines.is_empty() {
             true => Vec::new(),
             false => lines.remove(0).1,
@@ -70,6 +57,40 @@ impl Sheet {
             has_decimal_commas: separator != b',',
         })
     }
+}
+
+/// Returns an error if a cell that begins with a quotation mark does not end with one: its end is
+/// missing, and the next lines, somebody else's, would be part of the cell.
+fn ensure_closed_marks(text: &str, separator: u8) -> Result<(), String> {
+    let ends_cell = |c: char| c == '\n' || c == char::from(separator);
+    let mut rest = text;
+    let mut line = 1;
+    while !rest.is_empty() {
+        let Some(marked) = rest.strip_prefix('"') else {
+            let end = rest.find(ends_cell).map_or(rest.len(), |end| end + 1);
+            line += newlines(&rest.as_bytes()[..end]);
+            rest = &rest[end..];
+            continue;
+        };
+        let mut end = 0;
+        let mut is_closed = false;
+        while let Some(mark) = marked[end..].find('"').filter(|_| !is_closed) {
+            end += mark + 1;
+            // Two of them stand for one.
+            is_closed = !marked[end..].starts_with('"');
+            end += usize::from(!is_closed);
+        }
+        let after = marked[end..].trim_start_matches(' ');
+        if !is_closed || !(after.is_empty() || after.starts_with(ends_cell)) {
+            return Err(format!(
+                "line {line}: a quotation mark is not closed, before `{}`: close it, or write it twice in a cell between marks",
+                Untrusted::from(marked.lines().next().unwrap_or_default()).line()
+            ));
+        }
+        line += newlines(&marked.as_bytes()[..end]);
+        rest = after;
+    }
+    Ok(())
 }
 
 fn newlines(bytes: &[u8]) -> usize {
@@ -139,6 +160,19 @@ mod tests {
             error.starts_with("line 2: a quotation mark is not closed, before `good`"),
             "{error}"
         );
+        // A second mark, before or after it, changes nothing.
+        for text in [
+            "id,words\nanna,a 5\" screen\nbo,\"good\ncy,\n",
+            "id,words\nanna,\nbo,\"good\ncy,\"\"\"fine\"\"\"\n",
+            "id,words\nanna,\nbo,\"good\ncy,\"fine\"\ndi,\n",
+            "id,words\nanna,\nbo,\"good: \"\"x\"\"\ncy,\n",
+        ] {
+            let error = Sheet::parse(text.as_bytes()).expect_err(text);
+            assert!(
+                error.starts_with("line 3: a quotation mark is not closed"),
+                "{error}"
+            );
+        }
         let inch = Sheet::parse(b"id,words\nanna,a 5\" screen\nbo,\n").expect("a table");
         assert_eq!(inch.lines.len(), 2);
     }

@@ -69,6 +69,16 @@ impl Student {
         }
     }
 
+    /// Whether both have an identifier of a student in common.
+    fn is_same_as(&self, other: &Student) -> bool {
+        let of_both = [
+            (&self.number, &other.number),
+            (&self.id, &other.id),
+            (&self.login, &other.login),
+        ];
+        of_both.iter().any(|(a, b)| !a.is_empty() && a == b)
+    }
+
     /// Whether both hand in together.
     pub fn is_teammate_of(&self, other: &Student) -> bool {
         !self.team.is_empty() && self.team == other.team
@@ -181,7 +191,8 @@ impl Roster {
                     .join(", ")
             ));
         }
-        let mut students = Vec::new();
+        let mut students: Vec<Student> = Vec::new();
+        let mut lines_of_students = Vec::new();
         let mut maximum = None;
         let mut assignments = Vec::new();
         let mut test_students = Vec::new();
@@ -236,7 +247,21 @@ impl Roster {
             } else if !is_empty {
                 maximum = maximum.or_else(|| value(Field::Maximum).parse().ok());
                 student.team = teams.of(*line, &student, value(Field::Team))?;
-                students.push(student);
+                let first = students.iter().position(|other| student.is_same_as(other));
+                match first {
+                    Some(i) if students[i] == student => {}
+                    Some(i) => {
+                        return Err(format!(
+                            "line {line}: {} is in line {}, too, and the lines differ: keep one",
+                            student.label().line(),
+                            lines_of_students[i]
+                        ));
+                    }
+                    None => {
+                        students.push(student);
+                        lines_of_students.push(*line);
+                    }
+                }
             }
         }
         if students.is_empty() {
@@ -381,7 +406,19 @@ mod tests {
             let error = Roster::parse(text.as_bytes()).expect_err(text);
             assert!(error.starts_with(expected), "{error}");
         }
-        assert_eq!(teams("id,team\nada,red\nada,RED\n"), ["red", "red"]);
+        assert_eq!(teams("id,team\nada,red\nada,RED\n"), ["red"]);
+    }
+
+    #[test]
+    fn a_student_is_in_one_line() {
+        let twice = "id,name\nada,Ada\nbo,Bo\nada,Ada\n";
+        assert_eq!(parse(twice).len(), 2);
+        for other in ["ada,Ada L.,", "ada,Ada,blue", ",Ada,,ada@x"] {
+            let text = format!("id,name,team,login\nada,Ada,,ada@x\n\n{other}\n");
+            let error = Roster::parse(text.as_bytes()).expect_err(&text);
+            assert!(error.starts_with("line 4: Ada"), "{error}");
+            assert!(error.contains("is in line 2, too"), "{error}");
+        }
     }
 
     #[test]

@@ -202,7 +202,6 @@ mod tests {
             with_neighbours: false,
             calls: 60,
             answer_to_all: None,
-            crash: None,
         }
     }
 

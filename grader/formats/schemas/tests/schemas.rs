@@ -1,7 +1,6 @@
 //! Every file of every outcome fits the JSON Schema of its format.
 
 #[path = "../../tests/formats/outcomes.rs"]
-#[expect(dead_code, reason = "the tests of the formats use more of it")]
 mod outcomes;
 
 use formats::{Format, Outcome};

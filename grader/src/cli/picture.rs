@@ -1,7 +1,6 @@
 //! What the code in the workspace renders: the first half of `grader look part1.task3`. The older
 //! command `grader picture` is this half alone.
 
-use super::programs::NO_PAGE;
 use crate::build::BuildRoot;
 use crate::course::{Course, Task};
 use crate::grade::picture::{self, Rendered};
@@ -19,6 +18,9 @@ use pictures::terminal::{self, Colours};
 use std::fmt::Write;
 use std::io::IsTerminal;
 use std::path::Path;
+
+/// The option of `grader look` with which it only draws the picture.
+pub(super) const NO_PAGE: &str = "no-page";
 
 /// The older name of `look --no-page`.
 pub(super) const NAME: &str = "picture";

@@ -34,8 +34,12 @@ pub(super) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     if let Some(only) = matches.get_one::<String>("only") {
         return exercise(only, task, matches);
     }
-    let text = own::read(&workspace, task)?;
-    if own::case_of(task, text.as_deref()).is_some() && text.is_some() {
+    let has_own = own::read(&workspace, task)?.is_some_and(|text| match own::parse(&text) {
+        Ok(all) => own::review(&task.key, &all).is_some_and(|of| !of.verdicts.is_empty()),
+        // The exercise says what is wrong in the file.
+        Err(_) => true,
+    });
+    if has_own {
         exercise(examples::NAME, task, matches)?;
         outln!();
     }
@@ -52,15 +56,18 @@ pub(super) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
 
 /// Runs an exercise as its own command does.
 fn exercise(name: &str, task: &Task, matches: &ArgMatches) -> Result<Exit, GraderError> {
-    let seed = matches.get_one::<u64>("seed");
-    let seed = seed.filter(|_| name != examples::NAME);
-    let seed = seed.map(|seed| format!("--seed={seed}"));
+    let seed = matches
+        .get_one::<u64>("seed")
+        .filter(|_| name != examples::NAME)
+        .map(|seed| format!("--seed={seed}"));
     let line = [name.to_owned(), task.key.clone()].into_iter().chain(seed);
-    let (command, run): (Command, super::Run) = match name {
-        predict::NAME => (predict::command(), predict::run),
-        gym::NAME => (gym::command(), gym::run),
-        _ => (examples::command(), examples::run),
+    let read = |command: Command| {
+        let matches = command.try_get_matches_from(line);
+        matches.map_err(|e| GraderError::new(e.to_string()))
     };
-    let matches = command.try_get_matches_from(line);
-    run(&matches.map_err(|e| GraderError::new(e.to_string()))?)
+    match name {
+        predict::NAME => predict::run(&read(predict::command())?),
+        gym::NAME => gym::run(&read(gym::command())?),
+        _ => examples::run(&read(examples::command())?),
+    }
 }

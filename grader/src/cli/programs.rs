@@ -3,7 +3,7 @@
 //! They are here and not in their programs, so that `--help` is printed, and a misspelt flag named,
 //! before anything is built.
 
-use super::picture::task_argument;
+use super::picture::{NO_PAGE, task_argument};
 use super::{Format, seed_argument};
 use base::program::{path_argument, whole_number};
 use clap::{Arg, ArgAction, Command};
@@ -14,9 +14,6 @@ pub const EXPERIMENTS: [&str; 6] = ["triangle", "sphere", "box", "bvh", "world",
 
 /// The command that draws the picture of a task and opens the page of what is wrong in it.
 pub(super) const LOOK: &str = "look";
-
-/// The option of [`look`] with which it only draws the picture.
-pub(super) const NO_PAGE: &str = "no-page";
 
 /// The names of the meshes of `grader speedup`, the default first.
 pub const MESHES: [&str; 4] = ["terrain", "smooth", "knot", "needles"];

@@ -25,7 +25,7 @@ pub(super) fn command() -> Command {
 
 /// What became of the worked example of a task.
 #[derive(Clone, Debug, PartialEq, Eq)]
-enum Outcome {
+enum ExampleState {
     Open,
     Passes,
     DoesNotCompile,
@@ -33,13 +33,13 @@ enum Outcome {
     Fails(String),
 }
 
-impl Outcome {
+impl ExampleState {
     fn words(&self) -> &'static str {
         match self {
-            Outcome::Open => "not written yet",
-            Outcome::Passes => "passes",
-            Outcome::DoesNotCompile => "does not compile",
-            Outcome::Fails(_) => "fails",
+            ExampleState::Open => "not written yet",
+            ExampleState::Passes => "passes",
+            ExampleState::DoesNotCompile => "does not compile",
+            ExampleState::Fails(_) => "fails",
         }
     }
 }
@@ -56,18 +56,19 @@ pub(super) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     let mut results = Vec::new();
     for task in tasks {
         let is_open = |it: &&Known| it.place.key == task.key && it.place.has_hole;
-        let outcome = match known.iter().any(|it| is_open(&it)) {
-            true => Outcome::Open,
-            false => outcome(task, workspace.root(), &mut programs)?,
+        let state = match known.iter().any(|it| is_open(&it)) {
+            true => ExampleState::Open,
+            false => state_of(task, workspace.root(), &mut programs)?,
         };
-        results.push((task, outcome));
+        results.push((task, state));
     }
     out!("{}", format_results(&course, &results));
-    let next = results.iter().find(|(_, it)| *it != Outcome::Passes);
+    let next = results.iter().find(|(_, it)| *it != ExampleState::Passes);
     if let Some((task, _)) = next {
         outln!("Next: {}; run `cargo grader {0}`", task.key);
     }
-    let is_wrong = |outcome: &Outcome| !matches!(outcome, Outcome::Open | Outcome::Passes);
+    let is_wrong =
+        |outcome: &ExampleState| !matches!(outcome, ExampleState::Open | ExampleState::Passes);
     Ok(match results.iter().any(|(_, it)| is_wrong(it)) {
         true => Exit::Failed,
         false => Exit::Passed,
@@ -76,18 +77,18 @@ pub(super) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
 
 /// Runs the worked example of a task that is written. `programs` are the test programs of the stages
 /// that are built; `None` for those that do not compile.
-fn outcome<'a>(
+fn state_of<'a>(
     task: &'a Task,
     root: &Path,
     programs: &mut BTreeMap<&'a str, Option<PathBuf>>,
-) -> Result<Outcome, GraderError> {
+) -> Result<ExampleState, GraderError> {
     let program = match programs.get(task.stage.as_str()) {
         Some(program) => program.clone(),
         None => build_worked_example(root, &task.stage)?,
     };
     programs.insert(&task.stage, program.clone());
     let Some(program) = program else {
-        return Ok(Outcome::DoesNotCompile);
+        return Ok(ExampleState::DoesNotCompile);
     };
     let run = |option: &str| {
         let mut command = std::process::Command::new(&program);
@@ -101,15 +102,15 @@ fn outcome<'a>(
     // Without a test of this name nothing would fail.
     if run("--list")?.stdout.starts_with(b"0 tests") {
         let file = format!("stages/{}/tests/{WORKED_EXAMPLE}.rs", task.stage);
-        return Ok(Outcome::Fails(format!(
+        return Ok(ExampleState::Fails(format!(
             "{file} has no test of {}\n",
             task.key
         )));
     }
     let output = run("--quiet")?;
     Ok(match output.status.success() {
-        true => Outcome::Passes,
-        false => Outcome::Fails(
+        true => ExampleState::Passes,
+        false => ExampleState::Fails(
             [output.stdout, output.stderr]
                 .map(|printed| String::from_utf8_lossy(&printed).into_owned())
                 .concat(),
@@ -118,10 +119,10 @@ fn outcome<'a>(
 }
 
 /// What the tests printed that fail, a line for each task, and one for each part.
-fn format_results(course: &Course, results: &[(&Task, Outcome)]) -> String {
+fn format_results(course: &Course, results: &[(&Task, ExampleState)]) -> String {
     let mut text = String::new();
     for (_, outcome) in results {
-        if let Outcome::Fails(printed) = outcome {
+        if let ExampleState::Fails(printed) = outcome {
             text.push_str(printed);
         }
     }
@@ -134,7 +135,9 @@ fn format_results(course: &Course, results: &[(&Task, Outcome)]) -> String {
     for part in &course.parts {
         let is_of_part = |key: &str| part.tasks.iter().any(|task| task.key == key);
         let of_part = || results.iter().filter(|(task, _)| is_of_part(&task.key));
-        let passing = of_part().filter(|(_, it)| *it == Outcome::Passes).count();
+        let passing = of_part()
+            .filter(|(_, it)| *it == ExampleState::Passes)
+            .count();
         if of_part().count() > 0 {
             text += &format!(
                 "Part {}: {passing} of {} pass\n",
@@ -155,10 +158,10 @@ mod tests {
     fn the_last_line_counts_the_examples_that_pass() {
         let (_, course) = of_this_checkout();
         let outcomes = [
-            Outcome::Passes,
-            Outcome::Fails("t = 3\n".into()),
-            Outcome::Open,
-            Outcome::DoesNotCompile,
+            ExampleState::Passes,
+            ExampleState::Fails("t = 3\n".into()),
+            ExampleState::Open,
+            ExampleState::DoesNotCompile,
         ];
         let results: Vec<_> = course.tasks().zip(outcomes).collect();
         let text = format_results(&course, &results);

@@ -52,7 +52,16 @@ struct Block {
 /// More tasks than these do not have a line each: a part of which all tasks are alike has one.
 const MANY_TASKS: usize = 8;
 
-/// Formats the report in at most `page.height` lines of at most `page.width` columns.
+/// How many pages a report may have: whoever asks for more gets all that less shows, the drawing too.
+fn pages(hint: HintLevel) -> usize {
+    match hint {
+        HintLevel::Cases | HintLevel::Findings => 1,
+        HintLevel::Mistake | HintLevel::Remedy => 2,
+    }
+}
+
+/// Formats the report in one page of at most `page.height` lines of at most `page.width` columns, or
+/// in two if the likely mistake is named.
 pub fn format_screen(report: &Report, context: &Context, reveal: Reveal, page: Page) -> String {
     let mut blocks = vec![Block {
         rank: 0,
@@ -82,10 +91,7 @@ pub fn format_screen(report: &Report, context: &Context, reveal: Reveal, page: P
             lines: wrap_to(&sentence, 2, page.width, 4),
         });
     }
-    // Whoever asks for more gets all that less shows, the drawing too.
-    if reveal.hint < HintLevel::Mistake {
-        fit(&mut blocks, page.height);
-    }
+    fit(&mut blocks, pages(reveal.hint) * page.height);
     let lines = blocks.iter().flat_map(|block| &block.lines);
     lines.flat_map(|line| [line.as_str(), "\n"]).collect()
 }

@@ -335,7 +335,10 @@ cases = [
     #[derive(Clone, Copy, Debug)]
     enum Without {
         Crash,
-        Needs,
+        /// It runs into the gap of another task, which is in another stage or in this code.
+        Needs {
+            with_neighbours: bool,
+        },
         Gap(&'static str),
     }
 
@@ -355,7 +358,10 @@ cases = [
             match of_case.map(|(_, without)| *without) {
                 None => case(Status::Passed, answers, &[]),
                 Some(Without::Crash) => case(Status::Crashed("panicked".into()), Vec::new(), &[]),
-                Some(Without::Needs) => case(Status::Needs("part1.task2".into()), Vec::new(), &[]),
+                Some(Without::Needs { with_neighbours }) => CaseResult {
+                    with_neighbours,
+                    ..case(Status::Needs("part1.task2".into()), Vec::new(), &[])
+                },
                 Some(Without::Gap(name)) => {
                     for finding in &mut answers {
                         finding.functions.retain(|count| count.function != name);
@@ -387,8 +393,9 @@ cases = [
         assert_eq!(without(Gap("record")), 11.5);
         assert_eq!(without(Crash), 3.0);
         assert_eq!(without(Gap("test")), 3.0);
-        // The code of another task is missing.
-        assert_eq!(without(Needs), 12.0);
+        let needs = |with_neighbours| without(Needs { with_neighbours });
+        // The code of another task is missing; `hole!` of another task in this code.
+        assert_eq!([true, false].map(needs), [12.0, 3.0]);
         let mut of_test = task.clone();
         of_test.idea[0].function = Some("record".into());
         // The crash says nothing about `test`: 6.
@@ -397,14 +404,17 @@ cases = [
 
     #[test]
     fn no_crash_and_no_gap_earns_anything() {
-        use Without::{Crash, Gap};
+        use Without::{Crash, Gap, Needs};
         let tasks = [
             COURSE.to_string(),
             COURSE.replace(r#""decision" }"#, r#""decision", or_in = "edges" }"#),
             COURSE.replace(r#""decision" }"#, r#""decision", function = "record" }"#),
             COURSE.replace("points = 2 }", r#"points = 2, only_with = "edges" }"#),
         ];
-        let ways = [Crash, Gap("test"), Gap("record")].map(Some);
+        let needs = Needs {
+            with_neighbours: false,
+        };
+        let ways = [Crash, needs, Gap("test"), Gap("record")].map(Some);
         let ways = || [None].into_iter().chain(ways);
         for task in tasks.map(|course| task_of(&course)) {
             let all = ways().flat_map(|a| ways().flat_map(move |b| ways().map(move |c| [a, b, c])));

@@ -220,9 +220,13 @@ impl CaseResult {
         self.is_only_reduced() && !self.has_hole()
     }
 
-    /// Whether it has no answers for a reason that is not in the code of its task.
+    /// Whether it has no answers for a reason that is not in the code of its task. A gap of another
+    /// task is in this code if the case runs no other stage.
     fn waits_for_others(&self) -> bool {
-        matches!(self.status, Status::Needs(_) | Status::DoesNotCompile)
+        match self.status {
+            Status::Needs(_) => self.with_neighbours,
+            _ => self.status == Status::DoesNotCompile,
+        }
     }
 
     /// Whether a function that the case judges is not written yet.
@@ -287,7 +291,10 @@ impl TaskResult {
             });
             let holes: Vec<HoleCall> = holes.collect();
             let findings = findings.iter().map(Finding::counts).collect();
-            Some(CaseResult::new(entry, "", status, findings, &holes))
+            Some(CaseResult {
+                with_neighbours: case.with_neighbours,
+                ..CaseResult::new(entry, "", status, findings, &holes)
+            })
         });
         TaskResult::new(task, each.collect())
     }

@@ -18,24 +18,36 @@ use wire::file::{self, FrameReader, Key};
 #[cfg(unix)]
 const SENDING: Duration = Duration::from_secs(120);
 
-/// When a worker that sends nothing counts as stalled.
-#[derive(Clone, Debug)]
-pub(crate) struct Deadline(Rc<Cell<Instant>>);
+/// How often to look whether a worker sends something. Of the time between two looks no more counts:
+/// where this program and its workers were stopped, or the clock jumped, no worker has stalled.
+const LOOK: Duration = Duration::from_secs(1);
+
+/// How long a worker may still send nothing before it counts as stalled.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Deadline(Rc<Cell<Duration>>);
 
 impl Deadline {
     /// The next frame may take this long from now on.
     pub(crate) fn set(&self, wait: Duration) {
-        self.0.set(Instant::now() + wait);
+        self.0.set(wait);
     }
 
     /// Whether it has passed.
     pub(crate) fn has_passed(&self) -> bool {
-        self.left().is_none()
+        self.0.get().is_zero()
     }
 
-    fn left(&self) -> Option<Duration> {
-        let left = self.0.get().checked_duration_since(Instant::now());
-        left.filter(|left| !left.is_zero())
+    /// Makes a `look` that waits no longer than it is told to.
+    fn look<T>(&self, look: impl FnOnce(Duration) -> io::Result<T>) -> io::Result<T> {
+        let left = self.0.get();
+        if left.is_zero() {
+            return Err(io::ErrorKind::TimedOut.into());
+        }
+        let start = Instant::now();
+        let found = look(left.min(LOOK));
+        let passed = start.elapsed().min(LOOK);
+        self.0.set(left.saturating_sub(passed));
+        found
     }
 }
 
@@ -86,7 +98,7 @@ impl Channel {
     /// The frames of the worker as they arrive. They end when the deadline passes. `has_ended` says
     /// whether the worker has.
     pub(crate) fn frames(self, _has_ended: &Arc<AtomicBool>) -> (FrameReader, Deadline) {
-        let deadline = Deadline(Rc::new(Cell::new(Instant::now())));
+        let deadline = Deadline::default();
         let input = Box::new(io::BufReader::new(UntilDeadline {
             socket: self.socket,
             deadline: deadline.clone(),
@@ -105,13 +117,23 @@ struct UntilDeadline {
 #[cfg(unix)]
 impl Read for UntilDeadline {
     fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
-        let left = self.deadline.left().ok_or(io::ErrorKind::TimedOut)?;
-        self.socket.set_read_timeout(Some(left))?;
-        match self.socket.read(buffer) {
-            // A worker that ends before it has read all cases sends nothing more: its status says
-            // why.
-            Err(e) if e.kind() == io::ErrorKind::ConnectionReset => Ok(0),
-            read => read,
+        use io::ErrorKind::{ConnectionReset, TimedOut, WouldBlock};
+        loop {
+            let read = self.deadline.look(|wait| {
+                self.socket.set_read_timeout(Some(wait))?;
+                self.socket.read(buffer)
+            });
+            match read {
+                Err(e) if matches!(e.kind(), WouldBlock | TimedOut) => {
+                    if self.deadline.has_passed() {
+                        return Err(e);
+                    }
+                }
+                // A worker that ends before it has read all cases sends nothing more: its status
+                // says why.
+                Err(e) if e.kind() == ConnectionReset => return Ok(0),
+                read => return read,
+            }
         }
     }
 }
@@ -164,7 +186,7 @@ impl Channel {
     /// The frames of the worker as they arrive. They end when the deadline passes or when
     /// `has_ended` says that the worker has ended.
     pub(crate) fn frames(self, has_ended: &Arc<AtomicBool>) -> (FrameReader, Deadline) {
-        let deadline = Deadline(Rc::new(Cell::new(Instant::now())));
+        let deadline = Deadline::default();
         let input = Box::new(GrowingFile {
             file: std::fs::File::open(&self.records),
             deadline: deadline.clone(),
@@ -192,8 +214,31 @@ impl Read for GrowingFile {
             if count > 0 || ended {
                 return Ok(count);
             }
-            self.deadline.left().ok_or(io::ErrorKind::TimedOut)?;
-            std::thread::sleep(Duration::from_millis(1));
+            self.deadline.look(|_| {
+                std::thread::sleep(Duration::from_millis(1));
+                Ok(())
+            })?;
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_pause_counts_as_one_look() {
+        let deadline = Deadline::default();
+        assert!(deadline.has_passed());
+        deadline.set(3 * LOOK);
+        let stopped = deadline.look(|wait| {
+            assert_eq!(wait, LOOK);
+            std::thread::sleep(LOOK + LOOK / 10);
+            Ok(())
+        });
+        stopped.expect("there is time left");
+        assert_eq!(deadline.0.get(), 2 * LOOK);
+        deadline.set(Duration::ZERO);
+        assert!(deadline.look(|_| Ok(())).is_err());
     }
 }

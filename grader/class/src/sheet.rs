@@ -24,7 +24,13 @@ impl Sheet {
         })?;
         let unmarked = text.trim_start_matches('\u{feff}');
         let text = unmarked.replace("\r\n", "\n").replace('\r', "\n");
-        let separator = separator(&text);
+        let (text, separator) = match named_separator(&text) {
+            Some((separator, rest)) => (rest.to_string(), separator),
+            None => {
+                let separator = separator(&text);
+                (text, separator)
+            }
+        };
         ensure_closed_marks(&text, separator)?;
         let mut reader = csv::ReaderBuilder::new()
             .flexible(true)
@@ -93,6 +99,15 @@ fn ensure_closed_marks(text: &str, separator: u8) -> Result<(), String> {
     Ok(())
 }
 
+/// The separator of a first line `sep=;`, which spreadsheets write and read, and what follows: it
+/// begins with the end of that line, so that lines are counted as in the file.
+fn named_separator(text: &str) -> Option<(u8, &str)> {
+    let (first, _) = text.split_once('\n')?;
+    let named = first.trim_matches('"').strip_prefix("sep=")?;
+    let separator = [",", ";", "\t"].into_iter().find(|it| *it == named)?;
+    Some((separator.as_bytes()[0], &text[first.len()..]))
+}
+
 fn newlines(bytes: &[u8]) -> usize {
     bytes.iter().filter(|byte| **byte == b'\n').count()
 }
@@ -149,6 +164,10 @@ mod tests {
             );
             assert_eq!(sheet.has_decimal_commas, commas, "{text}");
         }
+        let named = Sheet::parse(b"sep=;\r\nid;words\r\nanna;a, b, c\r\n").expect("a table");
+        assert_eq!(named.columns, ["id", "words"]);
+        let anna = ["anna", "a, b, c"].map(str::to_string).to_vec();
+        assert_eq!(named.lines, [(3, anna)]);
         let quoted = Sheet::parse(b"\"a;b;c\",d\n").expect("a table");
         assert_eq!(quoted.columns, ["a;b;c", "d"]);
     }

@@ -12,6 +12,7 @@ pub use changed_signature::{StageFunction, stage_functions};
 use crate::build::cargo_run::{MOST_TIME, run_cargo};
 use crate::build::read_files::ReadFiles;
 use crate::course::sources;
+use crate::workers::awake::Awake;
 use crate::workers::launcher::Launcher;
 use crate::workers::runner::Worker;
 use base::{GraderError, Workspace, child_processes, err, errln};
@@ -20,7 +21,7 @@ use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::sync::Arc;
-use std::time::{Duration, Instant, SystemTime};
+use std::time::{Duration, SystemTime};
 
 /// The result of building a worker.
 #[derive(Clone, Debug)]
@@ -199,7 +200,7 @@ impl BuildRoot<'_> {
     /// How long cargo may run; `None` if it is not limited.
     fn most_time(&self) -> Option<Duration> {
         let end = self.launcher?.end();
-        let left = end.map(|end| end.saturating_duration_since(Instant::now()));
+        let left = end.map(|end| end.saturating_duration_since(Awake::now()));
         Some(left.map_or(MOST_TIME, |left| left.min(MOST_TIME)))
     }
 

@@ -1,9 +1,9 @@
 //! How programs are started of which not all code is trusted.
 
+use crate::workers::awake::Awake;
 use std::fmt;
 use std::path::Path;
 use std::process::{Command, ExitStatus};
-use std::time::Instant;
 
 /// Starts cargo and workers with few rights. Both get nothing of the caller's environment.
 pub trait Launcher: fmt::Debug + Send + Sync {
@@ -23,7 +23,7 @@ pub trait Launcher: fmt::Debug + Send + Sync {
     fn status_of_program(&self, status: ExitStatus) -> ExitStatus;
 
     /// When everything that it starts has to have ended; `None` if there is no such limit.
-    fn end(&self) -> Option<Instant>;
+    fn end(&self) -> Option<Awake>;
 }
 
 /// Limits on a worker beyond those on its cases: they hold even if the worker does not enforce the

@@ -1,6 +1,7 @@
 //! Runs workers over cases, and finds which case ended a worker.
 
 use crate::workers::asked::Asked;
+use crate::workers::awake::Awake;
 use crate::workers::channel::Channel;
 use crate::workers::death::Death;
 use crate::workers::launcher::{Launcher, WorkerLimits};
@@ -14,7 +15,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, ExitStatus};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 use wire::question::write_reply;
 use wire::{Case, Outcome, Record, RecordFrame, Work};
 
@@ -146,7 +147,7 @@ impl From<PathBuf> for Worker {
 
 impl Worker {
     /// When its cases have to have ended; `None` if there is no such limit.
-    fn end(&self) -> Option<Instant> {
+    fn end(&self) -> Option<Awake> {
         self.launcher.as_ref()?.end()
     }
 }
@@ -481,7 +482,7 @@ mod tests {
 
     /// Starts programs as they are, until the end.
     #[derive(Debug)]
-    struct Until(Instant);
+    struct Until(Awake);
 
     impl Launcher for Until {
         fn cargo(&self) -> Command {
@@ -504,7 +505,7 @@ mod tests {
             status
         }
 
-        fn end(&self) -> Option<Instant> {
+        fn end(&self) -> Option<Awake> {
             Some(self.0)
         }
     }
@@ -531,7 +532,7 @@ mod tests {
             work: Work::Stop(Vec::new()),
             order: Vec::new(),
         };
-        let until = left.map(|left| Arc::new(Until(Instant::now() + left)) as Arc<dyn Launcher>);
+        let until = left.map(|left| Arc::new(Until(Awake::now() + left)) as Arc<dyn Launcher>);
         let worker = Worker {
             launcher: until,
             ..Worker::from(program)

@@ -5,8 +5,9 @@
 //! computed or waited, of a machine of known speed (`harness/src/clock.rs`). The limit is some
 //! fifty times what the slowest honest code takes.
 
+use crate::workers::awake::Awake;
 use std::collections::HashMap;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 use wire::{Case, Work};
 
 /// The most that a task's cases may take.
@@ -18,12 +19,12 @@ pub(crate) struct TaskTimes {
     taken: HashMap<String, Duration>,
     running: Duration,
     /// When no case may run any more.
-    end: Option<Instant>,
+    end: Option<Awake>,
 }
 
 impl TaskTimes {
     /// No case has run yet, and none may run after `end`.
-    pub(crate) fn until(end: Option<Instant>) -> TaskTimes {
+    pub(crate) fn until(end: Option<Awake>) -> TaskTimes {
         TaskTimes {
             end,
             ..TaskTimes::default()
@@ -45,7 +46,7 @@ impl TaskTimes {
     /// What is left until the end of all cases; `None` if there is no such end.
     pub(crate) fn left_of_all(&self) -> Option<Duration> {
         let end = self.end?;
-        Some(end.saturating_duration_since(Instant::now()))
+        Some(end.saturating_duration_since(Awake::now()))
     }
 
     /// Whether nothing is left for `case` and those after it. Timings are not limited together.
@@ -91,7 +92,7 @@ mod tests {
             work: Work::Stop(Vec::new()),
             order: Vec::new(),
         };
-        let now = Instant::now();
+        let now = Awake::now();
         assert!(TaskTimes::until(Some(now)).is_over(&case));
         assert!(!TaskTimes::until(Some(now + MOST)).is_over(&case));
         assert!(!TaskTimes::until(None).is_over(&case));

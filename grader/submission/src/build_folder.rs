@@ -7,12 +7,12 @@ use crate::untrusted::{Layout, shown};
 use base::GraderError;
 use base::interrupt::{self, TempFolder};
 use grader::build::BuildRoot;
+use grader::workers::awake::Awake;
 use grader::workers::launcher::Launcher;
 use std::fs::{File, FileTimes};
 use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use std::time::Instant;
 
 /// A workspace for building one submission. It is removed when this is dropped.
 #[derive(Debug)]
@@ -38,7 +38,7 @@ impl BuildFolder {
     pub(crate) fn new(
         clean: &CleanWorkspace,
         stages: &[(&str, &Files)],
-        end: Option<Instant>,
+        end: Option<Awake>,
     ) -> Result<BuildFolder, GraderError> {
         let folder = interrupt::temp_folder_in(clean.top())?;
         let used = mark_used(folder.path())?;

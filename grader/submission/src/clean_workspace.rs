@@ -10,13 +10,14 @@ use crate::packages::{lock, manifest};
 use crate::toolchain::Toolchain;
 use base::{GraderError, Workspace, interrupt};
 use base::{child_processes, errln};
+use grader::workers::awake::Awake;
 use grader::workers::launcher::Launcher;
 use std::ffi::OsStr;
 use std::fs::File;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// What all submissions share. It is made once for each version of the course and the compiler, and
 /// then never written again: each submission is built in a folder of its own. Threads may share it.
@@ -123,7 +124,7 @@ impl CleanWorkspace {
     pub fn with_stages(
         &self,
         stages: &[(&str, &Files)],
-        end: Option<Instant>,
+        end: Option<Awake>,
     ) -> Result<BuildFolder, GraderError> {
         BuildFolder::new(self, stages, end)
     }
@@ -240,7 +241,7 @@ impl CleanWorkspace {
         target: &Path,
         home: PathBuf,
         temporary: PathBuf,
-        end: Option<Instant>,
+        end: Option<Awake>,
     ) -> Jail {
         Jail {
             containment: self.containment.clone(),

@@ -2,11 +2,11 @@
 
 use crate::containment::{Containment, FILE_MB};
 use crate::toolchain::{LIBRARY_CACHE, Toolchain};
+use grader::workers::awake::Awake;
 use grader::workers::launcher::{Launcher, WorkerLimits};
 use sandbox::{Limits, Policy};
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitStatus};
-use std::time::Instant;
 
 /// Processor time of one process that compiles, in seconds. The largest crate of the course takes
 /// 6 seconds; on a machine ten times as slow a fifth of this.
@@ -31,7 +31,7 @@ pub(crate) struct Jail {
     /// Where programs put temporary files.
     pub(crate) temporary: PathBuf,
     /// When all programs of the submission have to have ended, if there is such a limit.
-    pub(crate) end: Option<Instant>,
+    pub(crate) end: Option<Awake>,
 }
 
 impl Launcher for Jail {
@@ -93,7 +93,7 @@ impl Launcher for Jail {
         self.containment.status_of_program(status)
     }
 
-    fn end(&self) -> Option<Instant> {
+    fn end(&self) -> Option<Awake> {
         self.end
     }
 }

@@ -44,12 +44,13 @@ use grader::examples;
 use grader::grade;
 use grader::report::{Report, TaskReport};
 use grader::score::{CaseResult, Status, TaskResult};
+use grader::workers::awake::Awake;
 use grader::workers::printed;
 use one::Options;
 use read::Submission;
 use serde::Serialize;
 use std::collections::BTreeMap;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// The report about a submission.
 #[derive(Clone, Debug, Serialize)]
@@ -270,8 +271,8 @@ fn without_learned_points(
 const MOST_TIME: Duration = Duration::from_secs(100 * 60);
 
 /// The end of that time, if it begins now.
-fn end_of_all_stages() -> Option<Instant> {
-    Instant::now().checked_add(MOST_TIME)
+fn end_of_all_stages() -> Option<Awake> {
+    Some(Awake::now() + MOST_TIME)
 }
 
 /// A sentence about stages that were refused before they were compiled; `None` if none was.

@@ -4,6 +4,7 @@ use crate::attempts::{self, Attempt};
 use crate::spoilers::{self, Spoiler};
 use base::Workspace;
 use cap::Cap;
+use grader::workers::awake::Awake;
 use grader::workers::crash::Crash;
 use grader::workers::launcher::{Launcher, WorkerLimits};
 use grader::workers::runner::{self, Ending, Run, Worker};
@@ -14,7 +15,7 @@ use std::path::Path;
 use std::process::{Command, ExitCode, ExitStatus};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 use submission::containment::Containment;
 use wire::answer::TraverseAnswer;
 use wire::work::ScriptedRay;
@@ -60,7 +61,7 @@ impl Launcher for Level {
         self.0.status_of_program(status)
     }
 
-    fn end(&self) -> Option<Instant> {
+    fn end(&self) -> Option<Awake> {
         None
     }
 }

@@ -4,9 +4,10 @@
 
 use crate::corpus::{Class, reference};
 use grader::build::{BuildLimit, BuildOutcome};
+use grader::workers::awake::Awake;
 use std::os::unix::fs::PermissionsExt;
 use std::path::{Path, PathBuf};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 use submission::one::Outcome;
 
 /// A way in which the compiler may end.
@@ -93,7 +94,7 @@ fn a_compiler_that_exceeds_a_limit_or_dies_is_the_end_of_its_submission() {
 fn a_compiler_that_waits_is_ended() {
     let folder = tempfile::tempdir().expect("a folder");
     let class = Class::with_compiler(&compiler(folder.path(), "exec sleep 100000"));
-    let end = Instant::now() + Duration::from_secs(3);
+    let end = Awake::now() + Duration::from_secs(3);
     let BuildOutcome::DoesNotCompile(errors) = class.build(&reference("intersect"), Some(end))
     else {
         panic!("it compiles")

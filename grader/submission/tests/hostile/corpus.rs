@@ -3,9 +3,9 @@
 use base::Workspace;
 use grader::build::BuildOutcome;
 use grader::grade::GradeRequest;
+use grader::workers::awake::Awake;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
-use std::time::Instant;
 use submission::containment::Containment;
 use submission::file_tree::{self, Files};
 use submission::one::{GradedSubmission, GradingCourse, NotGraded, Options, grade_one};
@@ -231,7 +231,7 @@ impl Class {
     }
 
     /// Builds the worker without scanning the files. It has to end at `end`.
-    pub(crate) fn build(&self, files: &Files, end: Option<Instant>) -> BuildOutcome {
+    pub(crate) fn build(&self, files: &Files, end: Option<Awake>) -> BuildOutcome {
         let folder = self
             .0
             .clean()

@@ -119,7 +119,13 @@ fn nine_points() -> Vec<[f64; 2]> {
 
 /// Points on each side of the film and at one of its corners, outside.
 fn beyond_the_film() -> Vec<[f64; 2]> {
-    vec![[1.25, 0.3], [-0.75, 0.6], [0.2, 1.5], [0.9, -0.125], [1.5, -0.5]]
+    vec![
+        [1.25, 0.3],
+        [-0.75, 0.6],
+        [0.2, 1.5],
+        [0.9, -0.125],
+        [1.5, -0.5],
+    ]
 }
 
 /// The centres of the pixels of a film, row by row from the bottom left.

@@ -93,11 +93,15 @@ fn a_library_whose_examples_are_not_tested_has_none() {
             for file in files.lines() {
                 let text = read(folder.join(file).as_std_path());
                 let comments = text.lines().map(str::trim_start).filter_map(|line| {
-                    line.strip_prefix("///").or_else(|| line.strip_prefix("//!"))
+                    line.strip_prefix("///")
+                        .or_else(|| line.strip_prefix("//!"))
                 });
                 let fences = comments.filter_map(|line| line.trim_start().strip_prefix("```"));
                 for language in fences.step_by(2) {
-                    assert_eq!(language, "text", "{folder}/{file} has an example that never runs");
+                    assert_eq!(
+                        language, "text",
+                        "{folder}/{file} has an example that never runs"
+                    );
                 }
             }
         }

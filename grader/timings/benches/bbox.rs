@@ -1,8 +1,8 @@
 //! Benchmarks of the box test: rays that hit, rays that miss, and a random mix; and one ray against
 //! many boxes, where the inverse direction can be computed once.
 //!
-//! Run with `cargo bench -p timings --bench bbox`; arguments after `--` are criterion's. Each time is that of one
-//! test, with about a nanosecond for the loop around it.
+//! Run with `cargo bench -p timings --bench bbox`; arguments after `--` are criterion's. Each time
+//! is that of one test, with about a nanosecond for the loop around it.
 
 use criterion::{Criterion, Throughput};
 use kit::{Aabb, PixelSampler, Ray, Vec3};

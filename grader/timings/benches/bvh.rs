@@ -1,8 +1,9 @@
 //! Benchmarks of the tree: construction, and traversal for the closest hit and for any hit, on the
 //! generated meshes.
 //!
-//! Run with `cargo bench -p timings --bench bvh`; arguments after `--` are criterion's. Each time is that of one
-//! tree or of one ray; throughput is in triangles for the construction and in rays for the traversal.
+//! Run with `cargo bench -p timings --bench bvh`; arguments after `--` are criterion's. Each time
+//! is that of one tree or of one ray; throughput is in triangles for the construction and in rays
+//! for the traversal.
 
 use bvh::{construct_bvh, intersect_bvh, occludes_bvh};
 use criterion::{Criterion, Throughput};

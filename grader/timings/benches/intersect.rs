@@ -1,9 +1,9 @@
 //! Benchmarks of the triangle and sphere tests: rays that hit, rays that miss, and a random mix of
 //! both.
 //!
-//! Run with `cargo bench -p timings --bench intersect`; arguments after `--` are criterion's. Each ray has its own
-//! shape, so no result can be reused. Each time is that of one test, with about a nanosecond for the
-//! loop around it.
+//! Run with `cargo bench -p timings --bench intersect`; arguments after `--` are criterion's. Each
+//! ray has its own shape, so no result can be reused. Each time is that of one test, with about a
+//! nanosecond for the loop around it.
 
 use criterion::{BenchmarkId, Criterion, Throughput};
 use kit::{PixelSampler, Ray, Sphere, Triangle, Vec3};

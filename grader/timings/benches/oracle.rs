@@ -1,7 +1,7 @@
 //! Measures the oracle on ordinary rays, by shape and by the share of rays that hit.
 //!
-//! Run with `cargo bench -p timings --bench oracle`; arguments after `--` are criterion's. Each time is that of one
-//! verdict.
+//! Run with `cargo bench -p timings --bench oracle`; arguments after `--` are criterion's. Each
+//! time is that of one verdict.
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use kit::{Aabb, PixelSampler, Ray, Sphere, Triangle, Vec3};

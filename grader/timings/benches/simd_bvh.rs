@@ -1,10 +1,11 @@
 //! Benchmarks of the wide tree beside the tree of stage `bvh`, on one thread.
 //!
-//! Run with `cargo bench -p timings --bench simd_bvh`; arguments after `--` are criterion's. The scene is a generated
-//! mesh, or the file that the variable `FIRSTLIGHT_BENCH_SCENE` names. Camera rays go through a
-//! picture of 480 x 360 pixels in order; bounce rays leave the hits in random directions; shadow rays
-//! go from the hits to a point above and look for any hit. Each time is that of one tree or of one
-//! ray; throughput is in primitives for the construction and in rays for the traversal.
+//! Run with `cargo bench -p timings --bench simd_bvh`; arguments after `--` are criterion's. The
+//! scene is a generated mesh, or the file that the variable `FIRSTLIGHT_BENCH_SCENE` names. Camera
+//! rays go through a picture of 480 x 360 pixels in order; bounce rays leave the hits in random
+//! directions; shadow rays go from the hits to a point above and look for any hit. Each time is
+//! that of one tree or of one ray; throughput is in primitives for the construction and in rays for
+//! the traversal.
 
 use bvh::{construct_bvh, intersect_bvh, occludes_bvh};
 use criterion::{Criterion, Throughput};

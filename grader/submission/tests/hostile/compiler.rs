@@ -1,6 +1,7 @@
 //! What a compiler may do that is given hostile code: run without end, take all memory, fill the disk,
 //! print without end, die. No code here makes a compiler do so: a script stands for the compiler. It
-//! does so where it compiles the stage; where the limits are those of another it compiles.
+//! does so where it compiles the stage that was handed in; where the limits are those of another, or
+//! where the course's own stage is compiled to see whether the machine is at fault, it compiles.
 
 use crate::corpus::{Class, reference};
 use grader::build::{BuildLimit, BuildOutcome};
@@ -8,6 +9,7 @@ use grader::workers::awake::Awake;
 use std::os::unix::fs::PermissionsExt;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
+use submission::file_tree::Files;
 use submission::one::Outcome;
 
 /// A way in which the compiler may end.
@@ -49,7 +51,20 @@ const ENDS: [End; 5] = [
     },
 ];
 
-/// A script in place of the compiler that does this where it compiles the stage.
+/// What the code of [`handed_in`] has and the course's own has not.
+const MARK: &str = "HANDED_IN";
+
+/// The reference's stage, marked.
+fn handed_in() -> Files {
+    let mut files = reference("intersect");
+    let root = files
+        .get_mut(Path::new("lib.rs"))
+        .expect("the crate's root");
+    root.extend(format!("\n/// A mark.\npub const {MARK}: bool = true;\n").bytes());
+    files
+}
+
+/// A script in place of the compiler that does this where it compiles the marked stage.
 fn compiler(folder: &Path, does: &str) -> PathBuf {
     let found = std::process::Command::new("rustc")
         .args(["--print", "sysroot"])
@@ -58,7 +73,7 @@ fn compiler(folder: &Path, does: &str) -> PathBuf {
     let sysroot = String::from_utf8(found.stdout).expect("a path");
     let real = Path::new(sysroot.trim()).join("bin/rustc");
     let script = format!(
-        "#!/bin/sh\ncase \" $* \" in *' --crate-name intersect '*)\n{does}\n;; esac\nexec \"{}\" \"$@\"\n",
+        "#!/bin/sh\nfor file; do case $file in *lib.rs) if grep -q {MARK} \"$file\"; then\n{does}\nfi ;; esac; done\nexec \"{}\" \"$@\"\n",
         real.display()
     );
     let path = folder.join("rustc");
@@ -74,7 +89,7 @@ fn a_compiler_that_exceeds_a_limit_or_dies_is_the_end_of_its_submission() {
     let folder = tempfile::tempdir().expect("a folder");
     for End { does, limit, says } in ENDS {
         let class = Class::with_compiler(&compiler(folder.path(), does));
-        let graded = class.grade(&reference("intersect"), 1).expect(does);
+        let graded = class.grade(&handed_in(), 1).expect(does);
         let expected = limit.map_or(Outcome::DoesNotCompile, Outcome::OverLimit);
         assert_eq!(graded.outcome, expected, "{does}");
         let report = graded.report;
@@ -95,8 +110,7 @@ fn a_compiler_that_waits_is_ended() {
     let folder = tempfile::tempdir().expect("a folder");
     let class = Class::with_compiler(&compiler(folder.path(), "exec sleep 100000"));
     let end = Awake::now() + Duration::from_secs(3);
-    let BuildOutcome::DoesNotCompile(errors) = class.build(&reference("intersect"), Some(end))
-    else {
+    let BuildOutcome::DoesNotCompile(errors) = class.build(&handed_in(), Some(end)) else {
         panic!("it compiles")
     };
     assert_eq!(errors.limit, Some(BuildLimit::Time));

@@ -222,7 +222,7 @@ fn what_could_not_be_read_is_a_question_and_no_zero() {
         let names: Vec<&str> = read.rows.iter().map(|row| row.name.raw()).collect();
         let join = Join::of(&roster, &names);
         let rows = table::rows(&read, &roster, &join, None, &ByHand::default());
-        let table = table::write(&read.plan, &roster, &rows, &marks).expect("a table");
+        let table = table::write(&read.plan, (&roster, &join), &rows, &marks).expect("a table");
         assert!(table.ends_with(mark), "{table}");
     }
 }

@@ -37,7 +37,7 @@ pub(super) fn write(
     let file = out.join(system.file());
     write_whole(
         &file,
-        table::write(&class.plan, roster, &rows, &marks)?.as_bytes(),
+        table::write(&class.plan, (roster, join), &rows, &marks)?.as_bytes(),
     )?;
 
     let [possible, _] = class.plan.max_score();
@@ -86,7 +86,7 @@ pub(super) fn write(
     }
     let absent: Vec<String> = (roster.students.iter().zip(&join.submissions))
         .enumerate()
-        .filter(|(i, (_, submission))| submission.is_none() && !has_several(join, roster, *i))
+        .filter(|(i, (_, submission))| submission.is_none() && !join.has_several(roster, *i))
         .map(|(_, (student, _))| shown(student))
         .collect();
     if !absent.is_empty() {
@@ -101,16 +101,6 @@ pub(super) fn write(
         missing.count()
     );
     Ok(is_decided)
-}
-
-/// Whether the student number `i`, or a teammate, handed in more than once.
-fn has_several(join: &Join, roster: &Roster, i: usize) -> bool {
-    let student = &roster.students[i];
-    let mut problems = join.problems.iter();
-    problems.any(|(_, problem)| match problem {
-        Problem::Again(of) => *of == i || roster.students[*of].is_teammate_of(student),
-        _ => false,
-    })
 }
 
 /// What does not fit the assignment in the course system. Both take a mark as one of their own
@@ -205,10 +195,7 @@ mod tests {
         };
         let join = Join::of(&roster, &["ada", "ADA"]);
         assert_eq!(join.submissions, [None, None]);
-        assert_eq!(
-            [0, 1].map(|i| has_several(&join, &roster, i)),
-            [true, false]
-        );
+        assert_eq!([0, 1].map(|i| join.has_several(&roster, i)), [true, false]);
     }
 
     #[test]

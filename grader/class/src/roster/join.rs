@@ -147,6 +147,16 @@ impl Join {
         Join::new(roster, &entries.collect::<Vec<_>>(), None)
     }
 
+    /// Whether the student number `i`, or a teammate, handed in more than once.
+    pub fn has_several(&self, roster: &Roster, i: usize) -> bool {
+        let student = &roster.students[i];
+        let mut problems = self.problems.iter();
+        problems.any(|(_, problem)| match problem {
+            Problem::Again(of) => *of == i || roster.students[*of].is_teammate_of(student),
+            _ => false,
+        })
+    }
+
     /// Joins the submissions of a plan to the students of a roster.
     pub fn of_plan(roster: &Roster, plan: &Plan) -> Join {
         let entries = plan.submissions.iter().map(|planned| {

@@ -107,7 +107,7 @@ pub fn rows(
 /// The table of the marks. `rows` are those of the students.
 pub fn write(
     plan: &Plan,
-    roster: &Roster,
+    (roster, join): (&Roster, &Join),
     rows: &[Option<Row>],
     marks: &Marks,
 ) -> Result<String, GraderError> {
@@ -135,7 +135,7 @@ pub fn write(
             worksheet(marked, max)
         }
         System::Moodle => moodle_grades(marked, &marks.assignment),
-        System::Csv => return gradebook_of(plan, &students),
+        System::Csv => return gradebook_of(plan, &students, |i| join.has_several(roster, i)),
     };
     gradebook::table(&records)
 }
@@ -233,15 +233,23 @@ fn name(student: &Student) -> String {
     text(&student.name.line())
 }
 
-/// The gradebook, with the identifiers and names of the roster. Students who handed in nothing have
-/// no points.
-fn gradebook_of(plan: &Plan, students: &[(&Student, Option<&Row>)]) -> Result<String, GraderError> {
+/// The gradebook, with the identifiers and names of the roster. Students who handed in nothing, or
+/// more than one submission, have no points.
+fn gradebook_of(
+    plan: &Plan,
+    students: &[(&Student, Option<&Row>)],
+    has_several: impl Fn(usize) -> bool,
+) -> Result<String, GraderError> {
     let tasks: Vec<&str> = plan.tasks.iter().map(|task| task.key.as_str()).collect();
-    let lines = students.iter().map(|(student, row)| {
+    let lines = students.iter().enumerate().map(|(i, (student, row))| {
+        let without = || match has_several(i) {
+            true => "handed in more than once",
+            false => "not handed in",
+        };
         let mut line = row
             .map(|row| crate::gradebook::line(row, &tasks))
             .unwrap_or_else(|| gradebook::Line {
-                status: "not handed in".into(),
+                status: without().into(),
                 ..gradebook::Line::default()
             });
         line.id = student.key().line();
@@ -290,6 +298,34 @@ mod tests {
         }
     }
 
+    #[test]
+    fn a_team_that_handed_in_twice_did_hand_in() {
+        let student = |id: &str, team: &str| Student {
+            id: id.into(),
+            team: team.into(),
+            ..Student::default()
+        };
+        let students = [("ada", "red"), ("bo", "red"), ("cy", "")];
+        let roster = Roster {
+            students: students.map(|(id, team)| student(id, team)).into(),
+            ..Roster::default()
+        };
+        let class = class(&[("ada", Some(7.0)), ("bo", Some(9.0))]);
+        let names: Vec<&str> = class.rows.iter().map(|row| row.name.raw()).collect();
+        let join = Join::of(&roster, &names);
+        let rows = rows(&class, &roster, &join, None, &ByHand::default());
+        let marks = Marks {
+            system: System::Csv,
+            assignment: String::new(),
+            add_extra: false,
+        };
+        let table = write(&class.plan, (&roster, &join), &rows, &marks).expect("a table");
+        let status = |line: &str| line.split(',').nth(2).map(str::to_string);
+        let found: Vec<String> = table.lines().skip(1).filter_map(status).collect();
+        let twice = "handed in more than once";
+        assert_eq!(found, [twice, twice, "not handed in"], "{table}");
+    }
+
     /// The marks of a class, of a roster in the form of `system` and submissions as it names them.
     fn written(system: System, roster: &str, add_extra: bool) -> String {
         let class = class(&[
@@ -309,7 +345,7 @@ mod tests {
             add_extra,
         };
         let rows = rows(&class, &roster, &join, None, &ByHand::default());
-        write(&class.plan, &roster, &rows, &marks).expect("a table")
+        write(&class.plan, (&roster, &join), &rows, &marks).expect("a table")
     }
 
     #[test]
@@ -410,7 +446,7 @@ mod tests {
             add_extra: false,
         };
         let rows = rows(&class, &roster, &join, Some(&lateness), &ByHand::default());
-        let written = write(&class.plan, &roster, &rows, &marks).expect("a table");
+        let written = write(&class.plan, (&roster, &join), &rows, &marks).expect("a table");
         let scores: Vec<&str> = written
             .lines()
             .skip(1)

@@ -62,7 +62,7 @@ pub struct RungCost {
     pub rays: [RayCost; 3],
     /// Some of the camera rays are traced by brute force, too.
     pub checked_rays: usize,
-    /// Those for which the step finds [another hit](is_same).
+    /// Those for which the step finds another hit.
     pub differing_hits: usize,
     /// The first of them.
     pub first_differing: Option<DifferingHit>,

@@ -463,6 +463,32 @@ fn the_readme_lists_what_is_not_graded_but_needed() {
     assert!(!readme.contains("- `test_triangle`"), "{readme}");
 }
 
+/// Cargo builds nothing of a workspace in which a manifest names a program that is not there.
+#[test]
+fn the_programs_that_manifests_name_are_in_the_handout() {
+    for part in [1, 2] {
+        let handout = handout(part);
+        let manifests = handout
+            .files
+            .keys()
+            .filter(|path| path.ends_with("Cargo.toml"));
+        for manifest in manifests {
+            let paths = text(handout, manifest.to_str().expect("a path"));
+            let paths = paths
+                .lines()
+                .filter_map(|line| line.strip_prefix("path = \""));
+            for path in paths.filter_map(|path| path.strip_suffix('"')) {
+                let file = manifest.with_file_name(path);
+                assert!(
+                    handout.files.contains_key(&file),
+                    "part {part}: {}",
+                    file.display()
+                );
+            }
+        }
+    }
+}
+
 #[test]
 fn the_error_for_an_unknown_part_lists_the_parts() {
     let error = Handout::carve(&workspace(), 9).unwrap_err().to_string();

@@ -126,6 +126,12 @@ impl<'a> FileSelection<'a> {
             && (!is_grader_crate(owner) || is_manifest || inside.starts_with("src"))
     }
 
+    /// Whether no handout has the tests of the crate with the manifest `path`.
+    pub(super) fn leaves_out_tests(&self, path: &Path) -> bool {
+        let tests = path.with_file_name("tests");
+        LEFT_OUT.iter().any(|folder| tests == Path::new(folder))
+    }
+
     /// Whether students write the file `path`, of one of the `stages`: its sources and its tests.
     pub(super) fn is_written(&self, path: &Path, stages: &[&str]) -> bool {
         self.owner(path).is_some_and(|owner| {

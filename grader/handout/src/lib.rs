@@ -305,7 +305,9 @@ impl Handout {
             let old = text(path, contents.clone())?;
             *contents = match selection.owner(path) {
                 None => selection.with_members(&old),
-                Some(_) if tests_holes(path) => manifest::without_tests(&old),
+                Some(_) if tests_holes(path) || selection.leaves_out_tests(path) => {
+                    manifest::without_tests(&old)
+                }
                 Some(_) => old,
             }
             .into_bytes();

@@ -46,6 +46,29 @@ const WORKER: &str = "grader/worker";
 /// The file that says that everything was made.
 const COMPLETE: &str = "complete";
 
+#[cfg(test)]
+impl CleanWorkspace {
+    /// The folder `top` without a sandbox, in which this program builds in the place of cargo.
+    pub(crate) fn with_cargo(top: &Path, cargo: &Path) -> CleanWorkspace {
+        CleanWorkspace {
+            trusted: top.join("course"),
+            libraries: top.join("libraries"),
+            target: top.join("target"),
+            home: top.join("home"),
+            toolchain: Toolchain {
+                cargo: cargo.to_path_buf(),
+                rustc: PathBuf::new(),
+                version: String::new(),
+                folders: Vec::new(),
+                path: std::env::var_os("PATH").unwrap_or_default(),
+            },
+            containment: Containment::None,
+            used: None,
+            top: top.to_path_buf(),
+        }
+    }
+}
+
 impl CleanWorkspace {
     /// Opens what submissions to the course `workspace` share, in its folder `target/submissions`.
     /// Makes it first if it does not exist for this version of course and compiler.
@@ -83,27 +106,6 @@ impl CleanWorkspace {
         remove_unused(&all, &clean.top);
         remove_unused(&clean.top, &clean.target);
         Ok(clean)
-    }
-
-    /// The folder `top` without a sandbox, in which this program builds in the place of cargo.
-    #[cfg(test)]
-    pub(crate) fn with_cargo(top: &Path, cargo: &Path) -> CleanWorkspace {
-        CleanWorkspace {
-            trusted: top.join("course"),
-            libraries: top.join("libraries"),
-            target: top.join("target"),
-            home: top.join("home"),
-            toolchain: Toolchain {
-                cargo: cargo.to_path_buf(),
-                rustc: PathBuf::new(),
-                version: String::new(),
-                folders: Vec::new(),
-                path: std::env::var_os("PATH").unwrap_or_default(),
-            },
-            containment: Containment::None,
-            used: None,
-            top: top.to_path_buf(),
-        }
     }
 
     /// The same with another program in place of the compiler, which may use its folder. For tests.

@@ -133,7 +133,8 @@ fn no_later_handout_contains_a_formula_of_its_tasks() {
     handouts_have_results_and_no_formula(1..=5);
 }
 
-/// Each handout also has a table of results. Those of later parts have the formulas of earlier ones.
+/// Each handout also has a table of results. Those of later parts have the formulas of earlier
+/// ones.
 fn handouts_have_results_and_no_formula(parts: RangeInclusive<usize>) {
     let mut last = usize::MAX;
     for part in parts {

@@ -8,8 +8,9 @@
 //! format says so in its own way, and none gives zero points for it.
 //!
 //! One format a module: [`gradescope`], [`classroom50`], [`prairielearn`], [`junit`], [`json`],
-//! [`actions`], [`markdown`]; [`gradebook`] is that of a class. `schemas/` has a JSON Schema of each JSON format, written
-//! from the documentation that it names; the tests check every file against them.
+//! [`actions`], [`markdown`]; [`gradebook`] is that of a class. `schemas/` has a JSON Schema of
+//! each JSON format, written from the documentation that it names; the tests check every file
+//! against them.
 
 pub mod actions;
 pub mod annotation;

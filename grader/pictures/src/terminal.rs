@@ -29,8 +29,8 @@ pub fn colours(environment: impl Fn(&str) -> Option<String>) -> Option<Colours> 
     }
 }
 
-/// The picture, `columns` wide, for the terminal that the environment describes; `None` where it has
-/// no colours.
+/// The picture, `columns` wide, for the terminal that the environment describes; `None` where it
+/// has no colours.
 pub fn shown(
     picture: &Image,
     columns: u32,

@@ -5,8 +5,8 @@
 //! distinguished by colour-blind readers; shapes, signs and dashes show the same information.
 //!
 //! Read [`document`] (the page) and [`figure`] with [`columns`], then what figures are drawn with:
-//! [`plot`], [`style`] and [`canvas`]; [`scatter`] draws points with names, which [`labels`] places,
-//! [`line_names`] places those at the ends of lines. [`numbers`] formats numbers and lists.
+//! [`plot`], [`style`] and [`canvas`]; [`scatter`] draws points with names, which [`labels`]
+//! places, [`line_names`] places those at the ends of lines. [`numbers`] formats numbers and lists.
 
 pub mod canvas;
 pub mod columns;

@@ -53,8 +53,8 @@ pub fn draw(canvas: &Canvas, plot: &Plot, mut labels: Labels, points: &[Point]) 
     }
 }
 
-/// Draws a legend from `start` on, in as many lines as the `width` of the canvas needs: markers with
-/// their areas and meanings.
+/// Draws a legend from `start` on, in as many lines as the `width` of the canvas needs: markers
+/// with their areas and meanings.
 pub fn key(
     canvas: &Canvas,
     start: Position,

@@ -197,12 +197,12 @@ fn hit(rung: &Rung, ray: &Ray) -> TrueHit {
 /// The hit of a ray, or a miss.
 type TrueHit = Option<(f64, PrimId)>;
 
-/// By how much of its size a `t` may differ between two right tests of a triangle: the wide tree has
-/// a test of its own. The errors of the mesh's nearly parallel rays are below this.
+/// By how much of its size a `t` may differ between two right tests of a triangle: the wide tree
+/// has a test of its own. The errors of the mesh's nearly parallel rays are below this.
 const SAME_T: f64 = 1e-9;
 
-/// Whether two hits are the same: both miss, or both hit at the same `t`, up to rounding. At an edge
-/// either triangle may be hit.
+/// Whether two hits are the same: both miss, or both hit at the same `t`, up to rounding. At an
+/// edge either triangle may be hit.
 fn is_same(a: TrueHit, b: TrueHit) -> bool {
     match (a, b) {
         (Some((a, _)), Some((b, _))) => (a - b).abs() <= SAME_T * a.abs(),

@@ -96,8 +96,8 @@ pub(crate) fn run_cargo(
 /// What an error says whose reason cargo has printed.
 const ABOVE: &str = "Cargo's message is above.";
 
-/// Prints what cargo does, line by line, but not that the worker does not compile: what this means for
-/// the stage is printed instead.
+/// Prints what cargo does, line by line, but not that the worker does not compile: what this means
+/// for the stage is printed instead.
 fn pass_on(progress: impl Read) -> String {
     for line in BufReader::new(progress).split(b'\n').map_while(Result::ok) {
         let line = String::from_utf8_lossy(&line);

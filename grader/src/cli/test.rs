@@ -75,8 +75,8 @@ pub(super) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     })
 }
 
-/// Runs the worked example of a task that is written. `programs` are the test programs of the stages
-/// that are built; `None` for those that do not compile.
+/// Runs the worked example of a task that is written. `programs` are the test programs of the
+/// stages that are built; `None` for those that do not compile.
 fn state_of<'a>(
     task: &'a Task,
     root: &Path,

@@ -80,11 +80,12 @@ pub fn of_task(
     of_wrong(workers, task, specs, &|findings| findings)
 }
 
-/// The simplest call for the failed cases of `task`, and what `explain` says of their wrong answers,
-/// given the circumstances of wrong simple calls.
+/// The simplest call for the failed cases of `task`, and what `explain` says of their wrong
+/// answers, given the circumstances of wrong simple calls.
 ///
-/// With two mistakes at once one half may be named, and the call that is simpler than all others may
-/// show the other half. Then the simplest call that the named mistake explains is shown instead.
+/// With two mistakes at once one half may be named, and the call that is simpler than all others
+/// may show the other half. Then the simplest call that the named mistake explains is shown
+/// instead.
 pub fn with_explanation(
     workers: &StageWorkers,
     task: &TaskResult,

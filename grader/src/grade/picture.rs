@@ -138,8 +138,8 @@ fn answer_of(
 /// The file, among what the grader writes, of the last task's picture with light.
 const LIT: &str = "yours.png";
 
-/// Renders the picture of the last of the complete `tasks` that shows shapes, with light, and writes
-/// it. Returns the file below the workspace's root folder, and the picture.
+/// Renders the picture of the last of the complete `tasks` that shows shapes, with light, and
+/// writes it. Returns the file below the workspace's root folder, and the picture.
 pub fn write_lit(
     workspace: &Workspace,
     course: &Course,

@@ -52,7 +52,8 @@ struct Block {
 /// More tasks than these do not have a line each: a part of which all tasks are alike has one.
 const MANY_TASKS: usize = 8;
 
-/// How many pages a report may have: whoever asks for more gets all that less shows, the drawing too.
+/// How many pages a report may have: whoever asks for more gets all that less shows, the drawing
+/// too.
 fn pages(hint: HintLevel) -> usize {
     match hint {
         HintLevel::Cases | HintLevel::Findings => 1,
@@ -60,8 +61,8 @@ fn pages(hint: HintLevel) -> usize {
     }
 }
 
-/// Formats the report in one page of at most `page.height` lines of at most `page.width` columns, or
-/// in two if the likely mistake is named.
+/// Formats the report in one page of at most `page.height` lines of at most `page.width` columns,
+/// or in two if the likely mistake is named.
 pub fn format_screen(report: &Report, context: &Context, reveal: Reveal, page: Page) -> String {
     let mut blocks = vec![Block {
         rank: 0,

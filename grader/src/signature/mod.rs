@@ -178,9 +178,9 @@ impl Signature {
         self.cases().values().map(Codes::wrong).sum()
     }
 
-    /// Calls that are wrong, with the aspect, and how, if that is known. `calls_of` says how many calls a case has. Left out
-    /// are crashes, and calls of which only the neighbourhood is known: the first wrong one of a
-    /// side in a large case.
+    /// Calls that are wrong, with the aspect, and how, if that is known. `calls_of` says how many
+    /// calls a case has. Left out are crashes, and calls of which only the neighbourhood is known:
+    /// the first wrong one of a side in a large case.
     pub fn wrong_calls(&self, calls_of: &dyn Fn(&str) -> Option<usize>) -> Vec<WrongCall> {
         let mut wrong = Vec::new();
         for (key, codes) in self.cases() {

@@ -1,4 +1,5 @@
-//! The clock of the end of a submission ([`Launcher::end`](crate::workers::launcher::Launcher::end)).
+//! The clock of the end of a submission
+//! ([`Launcher::end`](crate::workers::launcher::Launcher::end)).
 
 use std::ops::Add;
 use std::sync::Once;

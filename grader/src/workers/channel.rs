@@ -18,8 +18,9 @@ use wire::file::{self, FrameReader, Key};
 #[cfg(unix)]
 const SENDING: Duration = Duration::from_secs(120);
 
-/// How often to look whether a worker sends something. Of the time between two looks no more counts:
-/// where this program and its workers were stopped, or the clock jumped, no worker has stalled.
+/// How often to look whether a worker sends something. Of the time between two looks no more
+/// counts: where this program and its workers were stopped, or the clock jumped, no worker has
+/// stalled.
 const LOOK: Duration = Duration::from_secs(1);
 
 /// How long a worker may still send nothing before it counts as stalled.

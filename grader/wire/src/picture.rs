@@ -135,8 +135,8 @@ pub enum Subject {
     },
 }
 
-/// The brightness of a hit at the near and at the far end of a panel's range of distances: no hit is
-/// as black as a miss.
+/// The brightness of a hit at the near and at the far end of a panel's range of distances: no hit
+/// is as black as a miss.
 pub const NEAR_AND_FAR: [f64; 2] = [0.7, 0.02];
 
 /// An eye, and a panel in front of it, as vectors: the ray through the point `x`, `y`, in pixels from

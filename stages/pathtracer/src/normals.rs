@@ -18,8 +18,8 @@ pub fn normal_color(n: Vec3) -> Spectrum {
 }
 
 /// Renders some tiles of a picture of normals on rayon's current thread pool. Rays that miss are
-/// black. `accel` has to be built over `scene`. `finish` is called with each tile and returns what to
-/// keep of it. A tile that is in progress when `stop` is set has black pixels without samples.
+/// black. `accel` has to be built over `scene`. `finish` is called with each tile and returns what
+/// to keep of it. A tile that is in progress when `stop` is set has black pixels without samples.
 pub fn render_normal_tiles<R: Send>(
     scene: &Scene,
     accel: &Accel,

@@ -84,9 +84,10 @@ impl PreparedScene {
         self.picture.scene()
     }
 
-    /// Renders some tiles of the picture: those of [`render_lit`](crate::render_lit), or of normals.
-    /// `finish` is called with each tile and returns what to keep of it. A tile that is in progress when `stop` is set has black pixels without
-    /// samples. `empty` must be the [`Picture::empty_pixels`] of `job`.
+    /// Renders some tiles of the picture: those of [`render_lit`](crate::render_lit), or of
+    /// normals. `finish` is called with each tile and returns what to keep of it. A tile that is in
+    /// progress when `stop` is set has black pixels without samples. `empty` must be the
+    /// [`Picture::empty_pixels`] of `job`.
     pub fn render_tiles<R: Send>(
         &self,
         job: &Job,

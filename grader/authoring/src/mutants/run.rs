@@ -55,8 +55,8 @@ impl Graded {
     }
 }
 
-/// Grades the reference, all variants and all mutants of `task`, in that order, with seed 0. Fails if
-/// the machine is too busy to judge a case of one of them.
+/// Grades the reference, all variants and all mutants of `task`, in that order, with seed 0. Fails
+/// if the machine is too busy to judge a case of one of them.
 pub fn task(
     workspace: &Workspace,
     course: &Course,

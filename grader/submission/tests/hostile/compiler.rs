@@ -1,7 +1,8 @@
-//! What a compiler may do that is given hostile code: run without end, take all memory, fill the disk,
-//! print without end, die. No code here makes a compiler do so: a script stands for the compiler. It
-//! does so where it compiles the stage that was handed in; where the limits are those of another, or
-//! where the course's own stage is compiled to see whether the machine is at fault, it compiles.
+//! What a compiler may do that is given hostile code: run without end, take all memory, fill the
+//! disk, print without end, die. No code here makes a compiler do so: a script stands for the
+//! compiler. It does so where it compiles the stage that was handed in; where the limits are those
+//! of another, or where the course's own stage is compiled to see whether the machine is at fault,
+//! it compiles.
 
 use crate::corpus::{Class, reference};
 use grader::build::{BuildLimit, BuildOutcome};

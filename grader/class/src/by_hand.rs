@@ -347,7 +347,7 @@ fn of_team(name: &str, roster: Option<(&Roster, &Join)>) -> Result<Whose, String
     let (roster, join) = roster.ok_or_else(|| needs_roster("team"))?;
     let mut students = roster.students.iter();
     let team = name.to_lowercase();
-    let found = students.position(|student| student.team.raw().to_lowercase() == team);
+    let found = students.position(|student| is_same(&student.team.raw().to_lowercase(), &team));
     let member = found.ok_or_else(|| format!("no team of the roster is called {}", shown(name)))?;
     let submission = join.submissions[member];
     Ok(submission.map_or_else(|| no_submission(name), Whose::Submission))

@@ -24,14 +24,9 @@ impl Sheet {
         })?;
         let unmarked = text.trim_start_matches('\u{feff}');
         let text = unmarked.replace("\r\n", "\n").replace('\r', "\n");
-        let (text, separator) = match named_separator(&text) {
-            Some((separator, rest)) => (rest.to_string(), separator),
-            None => {
-                let separator = separator(&text);
-                (text, separator)
-            }
-        };
-        ensure_closed_marks(&text, separator)?;
+        let named = named_separator(&text);
+        let (separator, text) = named.unwrap_or_else(|| (separator(&text), &text));
+        ensure_closed_marks(text, separator)?;
         let mut reader = csv::ReaderBuilder::new()
             .flexible(true)
             .has_headers(false)

@@ -93,10 +93,9 @@ fn show(matches: &ArgMatches) -> Result<Rendered, GraderError> {
     out!("{}", drawn.unwrap_or_default());
     out!("{}", legend(task, &rendered, colours));
     outln!("picture: {}", workspace.relative(&path).display());
-    if let (Ok(_), Some((path, _))) = (
-        &rendered.yours,
-        picture::write_lit(&workspace, &course, &[task], &workers)?,
-    ) {
+    if rendered.yours.is_ok()
+        && let Some((path, _)) = picture::write_lit(&workspace, &course, &[task], &workers)?
+    {
         outln!("with light: {}", path.display());
     }
     Ok(rendered)

@@ -50,7 +50,7 @@ pub(super) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     }
     let stage = checkout.root().join("stages").join(&task.stage);
     outln!(
-        "Left yours, right the course's. Its whole stage: {}",
+        "First yours, then the course's. Its whole stage: {}",
         stage.display()
     );
     Ok(Exit::Passed)

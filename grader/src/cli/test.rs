@@ -55,8 +55,8 @@ pub(super) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     let mut programs = BTreeMap::new();
     let mut results = Vec::new();
     for task in tasks {
-        let is_open = |it: &&Known| it.place.key == task.key && it.place.has_hole;
-        let state = match known.iter().any(|it| is_open(&it)) {
+        let is_open = |it: &Known| it.place.key == task.key && it.place.has_hole;
+        let state = match known.iter().any(is_open) {
             true => ExampleState::Open,
             false => state_of(task, workspace.root(), &mut programs)?,
         };

@@ -120,9 +120,7 @@ impl Report {
 
     /// Whether every core point was earned.
     pub fn is_full(&self) -> bool {
-        self.tasks
-            .iter()
-            .all(|task| task.result.score >= task.result.max_score)
+        self.tasks.iter().all(|task| task.result.is_complete())
     }
 }
 

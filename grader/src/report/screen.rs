@@ -146,7 +146,7 @@ fn task_lines(report: &Report, page: Page) -> Vec<String> {
         |tasks: &[&TaskResult], is: fn(&TaskResult) -> bool| tasks.iter().all(|task| is(task));
     for tasks in parts.by_ref() {
         let [first, ..] = tasks else { continue };
-        let is_complete = alike(tasks, |task| task.score >= task.max_score);
+        let is_complete = alike(tasks, TaskResult::is_complete);
         if is_complete || alike(tasks, |task| task.status == Status::NotAttempted) {
             let sum = |points: fn(&TaskResult) -> f64| tasks.iter().map(|task| points(task)).sum();
             let whole = TaskResult {
@@ -209,7 +209,7 @@ fn state(task: &TaskResult) -> String {
     match &task.status {
         Status::NotAttempted => "not written yet".into(),
         Status::Crashed(_) => "every case crashes".into(),
-        _ if task.score >= task.max_score => "complete".into(),
+        _ if task.is_complete() => "complete".into(),
         Status::Failed => {
             let is_core = |case: &&CaseResult| case.tier == Tier::Core;
             let failed = match task.failed_cases().filter(is_core).count() {

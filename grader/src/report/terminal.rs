@@ -75,7 +75,7 @@ fn width(columns: Option<&str>) -> usize {
 pub(super) fn style_of(task: &TaskResult) -> Style {
     let colour = match task.status {
         Status::NotAttempted | Status::Needs(_) => AnsiColor::BrightBlack,
-        _ if task.score >= task.max_score => AnsiColor::Green,
+        _ if task.is_complete() => AnsiColor::Green,
         _ => AnsiColor::Red,
     };
     colour.on_default()

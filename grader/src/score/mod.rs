@@ -243,6 +243,11 @@ impl CaseResult {
 }
 
 impl TaskResult {
+    /// Whether it has all core points.
+    pub fn is_complete(&self) -> bool {
+        self.score >= self.max_score
+    }
+
     /// The cases whose own answers are wrong, or that have none: not those that lost points because
     /// something else is missing.
     pub fn failed_cases(&self) -> impl Iterator<Item = &CaseResult> {

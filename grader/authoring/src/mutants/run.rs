@@ -43,7 +43,7 @@ pub enum Kind {
 }
 
 impl Graded {
-    /// Why a case of this version is not judged, if the machine was too busy for one.
+    /// Why a case of this version was not judged: the machine was too busy. `None` if all were.
     fn undecided(&self) -> Option<&'static str> {
         let cases = &self.result.cases;
         cases.iter().find_map(|case| case.undecided().next())

@@ -16,11 +16,15 @@ pub(super) struct WithoutTests {
     pub(super) files: Vec<PathBuf>,
 }
 
-/// Removes the items of a file that are marked with `#[cfg(test)]`; `path` is the file's.
+/// What the attribute of an item for tests begins with: alone, or together with a system or feature.
+const FOR_TESTS: [&str; 2] = ["cfg(test)", "cfg(all(test,"];
+
+/// Removes the items of a file that are marked with `#[cfg(test)]` or `#[cfg(all(test, …))]`; `path`
+/// is the file's.
 pub(super) fn remove(path: &Path, text: &str) -> Result<WithoutTests, GraderError> {
     let mut files = Vec::new();
     // Reading the tokens of all files of a handout takes a second.
-    if !text.contains("cfg(test)") {
+    if !FOR_TESTS.iter().any(|start| text.contains(start)) {
         let text = text.to_string();
         return Ok(WithoutTests { text, files });
     }
@@ -77,7 +81,10 @@ fn items(text: &str) -> Option<Vec<Item>> {
                     |next: &TokenTree| matches!(next, TokenTree::Punct(p) if p.as_char() == '!');
                 let is_of_file = tokens.next_if(is_inner).is_some();
                 if let Some(TokenTree::Group(attribute)) = tokens.next() {
-                    is_for_tests |= !is_of_file && attribute.stream().to_string() == "cfg (test)";
+                    let text = attribute.stream().to_string();
+                    let text: String = text.split_whitespace().collect();
+                    let is_of_tests = FOR_TESTS.iter().any(|start| text.starts_with(start));
+                    is_for_tests |= !is_of_file && is_of_tests;
                 }
                 if is_of_file {
                     start = None;
@@ -147,6 +154,18 @@ mod tests {
         assert_eq!(without.files, [PathBuf::from("a/src/b/tests.rs")]);
         let of_root = remove(Path::new("a/src/lib.rs"), FILE).unwrap();
         assert_eq!(of_root.files, [PathBuf::from("a/src/tests.rs")]);
+    }
+
+    #[test]
+    fn tests_of_one_system_or_feature_are_removed() {
+        let given =
+            "#[cfg(not(test))]\nfn f() {}\n\n#[cfg(all(unix, feature = \"test\"))]\nfn g() {}\n";
+        for of in ["unix", "feature = \"submissions\""] {
+            let with_tests =
+                format!("{given}\n#[cfg(all(test, {of}))]\nmod tests {{\n    fn h() {{}}\n}}\n");
+            let without = remove(Path::new("a.rs"), &with_tests).unwrap();
+            assert_eq!(without.text, given);
+        }
     }
 
     #[test]

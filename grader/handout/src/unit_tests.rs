@@ -82,8 +82,8 @@ fn items(text: &str) -> Option<Vec<Item>> {
                 let is_of_file = tokens.next_if(is_inner).is_some();
                 if let Some(TokenTree::Group(attribute)) = tokens.next() {
                     let text = attribute.stream().to_string();
-                    let text: String = text.split_whitespace().collect();
-                    let is_of_tests = FOR_TESTS.iter().any(|start| text.starts_with(start));
+                    let unspaced: String = text.split_whitespace().collect();
+                    let is_of_tests = FOR_TESTS.iter().any(|start| unspaced.starts_with(start));
                     is_for_tests |= !is_of_file && is_of_tests;
                 }
                 if is_of_file {

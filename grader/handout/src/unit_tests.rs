@@ -16,11 +16,12 @@ pub(super) struct WithoutTests {
     pub(super) files: Vec<PathBuf>,
 }
 
-/// What the attribute of an item for tests begins with: alone, or together with a system or feature.
+/// How the attribute of an item for tests begins, written without spaces. After `all(test,` stands
+/// the system or the feature that the tests need, too.
 const FOR_TESTS: [&str; 2] = ["cfg(test)", "cfg(all(test,"];
 
-/// Removes the items of a file that are marked with `#[cfg(test)]` or `#[cfg(all(test, …))]`; `path`
-/// is the file's.
+/// Removes the items of a file that are marked with `#[cfg(test)]` or `#[cfg(all(test, …))]`.
+/// `path` is that of the file.
 pub(super) fn remove(path: &Path, text: &str) -> Result<WithoutTests, GraderError> {
     let mut files = Vec::new();
     // Reading the tokens of all files of a handout takes a second.

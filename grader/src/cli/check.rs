@@ -192,9 +192,10 @@ impl Desk for Editor<'_> {
 }
 
 /// The files besides those of stages that decide what the answers are and what is said about them.
-const GIVEN: [&str; 4] = [
+const GIVEN: [&str; 5] = [
     "stages/kit/src",
     "grader/harness/src",
+    "grader/driver/src",
     "grader/worker/src",
     "scenes/meshes/src",
 ];

@@ -128,6 +128,7 @@ pub fn command() -> Command {
         .arg(flag("add-extra", "With --roster: add extra credit to the marks").requires("roster"))
         .arg(Arg::new("unit").long("unit").value_name("KEY").hide(true))
         .arg(flag("of-pool", "").hide(true))
+        .arg(folder("launcher").long("launcher").hide(true))
         .arg(folder("course").long("course").hide(true))
 }
 

@@ -100,7 +100,7 @@ impl CleanWorkspace {
         // Another grader may be making it.
         let _lock = file_lock(&all.join("lock"))?;
         if !clean.top.join(COMPLETE).is_file() {
-            clean.make(&files)?;
+            clean.make(files)?;
         }
         clean.used = Some(mark_used(&clean.top)?);
         remove_unused(&all, &clean.top);
@@ -131,14 +131,15 @@ impl CleanWorkspace {
         BuildFolder::new(self, stages, end)
     }
 
-    /// Makes everything. What an interrupted run has left is removed.
-    fn make(&self, files: &Files) -> Result<(), GraderError> {
+    /// Makes everything from the workspace's `files`. What an interrupted run has left is removed.
+    fn make(&self, mut files: Files) -> Result<(), GraderError> {
         errln!("Building the course for submissions. This is done once and takes a minute.");
         if self.top.exists() {
             let removed = std::fs::remove_dir_all(&self.top);
             removed.map_err(|e| GraderError::file("remove", &self.top, e))?;
         }
-        file_tree::sync_folder(&self.trusted, files)?;
+        lock::remove_unused(&mut files)?;
+        file_tree::sync_folder(&self.trusted, &files)?;
         self.fetch_libraries()?;
         for folder in [&self.home, &self.target] {
             let created = std::fs::create_dir_all(folder);
@@ -327,7 +328,8 @@ fn version(files: &Files, toolchain: &Toolchain) -> String {
     format!("course-{:016x}", hasher.finish())
 }
 
-/// The files of the worker and of all crates that it depends on.
+/// The files of the worker and of all crates that it depends on, and the workspace's own lock file:
+/// each unit of a class asks for them, and cargo takes seconds to shorten that.
 fn trusted_files(workspace: &Workspace) -> Result<Files, GraderError> {
     let root = workspace.root();
     let members = members::read(root)?;
@@ -364,7 +366,6 @@ fn trusted_files(workspace: &Workspace) -> Result<Files, GraderError> {
         }
         files.insert(path, contents);
     }
-    lock::remove_unused(&mut files)?;
     Ok(files)
 }
 

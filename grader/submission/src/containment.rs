@@ -65,6 +65,14 @@ impl Containment {
         }
         let launcher = build::build_program(workspace.root(), "sandbox")?
             .map_err(|_| GraderError::new("the package sandbox does not compile"))?;
+        Containment::with_launcher(workspace, launcher)
+    }
+
+    /// The same with the launcher that [`Containment::choose`] has built.
+    pub fn with_launcher(
+        workspace: &Workspace,
+        launcher: PathBuf,
+    ) -> Result<Containment, GraderError> {
         let mut held = support(&mut Command::new(&launcher))
             .map_err(|e| GraderError::file("run", &launcher, e))?;
         held.other_user &= is_open_to_all(workspace.root());
@@ -90,6 +98,14 @@ impl Containment {
             own_network,
             bubblewrap,
         })
+    }
+
+    /// The program that contains others; `None` where nothing is contained.
+    pub fn launcher(&self) -> Option<&Path> {
+        match self {
+            Containment::Sandbox { launcher, .. } => Some(launcher),
+            Containment::None => None,
+        }
     }
 
     /// With bubblewrap in front of the launcher. It maps one user, so there is no other.

@@ -42,7 +42,11 @@ pub fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     let workspace = Workspace::above(path("course").unwrap_or(Path::new(".")))?;
     workspace.ensure_full("it does not contain the reference that a class is graded with")?;
     if let Some(key) = matches.get_one::<String>("unit") {
-        let containment = containment(matches, &workspace)?;
+        // The pool has built it.
+        let containment = match path("launcher") {
+            Some(launcher) => Containment::with_launcher(&workspace, launcher.into())?,
+            None => containment(matches, &workspace)?,
+        };
         return grade_unit(
             matches,
             &existing(out)?,
@@ -95,6 +99,7 @@ pub fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
             what: plan.settings.what.clone(),
             seed: plan.settings.seed,
         };
+        let launcher = containment.launcher().map(Path::to_path_buf);
         GradingCourse::open(&workspace, containment)?.ensure_that_it_grades(&request)?;
         if let Some(why) = plan.why_fewer(jobs.len(), |key| unit::is_stored(out, key)) {
             errln!("{why}");
@@ -103,6 +108,9 @@ pub fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
         pool::run(&jobs, at_once(matches), out, &progress, |key| {
             let mut command = command.of(key);
             command.arg("--of-pool");
+            if let Some(launcher) = &launcher {
+                command.arg("--launcher").arg(launcher);
+            }
             command
         })?;
     }

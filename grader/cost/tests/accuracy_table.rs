@@ -1,10 +1,16 @@
-//! The table of the book's chapter about accuracy is what is measured.
+//! The table of the book's chapter about accuracy is what is measured, and the code of a workspace
+//! answers the hard cases of the libraries.
 
 use super::cost::on;
 use base::Workspace;
 use cost::report::{KernelRow, RayFamily, Shape};
 use cost::{CostRequest, SampleCounts, measure};
 use std::path::Path;
+
+/// The course that this test is a part of: its stages are the student's code.
+fn workspace() -> Workspace {
+    Workspace::above(Path::new(env!("CARGO_MANIFEST_DIR"))).expect("the course")
+}
 
 /// A row as the chapter writes it.
 fn written(row: &KernelRow) -> String {
@@ -33,7 +39,7 @@ fn written(row: &KernelRow) -> String {
 #[test]
 #[ignore = "a full measurement: half a minute of CPU"]
 fn every_row_of_the_chapter_is_what_is_measured() {
-    let workspace = Workspace::above(Path::new(env!("CARGO_MANIFEST_DIR"))).expect("the course");
+    let workspace = workspace();
     let request = CostRequest {
         shapes: vec![Shape::Triangle],
         trees: false,
@@ -63,4 +69,23 @@ fn every_row_of_the_chapter_is_what_is_measured() {
         compared += 1;
     }
     assert!(compared >= 7, "found {compared} rows");
+}
+
+/// Builds a worker with the stages of the workspace, as for a student.
+#[test]
+#[ignore = "compiles a worker: half a minute of CPU"]
+fn the_reference_has_a_row_without_a_wrong_answer() {
+    let request = CostRequest {
+        shapes: Vec::new(),
+        trees: false,
+        pictures: false,
+        world: true,
+        size: SampleCounts::QUICK,
+        seed: 0,
+    };
+    let report = measure(Some(&workspace()), &request, &mut |_| Ok(())).expect("a measurement");
+    let world = report.world.expect("the hard cases");
+    let row = world.yours.expect("the reference's row");
+    assert!(row.is_right(), "{row:?}");
+    assert_eq!(row.value("on_surface"), Some(100.0));
 }

@@ -1,6 +1,6 @@
 //! The plot: what each library answers wrongly, against its speed.
 
-use super::{COLUMNS, Row, WorldReport};
+use super::{COLUMNS, Row, WorldReport, table};
 use crate::precision::Precision;
 use plots::canvas::{Canvas, Label, Position, file, for_both_widths, svg};
 use plots::columns::Columns;
@@ -58,7 +58,10 @@ pub(crate) fn figure(report: &WorldReport) -> Option<Figure> {
         columns = columns.and(column.title, move |row| row.cells[i].to_string());
     }
     let figure = Figure {
-        finding,
+        finding: match &report.yours {
+            Some(row) => table::verdict(row, &report.libraries).0,
+            None => finding,
+        },
         drawing,
         caption: "Each point is a library, or one of its interfaces. Further right traces more rays in a second of processor time, \
                   further down answers fewer rays wrongly, and none below the dashed line. Filled markers are f32."
@@ -92,8 +95,8 @@ fn timed(report: &WorldReport) -> Vec<&Row> {
 
 /// What the plot shows: how many libraries have no fault, and how the fastest of them compares.
 fn finding(rows: &[&Row]) -> Option<String> {
-    let others = || rows.iter().filter(|row| !is_ours(row));
-    let right = others().filter(|row| row.worst() == Some(0.0)).count();
+    let others = || rows.iter().filter(|row| row.is_of_a_library());
+    let right = others().filter(|row| row.is_right()).count();
     let most = others().filter_map(|row| row.worst()).reduce(f64::max)?;
     Some(format!(
         "Of {} interfaces of ray casters, {right} answer every hard case; the worst loses {} of a million rays in one",
@@ -102,20 +105,17 @@ fn finding(rows: &[&Row]) -> Option<String> {
     ))
 }
 
-fn is_ours(row: &Row) -> bool {
-    row.library == "First Light"
-}
-
 fn style_of(row: &Row) -> SeriesStyle {
     let is_single = row.precision != Precision::F64;
-    let (color, marker) = match (is_ours(row), is_single) {
+    let is_ours = !row.is_of_a_library();
+    let (color, marker) = match (is_ours, is_single) {
         (true, _) => (2, Marker::Star),
         (false, false) => (0, Marker::Disc),
         (false, true) => (1, Marker::Square),
     };
     SeriesStyle {
         marker,
-        hollow: !is_single && !is_ours(row),
+        hollow: !is_single && !is_ours,
         dashes: None,
         ..SeriesStyle::of(color)
     }
@@ -162,13 +162,16 @@ fn large(canvas: &Canvas, [width, height]: [f64; 2], title: &str, rows: &[&Row])
     scatter::draw(canvas, &plot, Labels::new(plot.inner()), &points);
     let of = |is_single: bool| {
         let is_other =
-            |row: &&&Row| !is_ours(row) && (row.precision != Precision::F64) == is_single;
+            |row: &&&Row| row.is_of_a_library() && (row.precision != Precision::F64) == is_single;
         rows.iter().find(is_other)
     };
     let entries = [
         ("f32", of(true)),
         ("f64", of(false)),
-        ("First Light", rows.iter().find(|row| is_ours(row))),
+        (
+            "First Light",
+            rows.iter().find(|row| !row.is_of_a_library()),
+        ),
     ];
     let there = entries
         .into_iter()

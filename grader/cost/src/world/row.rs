@@ -51,6 +51,19 @@ impl Row {
         }
     }
 
+    /// Whether it has an answer in every column in which a wrong one is a fault, and no wrong one.
+    pub fn is_right(&self) -> bool {
+        let columns = COLUMNS.iter().zip(&self.cells);
+        columns
+            .filter(|(column, _)| column.measure == Measure::Wrong)
+            .all(|(_, cell)| *cell == Cell::Value(0.0))
+    }
+
+    /// Whether it is a library's, and not this project's or a textbook's code in its tree.
+    pub fn is_of_a_library(&self) -> bool {
+        !["First Light", "textbook code"].contains(&&*self.library)
+    }
+
     /// The largest number of wrong answers in a million of any column; `None` without columns.
     pub fn worst(&self) -> Option<f64> {
         let wrong = COLUMNS

@@ -1,7 +1,7 @@
 //! The rows as a text table: columns of one kind together.
 
 use super::row::{Cell, Row};
-use super::{COLUMNS, Measure, WorldReport};
+use super::{COLUMNS, Column, Measure, WorldReport};
 use comfy_table::{Cell as TableCell, CellAlignment, Table, presets};
 use plots::numbers::{figures, grouped};
 use std::fmt::Write;
@@ -77,7 +77,11 @@ pub(crate) fn show(report: &WorldReport) -> String {
     }
     text += LEGEND;
     if let Some(row) = &report.yours {
-        text += &faults(row);
+        let (sentence, wrong) = verdict(row, &report.libraries);
+        let _ = writeln!(text, "{sentence}");
+        for line in wrong {
+            let _ = writeln!(text, "  {line}");
+        }
     }
     text
 }
@@ -105,31 +109,94 @@ fn number(value: f64) -> String {
     }
 }
 
-/// What is wrong in the student's row, case by case.
-fn faults(row: &Row) -> String {
-    let mut text = String::new();
-    for (column, cell) in COLUMNS.iter().zip(&row.cells) {
-        let _ = match (cell, column.measure) {
-            (Cell::Value(wrong), Measure::Wrong) if *wrong > 0.0 => {
-                writeln!(
-                    text,
-                    "  {} of a million wrong: {}",
-                    grouped(*wrong),
-                    column.title
-                )
-            }
-            (Cell::Error(error), _) => writeln!(text, "  {error}: {}", column.title),
-            _ => continue,
+/// What the student's row shows: a sentence, and a line for each case in which it is wrong.
+pub(super) fn verdict(row: &Row, all: &[Row]) -> (String, Vec<String>) {
+    let libraries = || all.iter().filter(|row| row.is_of_a_library());
+    let interfaces = libraries().count();
+    let is_judged = |(column, _): &(&Column, &Cell)| column.measure == Measure::Wrong;
+    let cells = || COLUMNS.iter().zip(&row.cells).filter(is_judged);
+    let wrong = cells().filter_map(|(column, cell)| {
+        let what = match cell {
+            Cell::Value(wrong) if *wrong > 0.0 => format!("{} of a million wrong", grouped(*wrong)),
+            Cell::Error(error) => error.clone(),
+            Cell::Value(_) | Cell::None => return None,
         };
+        let right = libraries().filter(|row| row.value(column.name) == Some(0.0));
+        let (right, title) = (right.count(), column.title);
+        Some(format!(
+            "{what}: {title} ({right} of {interfaces} interfaces have none)"
+        ))
+    });
+    let wrong: Vec<String> = wrong.collect();
+    let (cases, rays) = (cells().count(), grouped(row.rays as f64));
+    let sentence = match wrong.len() {
+        0 => {
+            let right = libraries().filter(|row| row.is_right());
+            let names: Vec<&str> = right.map(|row| &*row.name).collect();
+            format!(
+                "Your code has no wrong answer in {cases} cases of {rays} rays. Of {interfaces} interfaces of libraries \
+                 {} can say so: {}.",
+                names.len(),
+                names.join(", ")
+            )
+        }
+        count => format!("Your code is wrong in {count} of {cases} cases of {rays} rays."),
+    };
+    (sentence, wrong)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::world::{Case, measure};
+    use kernels::brute_force;
+    use kit::Ray;
+
+    /// A report on code that is right but for the rays that `loses` selects.
+    fn report(loses: fn(&Case, &Ray) -> bool) -> WorldReport {
+        let report = measure(12, &mut |case| {
+            let triangles = case.triangles();
+            let found = |ray: &&Ray| !loses(case, ray);
+            let hits = case.rays.iter().map(|ray| {
+                let hit = Some(ray).filter(found);
+                hit.and_then(|ray| brute_force(&triangles, ray))
+            });
+            Ok(Ok(hits.map(|hit| hit.map(|(t, _)| t)).collect()))
+        });
+        let mut report = report.expect("it is measured");
+        let few = ["blender", "bvh_f64", "embree3_robust", "first_light"];
+        report.libraries.retain(|row| few.contains(&&*row.name));
+        report
     }
-    match text.is_empty() {
-        true => format!(
-            "Yours has no wrong answer; {} rays in each case.\n",
-            grouped(row.rays as f64)
-        ),
-        false => format!(
-            "Yours, with {} rays in each case:\n{text}",
-            grouped(row.rays as f64)
-        ),
+
+    fn verdict_on(report: &WorldReport) -> (String, Vec<String>) {
+        verdict(report.yours.as_ref().expect("a row"), &report.libraries)
+    }
+
+    /// A box test that multiplies by `1/d` loses rays in the planes of the boxes' faces.
+    #[test]
+    fn lost_cases_are_listed_with_the_libraries_that_lose_nothing_there() {
+        let report = report(|case, ray| {
+            let vertices = &case.mesh.positions;
+            let in_a_plane = |axis| vertices.iter().any(|p| p[axis] == ray.o[axis]);
+            (0..3).any(|axis| ray.d[axis] == 0.0 && in_a_plane(axis))
+        });
+        let (sentence, wrong) = verdict_on(&report);
+        assert_eq!(sentence, "Your code is wrong in 3 of 19 cases of 12 rays.");
+        let lost = ["at vertices", "at edges", "in a plane of box faces"].map(|title| {
+            format!("1,000,000 of a million wrong: integer terrain, {title} (2 of 3 interfaces have none)")
+        });
+        assert_eq!(wrong, lost);
+        assert!(show(&report).contains(&wrong[2]));
+    }
+
+    #[test]
+    fn code_without_a_wrong_answer_stands_beside_the_libraries_without_one() {
+        let (sentence, wrong) = verdict_on(&report(|_, _| false));
+        assert_eq!(
+            sentence,
+            "Your code has no wrong answer in 19 cases of 12 rays. Of 3 interfaces of libraries 1 can say so: blender."
+        );
+        assert_eq!(wrong, [""; 0]);
     }
 }

@@ -1,5 +1,5 @@
-//! This project's trees: the wide one, and the plain one in both precisions and with tests of
-//! textbooks.
+//! This project's trees: the wide one, by the ray and by the tile, and the plain one in both
+//! precisions and with tests of textbooks.
 
 #[allow(dead_code, reason = "the other adapters use all of it")]
 #[path = "../../rust/src/lib.rs"]
@@ -7,7 +7,7 @@ mod world_adapters;
 
 use bvh::construct_bvh;
 use kit::{Bvh, PrimId, Triangle, TriangleHit, Vec3};
-use simd_bvh::{TestCounts, WideBvh};
+use simd_bvh::{RayTile, Subset, TestCounts, TileEnds, TileMemory, WideBvh};
 use std::cell::RefCell;
 use world_adapters::{About, Mesh, Ray, run};
 
@@ -31,6 +31,26 @@ fn exact(triangles: &[Triangle]) -> impl FnMut(PrimId, &kit::Ray) -> Option<Tria
     |id, ray| intersect::test_triangle(&triangles[id.0 as usize], ray)
 }
 
+/// The hit of `ray` as the first of a tile of 64, whose other directions are close to its own.
+fn in_a_tile((tree, triangles): &(WideBvh, Vec<Triangle>), ray: &kit::Ray) -> Option<(PrimId, TriangleHit)> {
+    let Vec3 { x, y, z } = ray.d;
+    let beside = |i: usize| match [i % 8, i / 8].map(|i| i as f64 / 1024.0) {
+        [0.0, 0.0] => ray.d,
+        [u, v] => ray.d + u * Vec3::new(y, z, x) - v * Vec3::new(z, x, y),
+    };
+    let directions = [0, 1, 2].map(|axis| (0..64).map(|i| beside(i)[axis]).collect::<Vec<f64>>());
+    let tile = RayTile {
+        o: ray.o,
+        d: [0, 1, 2].map(|axis| &directions[axis][..]),
+        min_t: ray.min_t,
+        max_t: TileEnds::All(ray.max_t),
+        skips: &[],
+    };
+    let (memory, counts, mut hits) = (&mut TileMemory::default(), &mut TestCounts::default(), Vec::new());
+    tree.closest_of_tile(Subset::default(), &tile, &mut exact(triangles), memory, counts, &mut hits);
+    hits.swap_remove(0)
+}
+
 fn main() {
     let about = |interface, precision| About("First Light", "0.1.0", interface, precision);
     let wide = |mesh: &Mesh| {
@@ -40,6 +60,11 @@ fn main() {
     run("first_light", about("WideBvh::closest", "f64"), &[], wide, |(tree, triangles), numbers| {
         let counts = &mut TestCounts::default();
         found(tree.closest(&ray(numbers), None, &mut exact(triangles), counts).map(|(id, hit)| (hit.t, id)))
+    });
+    // Of 64 answers 63 are not asked for: no speed.
+    let tile = about("WideBvh::closest_of_tile, 64 rays of one origin", "f64");
+    run("first_light_tile", tile, &["speed"], wide, |scene, numbers| {
+        found(in_a_tile(scene, &ray(numbers)).map(|(id, hit)| (hit.t, id)))
     });
     // The plain tree: with exact tests, and with those of textbooks.
     let ours = |precision| About("First Light", "0.1.0", "construct_bvh; Woop's test, Ize's slabs", precision);

@@ -98,6 +98,7 @@ impl Args {
                 (false, false) => DirectSampling::Lights,
             },
             roulette: !self.no_roulette,
+            clamp: self.clamp,
             adaptive: self.adaptive()?,
             lens: Lens {
                 radius: self.lens_radius,
@@ -193,6 +194,7 @@ impl Args {
             (self.hemisphere, "-H"),
             (self.mis, "--mis"),
             (self.no_roulette, "--no-roulette"),
+            (self.clamp.is_some(), "--clamp"),
         ]));
         unused
     }
@@ -215,6 +217,7 @@ impl Args {
             (self.environment.is_some(), "-e"),
             (self.mis, "--mis"),
             (self.no_roulette, "--no-roulette"),
+            (self.clamp.is_some(), "--clamp"),
             (self.lens_radius > 0.0, "--lens-radius"),
             (self.time.is_some(), "--time"),
             (self.error.is_some(), "--error"),

@@ -71,6 +71,7 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
         Picture::Lit(lit) => {
             note_missing_lights(lit, light.direct_sampling);
             note_single_batch(light.adaptive, args.samples);
+            note_no_indirect_light(&light);
         }
     }
     let textures = view::load_textures(&args.scene, picture.scene());
@@ -197,6 +198,9 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
                     "{}",
                     explain::table(&light.effects(lit), &rendered.effects, forced)
                 );
+                if let (Some(limit), Some(means)) = (light.clamp, rendered.clamped()) {
+                    outln!("{}", summary::clamped(limit, means));
+                }
             }
         }
     }
@@ -257,6 +261,13 @@ fn note_missing_lights(lit: &LitScene, sampling: DirectSampling) {
         errln!(
             "note: point, spot and directional lights have no area, so -H never hits them: omit -H to include their light"
         );
+    }
+}
+
+/// Prints a note if there is no indirect light to clamp.
+fn note_no_indirect_light(light: &LightSettings) {
+    if let (Some(limit), depth @ ..=1) = (light.clamp, light.max_depth) {
+        errln!("note: no effect: --clamp {limit}: -m {depth} has no indirect light: use -m 2 or more");
     }
 }
 

@@ -98,6 +98,15 @@ pub(crate) fn stats(
     )
 }
 
+/// What `--clamp` has removed: `kept` and `removed` are mean luminances.
+pub(crate) fn clamped(limit: f64, [kept, removed]: [f64; 2]) -> String {
+    let whole = kept + removed;
+    format!(
+        "Clamp       --clamp {limit} removed a luminance of {removed:.6} from the mean of {whole:.6}: {:.3} %",
+        100.0 * removed / whole.max(f64::MIN_POSITIVE)
+    )
+}
+
 fn seconds(time: Duration) -> String {
     format!("{:.4} s", time.as_secs_f64())
 }

@@ -116,7 +116,7 @@ impl<'a, T: RayTracer> PathIntegrator<'a, T> {
             tracer,
             settings,
             counters: Cell::default(),
-            materials: Materials::new(settings.force_effects),
+            materials: Materials::new(settings.force_effects, settings.soft_terminator),
             luminance: Vec::new(),
             sums: Vec::new(),
             removed: Cell::default(),

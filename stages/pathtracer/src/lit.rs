@@ -44,6 +44,8 @@ pub struct LightSettings {
     pub direct_sampling: DirectSampling,
     /// Whether Russian roulette ends dim paths.
     pub roulette: bool,
+    /// Whether light fades towards the plane of a triangle (`--soft-terminator`).
+    pub soft_terminator: bool,
     /// The largest luminance of a sample's indirect light (`--clamp`).
     pub clamp: Option<f64>,
     /// Adaptive sampling: samples per batch and tolerance (`-a`).
@@ -64,6 +66,7 @@ impl Default for LightSettings {
             max_depth: 1,
             direct_sampling: DirectSampling::Lights,
             roulette: true,
+            soft_terminator: false,
             clamp: None,
             adaptive: None,
             lens: Lens {

@@ -154,18 +154,24 @@ impl Rendered {
         pixels.filter(|pixel| pixel.samples > 0).count() as u64
     }
 
-    /// The mean luminance of the rendered pixels, and the mean luminance that clamping has removed
-    /// from them; `None` without clamping. Both together are the mean of the same samples without
+    /// The mean luminance that clamping has removed from the rendered pixels; `None` without
+    /// clamping. With [`Rendered::mean_luminance`] it is the mean of the same samples without
     /// clamping.
-    pub fn clamped(&self) -> Option<[f64; 2]> {
+    pub fn removed_luminance(&self) -> Option<f64> {
         let pixels = self.film.pixels().iter().zip(&self.removed);
         let rendered = pixels.filter(|(pixel, _)| pixel.samples > 0);
-        let [mut kept, mut removed] = [Tally::default(); 2];
-        for (pixel, sum) in rendered {
-            kept.push(pixel.radiance.luminance());
-            removed.push(sum.mean().radiance.luminance());
-        }
-        (kept.count() > 0).then(|| [kept.mean(), removed.mean()])
+        let removed: Tally = rendered
+            .map(|(_, removed)| removed.mean().radiance.luminance())
+            .collect();
+        (removed.count() > 0).then(|| removed.mean())
+    }
+
+    /// The mean luminance of the rendered pixels; 0 without any.
+    pub fn mean_luminance(&self) -> f64 {
+        let pixels = self.film.pixels().iter();
+        let rendered = pixels.filter(|pixel| pixel.samples > 0);
+        let luminances: Tally = rendered.map(|pixel| pixel.radiance.luminance()).collect();
+        luminances.mean()
     }
 
     /// The noise of the picture: the root mean square of the standard errors of the pixels'

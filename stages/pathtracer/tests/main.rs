@@ -1,6 +1,7 @@
 //! All tests of the renderer and its program.
 
 mod accel;
+mod clamp;
 mod command_line;
 mod common;
 mod empty_pixels;

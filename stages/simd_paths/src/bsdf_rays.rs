@@ -72,7 +72,7 @@ impl<S: Simd> PathPacket<'_, S> {
                 let wo_ng = self.wo_ng(surfaces);
                 for _ in 0..self.settings.light_samples {
                     let DiffuseSample { wi, pdf, weight } =
-                        self.sample_diffuse(surfaces.color, wo_z);
+                        self.sample_diffuse(surfaces, wo_z);
                     let sample = shadows.push_undecided(simd);
                     let d = Frame::around(surfaces.n).to_world(wi);
                     let same_side = on_same_side(wo_ng, d.dot(surfaces.departure.ng));

@@ -9,7 +9,6 @@ use crate::outputs::{Outputs, PictureFile, is_sums};
 use crate::progress::Progress;
 use crate::{part, pixel, summary, view, window};
 use base::{errln, outln};
-use kit::effects::EffectCounts;
 use kit::hole;
 use kit::{Emitter, LitScene};
 use pathtracer::args::{Args, Shade};
@@ -182,15 +181,21 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
                 outln!("Effects     none: normals are shown, no light is simulated")
             }
             Picture::Lit(lit) => {
-                let forced = if light.force_effects {
-                    rendered.effects
-                } else {
-                    let samples = match budget {
-                        Some(_) => (rendered.samples() / cell.area()) as u32,
-                        None => job.samples,
-                    };
-                    let whole = Job { samples, ..job };
-                    threads.install(|| forced_effects(&prepared, whole, light, &stop))
+                let samples = match budget {
+                    Some(_) => (rendered.samples() / cell.area()) as u32,
+                    None => job.samples,
+                };
+                let whole = Job { samples, ..job };
+                let all = LightSettings {
+                    force_effects: true,
+                    ..light
+                };
+                let forced = match light.force_effects {
+                    true => rendered.effects,
+                    false => {
+                        let again = || render_again(&prepared, whole, all, &stop);
+                        threads.install(again).effects
+                    }
                 };
                 // The counts of an incomplete picture cannot be compared.
                 let forced = (!stop.is_interrupted()).then_some(&forced);
@@ -198,8 +203,21 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
                     "{}",
                     explain::table(&light.effects(lit), &rendered.effects, forced)
                 );
-                if let (Some(limit), Some(means)) = (light.clamp, rendered.clamped()) {
-                    outln!("{}", summary::clamped(limit, means));
+                let mean = rendered.mean_luminance();
+                if let (Some(limit), Some(removed)) = (light.clamp, rendered.removed_luminance()) {
+                    outln!("{}", summary::clamped(limit, mean, removed));
+                }
+                if light.soft_terminator && !stop.is_interrupted() {
+                    let hard = LightSettings {
+                        soft_terminator: false,
+                        ..light
+                    };
+                    let start = Instant::now();
+                    let hard = threads.install(|| render_again(&prepared, whole, hard, &stop));
+                    let hard = (hard.mean_luminance(), start.elapsed());
+                    if !stop.is_interrupted() {
+                        outln!("{}", summary::terminator((mean, time), hard));
+                    }
                 }
             }
         }
@@ -220,23 +238,19 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// The operations of each effect if all are forced on.
-fn forced_effects(
+/// Renders the picture with other `settings`.
+fn render_again(
     scene: &PreparedScene,
     job: Job,
-    light: LightSettings,
+    settings: LightSettings,
     stop: &Stop,
-) -> EffectCounts {
-    let settings = LightSettings {
-        force_effects: true,
-        ..light
-    };
+) -> Rendered {
     let passes = Passes {
         scene,
         job,
         settings,
     };
-    passes.render(&stop.flag, &|_| (), &mut |_| true).effects
+    passes.render(&stop.flag, &|_| (), &mut |_| true)
 }
 
 /// Prints which of the given flags have no effect on a picture of normals.

@@ -6,6 +6,7 @@ mod command_line;
 mod common;
 mod empty_pixels;
 mod export;
+mod far_away;
 mod interrupt;
 mod lit;
 mod lit_program;

@@ -10,7 +10,6 @@ use crate::sin_cos::sin_cos;
 use crate::surface_packet::SurfacePacket;
 use crate::vec3x8::Vec3x8;
 use fearless_simd::{Simd, f64x8, mask64x8, prelude::*};
-use kit::surface::SHADOW_GAP;
 use lanes::diffuse::{
     DiffuseSample, lambert_f, lambert_pdf, lambert_sample, on_same_side, terminator,
 };
@@ -62,7 +61,7 @@ impl<S: Simd> PathPacket<'_, S> {
                             o,
                             d: light.wi,
                             min_t: zero,
-                            max_t: light.distance * (1.0 - SHADOW_GAP),
+                            max_t: surfaces.departure.shadow_end(light.distance),
                         };
                         let mut weight = f64x8::splat(simd, 1.0);
                         if self.settings.samples_bsdf && !emitter.is_delta() {

@@ -31,9 +31,7 @@ pub fn lambert_pdf<R: Real>(wo_z: R, wi_z: R) -> R {
 pub fn terminator<R: Real>(ng: Vec3<R>, wi: Vec3<R>) -> R {
     let (height, expected) = (ng.dot(wi).abs(), (ng.z * wi.z).abs());
     let one = height.constant(1.0);
-    let g = expected
-        .at_most(height)
-        .choose(one, height / expected);
+    let g = expected.at_most(height).choose(one, height / expected);
     g * (one + g * (one - g))
 }
 

@@ -64,8 +64,14 @@ fn what_is_removed_is_what_is_missing() {
             let clamped = render(&scene, settings(sampling, Some(limit)), 2);
             let removed = clamped.removed_luminance().expect("it is counted");
             let sum = clamped.mean_luminance() + removed;
-            assert!((sum / whole - 1.0).abs() < 1e-12, "{sampling:?} {limit}: {sum} {whole}");
-            assert!(last < removed && removed < whole, "{sampling:?} {limit}: {removed}");
+            assert!(
+                (sum / whole - 1.0).abs() < 1e-12,
+                "{sampling:?} {limit}: {sum} {whole}"
+            );
+            assert!(
+                last < removed && removed < whole,
+                "{sampling:?} {limit}: {removed}"
+            );
             last = removed;
         }
     }

@@ -2,9 +2,7 @@
 
 use kit::scene::{NamedMaterial, Object};
 use kit::{Camera, FilmSize, LitScene, Material, Scene, Spectrum, Triangle, Vec3};
-use pathtracer::{
-    Accel, AccelKind, DirectSampling, Job, LightSettings, Textures, render_lit,
-};
+use pathtracer::{Accel, AccelKind, DirectSampling, Job, LightSettings, Textures, render_lit};
 use std::sync::atomic::AtomicBool;
 
 /// A tilted floor of this `size` below a lamp of one unit, around `origin`.
@@ -12,7 +10,8 @@ fn floor_and_lamp(origin: Vec3, size: f64) -> LitScene {
     let (x, up) = (Vec3::new(0.8, 0.6, 0.0), Vec3::new(-0.6, 0.8, 0.0));
     let square = |center: Vec3, x: Vec3, y: Vec3| {
         let corner = |a: f64, b: f64| origin + center + x * a + y * b;
-        let [a, b, c, d] = [(-0.5, -0.5), (0.5, -0.5), (0.5, 0.5), (-0.5, 0.5)].map(|(s, t)| corner(s, t));
+        let [a, b, c, d] =
+            [(-0.5, -0.5), (0.5, -0.5), (0.5, 0.5), (-0.5, 0.5)].map(|(s, t)| corner(s, t));
         [Triangle::flat(a, b, c), Triangle::flat(a, c, d)]
     };
     let floor = square(Vec3::ZERO, Vec3::Z * size, x * size);
@@ -30,8 +29,18 @@ fn floor_and_lamp(origin: Vec3, size: f64) -> LitScene {
         object_of: vec![0, 0, 1, 1],
         objects: vec![object("floor", 0), object("lamp", 1)],
         materials: vec![
-            material("grey", Material::Diffuse { reflectance: Spectrum::grey(0.5) }),
-            material("light", Material::Emission { radiance: Spectrum::grey(10.0) }),
+            material(
+                "grey",
+                Material::Diffuse {
+                    reflectance: Spectrum::grey(0.5),
+                },
+            ),
+            material(
+                "light",
+                Material::Emission {
+                    radiance: Spectrum::grey(10.0),
+                },
+            ),
         ],
         ..Scene::default()
     };
@@ -82,7 +91,10 @@ fn lamps_far_from_the_origin_light_the_floor() {
             let found = mean(&floor_and_lamp(origin, 20.0), origin, sampling);
             // Rounding moves the points of the lamp and the floor.
             let tolerance = 1e-3 + 1e-12 * far;
-            assert!((found / expected - 1.0).abs() < tolerance, "{sampling:?} {far}: {found} {expected}");
+            assert!(
+                (found / expected - 1.0).abs() < tolerance,
+                "{sampling:?} {far}: {found} {expected}"
+            );
         }
     }
 }
@@ -94,7 +106,10 @@ fn lamps_light_floors_that_are_huge() {
         let expected = mean(&floor_and_lamp(Vec3::ZERO, 20.0), Vec3::ZERO, sampling);
         for size in [1e3, 1e5, 1e7] {
             let found = mean(&floor_and_lamp(Vec3::ZERO, size), Vec3::ZERO, sampling);
-            assert!((found / expected - 1.0).abs() < 1e-3, "{sampling:?} {size}: {found} {expected}");
+            assert!(
+                (found / expected - 1.0).abs() < 1e-3,
+                "{sampling:?} {size}: {found} {expected}"
+            );
         }
     }
 }

@@ -222,9 +222,14 @@ fn explain_measures_what_flags_cost() {
     let (output, _) = pathtracer(folder.path(), flags);
     let clamp = "Clamp       --clamp 0.01 removed a luminance of 0.000000 from the mean of 0.";
     assert!(output.contains(clamp), "{output}");
-    let terminator = output.lines().find(|line| line.starts_with("Terminator  soft:"));
+    let terminator = output
+        .lines()
+        .find(|line| line.starts_with("Terminator  soft:"));
     let terminator = terminator.unwrap_or_else(|| panic!("{output}"));
-    assert!(terminator.contains(": 0.000 % of the light is missing"), "{terminator}");
+    assert!(
+        terminator.contains(": 0.000 % of the light is missing"),
+        "{terminator}"
+    );
 }
 
 #[test]

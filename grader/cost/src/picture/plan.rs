@@ -166,11 +166,7 @@ fn depth(quick: bool) -> ExperimentPlan {
 /// Clamping indirect light: less noise, and a bias. A clamped picture takes as long as any other,
 /// so rows of equal samples compare the limits at equal time.
 fn clamp(quick: bool) -> ExperimentPlan {
-    let samples: &[u32] = if quick {
-        &[16, 64]
-    } else {
-        &[4, 16, 64, 256]
-    };
+    let samples: &[u32] = if quick { &[16, 64] } else { &[4, 16, 64, 256] };
     let limits: &[f64] = if quick {
         &[3.0, 0.3]
     } else {

@@ -168,7 +168,8 @@ impl<'a> PacketRenderer<'a> {
                 if used == ready.len() {
                     let started = start.sampler.samples_started();
                     let count = self.certain_samples(started - self.job.sampling.first_sample);
-                    let (start, removed) = (slice::from_mut(start), slice::from_ref(&integrator.removed));
+                    let (start, removed) =
+                        (slice::from_mut(start), slice::from_ref(&integrator.removed));
                     ready = self.trace(integrator, memory, start, count, removed);
                     used = 0;
                 }

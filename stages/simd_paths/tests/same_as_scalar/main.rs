@@ -86,12 +86,21 @@ fn compare(lit: &LitScene, settings: PathSettings, sampling: Sampling, view: &Vi
                 );
             }
             let parts = memory.direct.iter().zip(&results);
-            let direct: Vec<_> = parts.map(|(direct, all)| bits(direct.unwrap_or(*all))).collect();
+            let direct: Vec<_> = parts
+                .map(|(direct, all)| bits(direct.unwrap_or(*all)))
+                .collect();
             assert!(
                 direct == expected_direct[..direct.len()],
                 "{level:?}: direct light differs"
             );
-            assert_eq!(direct.len(), if settings.keeps_direct { results.len() } else { 0 });
+            assert_eq!(
+                direct.len(),
+                if settings.keeps_direct {
+                    results.len()
+                } else {
+                    0
+                }
+            );
             let counts = sum(memory.counts, fallback.counts.get());
             assert_eq!(counts, scalar.counts.get(), "{level:?}: the counts differ");
             all_counts.push(memory.counts);

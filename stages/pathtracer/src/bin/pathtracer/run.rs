@@ -239,12 +239,7 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
 }
 
 /// Renders the picture with other `settings`.
-fn render_again(
-    scene: &PreparedScene,
-    job: Job,
-    settings: LightSettings,
-    stop: &Stop,
-) -> Rendered {
+fn render_again(scene: &PreparedScene, job: Job, settings: LightSettings, stop: &Stop) -> Rendered {
     let passes = Passes {
         scene,
         job,
@@ -281,7 +276,9 @@ fn note_missing_lights(lit: &LitScene, sampling: DirectSampling) {
 /// Prints a note if there is no indirect light to clamp.
 fn note_no_indirect_light(light: &LightSettings) {
     if let (Some(limit), depth @ ..=1) = (light.clamp, light.max_depth) {
-        errln!("note: no effect: --clamp {limit}: -m {depth} has no indirect light: use -m 2 or more");
+        errln!(
+            "note: no effect: --clamp {limit}: -m {depth} has no indirect light: use -m 2 or more"
+        );
     }
 }
 

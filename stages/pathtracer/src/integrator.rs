@@ -17,8 +17,8 @@ use global::{estimate_radiance, play_roulette};
 use kit::effects::Effect;
 use kit::shading_normal::{Sides, towards_viewer};
 use kit::{
-    Camera, Hit, LitScene, PixelSampler, PrimId, Ray, Scattering, Scene, Spectrum, Surface, Tally,
-    Texture, Vec3,
+    Camera, Hit, LitScene, Material, PixelSampler, PrimId, Ray, Scattering, Scene, Spectrum,
+    Surface, Tally, Texture, Vec3,
 };
 use std::cell::Cell;
 use std::hint::black_box;
@@ -201,7 +201,10 @@ impl<'a, T: RayTracer> PathIntegrator<'a, T> {
             },
             &mut |surface, wo, sampler| {
                 let light = self.direct(surface, place.get(), wo, sampler);
-                direct.set(direct.get().or(Some(throughput.get() * light)));
+                // Lamps scatter nothing: their own light is direct.
+                if !matches!(surface.material, Material::Emission { .. }) {
+                    direct.set(direct.get().or(Some(throughput.get() * light)));
+                }
                 light
             },
             &mut |weight, bounces, u| {

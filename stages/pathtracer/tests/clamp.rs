@@ -1,7 +1,7 @@
 //! Clamping indirect light: what it removes is counted, and nothing else changes.
 
 use crate::common::own_scenes;
-use kit::{FilmSize, LitScene};
+use kit::FilmSize;
 use pathtracer::args::Shade;
 use pathtracer::{
     AccelKind, DirectSampling, Job, LightSettings, Passes, Picture, PreparedScene, Rendered,
@@ -11,11 +11,11 @@ use scenes::placement;
 use std::sync::atomic::AtomicBool;
 
 /// Glass above a diffuse floor: caustics have fireflies.
-fn prepared() -> PreparedScene {
+fn prepared(kind: AccelKind) -> PreparedScene {
     let file = own_scenes().join("cornell_mirror_glass.dae");
     let scene = scenes::load(&file).expect("a scene").scene;
     let picture = Picture::new(Shade::Lit, scene, None);
-    PreparedScene::new(picture, Textures::default(), AccelKind::Simd)
+    PreparedScene::new(picture, Textures::default(), kind)
 }
 
 fn render(scene: &PreparedScene, settings: LightSettings, threads: usize) -> Rendered {
@@ -50,7 +50,7 @@ fn settings(direct_sampling: DirectSampling, clamp: Option<f64>) -> LightSetting
 
 #[test]
 fn what_is_removed_is_what_is_missing() {
-    let scene = prepared();
+    let scene = prepared(AccelKind::Simd);
     for sampling in [
         DirectSampling::Lights,
         DirectSampling::Mis,
@@ -79,7 +79,7 @@ fn what_is_removed_is_what_is_missing() {
 
 #[test]
 fn a_limit_that_nothing_reaches_changes_no_bit() {
-    let scene = prepared();
+    let scene = prepared(AccelKind::Simd);
     let whole = render(&scene, settings(DirectSampling::Lights, None), 2);
     let limited = render(&scene, settings(DirectSampling::Lights, Some(1e100)), 2);
     assert!(limited.film == whole.film);
@@ -88,7 +88,7 @@ fn a_limit_that_nothing_reaches_changes_no_bit() {
 
 #[test]
 fn neither_the_picture_nor_the_count_depends_on_the_threads() {
-    let scene = prepared();
+    let scene = prepared(AccelKind::Simd);
     let [one, three] = [1, 3].map(|threads| {
         let settings = settings(DirectSampling::Lights, Some(0.2));
         render(&scene, settings, threads)
@@ -100,20 +100,21 @@ fn neither_the_picture_nor_the_count_depends_on_the_threads() {
 /// Direct light, and lamps in mirrors and behind glass, are far brighter than the limit.
 #[test]
 fn direct_light_is_not_clamped() {
-    let scene = prepared();
-    let direct = |clamp| {
-        let settings = LightSettings {
-            max_depth: 1,
-            ..settings(DirectSampling::Lights, clamp)
+    for kind in [AccelKind::Bvh, AccelKind::Simd] {
+        let scene = prepared(kind);
+        let at_depth = |max_depth, clamp| {
+            let settings = LightSettings {
+                max_depth,
+                ..settings(DirectSampling::Lights, clamp)
+            };
+            render(&scene, settings, 2)
         };
-        render(&scene, settings, 2)
-    };
-    assert!(direct(None).film == direct(Some(1e-3)).film);
-    // The first surface behind the mirror has direct light, too: only its indirect light is clamped.
-    let brightest = |rendered: Rendered| {
-        let pixels = rendered.film.pixels().iter();
-        pixels.map(|p| p.radiance.luminance()).fold(0.0, f64::max)
-    };
-    let clamped = render(&scene, settings(DirectSampling::Lights, Some(1e-3)), 2);
-    assert!(brightest(clamped) > 1.0);
+        assert!(at_depth(1, None).film == at_depth(1, Some(1e-3)).film);
+        // The first surface behind the mirror has direct light, too: only its indirect light is
+        // clamped.
+        let clamped = at_depth(7, Some(1e-3));
+        let pixels = clamped.film.pixels().iter();
+        let brightest = pixels.map(|p| p.radiance.luminance()).fold(0.0, f64::max);
+        assert!(brightest > 1.0, "{brightest}");
+    }
 }

@@ -278,7 +278,9 @@ pub(crate) fn radiance(
         },
         &mut |surface, wo, sampler| {
             let light = scalar.direct(surface, place.get(), wo, sampler);
-            direct.set(direct.get().or(Some(throughput.get() * light)));
+            if !matches!(surface.material, Material::Emission { .. }) {
+                direct.set(direct.get().or(Some(throughput.get() * light)));
+            }
             light
         },
         &mut |weight, bounce, u| {

@@ -105,9 +105,10 @@ fn is_version_1(bytes: &[u8]) -> bool {
     }
     let text = String::from_utf8_lossy(bytes);
     let is_of = |major: &str| {
-        let values = text.split("\"version\"").skip(1);
-        let mut values = values.map(|rest| rest.trim_start().trim_start_matches(':').trim_start());
-        values.any(|value| value.starts_with(major))
+        text.split("\"version\"").skip(1).any(|rest| {
+            let value = rest.trim_start().trim_start_matches(':').trim_start();
+            value.starts_with(major)
+        })
     };
     is_of("\"1.") && !is_of("\"2.")
 }

@@ -129,8 +129,8 @@ impl<'a> PacketRenderer<'a> {
                 .collect();
             let removed = vec![cell::Cell::default(); starts.len()];
             let samples = self.trace(integrator, &mut memory, &mut starts, first, &removed);
-            let samples = samples.chunks(first as usize);
-            for ((samples, start), removed) in samples.zip(&mut starts).zip(removed) {
+            let pixels = samples.chunks(first as usize).zip(&mut starts).zip(removed);
+            for ((samples, start), removed) in pixels {
                 integrator.removed = removed;
                 let estimate = self.pixel(integrator, &mut memory, start, samples);
                 estimates.push(estimate);

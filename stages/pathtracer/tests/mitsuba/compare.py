@@ -25,7 +25,7 @@ from variations import variations
 
 mi.set_variant("scalar_rgb")
 
-ROUNDS = int(os.environ.get("FIRSTLIGHT_ROUNDS", "8"))
+ROUNDS = 8
 SAMPLES = 64
 BLOCK = 12
 SMALL_BLOCK = 8
@@ -87,20 +87,14 @@ def compare(name, scene, size, block, depth, scenes, folder):
     theirs_scene = mi.load_file(str(xml))
     ours, theirs = [], []
     for seed in range(ROUNDS):
-        ours.append(blocks(own_picture(seed, common, folder), block))
+        exr = folder / "ours.exr"
+        subprocess.run(
+            [PROGRAM, "-f", str(exr), "--seed", str(seed), "-t", "2", *common],
+            check=True,
+            capture_output=True,
+        )
+        ours.append(blocks(mi.TensorXf(mi.Bitmap(str(exr))), block))
         theirs.append(blocks(mi.render(theirs_scene, seed=seed), block))
-    return agree(name, ours, theirs, scenes)
-
-
-def own_picture(seed, flags, folder):
-    exr = folder / "ours.exr"
-    command = [PROGRAM, "-f", str(exr), "--seed", str(seed), "-t", "2", *flags]
-    subprocess.run(command, check=True, capture_output=True)
-    return mi.TensorXf(mi.Bitmap(str(exr)))
-
-
-def agree(name, ours, theirs, scenes):
-    """Prints the means of both renderers, and whether the blocks of their pictures agree."""
     count = len(ours[0])
     alarm = 1 - (1 - FAMILY) ** (1 / (count * scenes))
     worst, least = 0.0, 1.0
@@ -142,5 +136,4 @@ def main():
     sys.exit(0 if all(results) else 1)
 
 
-if __name__ == "__main__":
-    main()
+main()

@@ -213,10 +213,10 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
                         ..light
                     };
                     let start = Instant::now();
-                    let hard = threads.install(|| render_again(&prepared, whole, hard, &stop));
-                    let hard = (hard.mean_luminance(), start.elapsed());
+                    let again = threads.install(|| render_again(&prepared, whole, hard, &stop));
                     if !stop.is_interrupted() {
-                        outln!("{}", summary::terminator((mean, time), hard));
+                        let again = (again.mean_luminance(), start.elapsed());
+                        outln!("{}", summary::terminator((mean, time), again));
                     }
                 }
             }

@@ -275,6 +275,23 @@ fn a_gltf_that_cannot_be_read_is_an_error_with_its_reason() {
     assert!(error.contains("accessor 2 has 600 elements"), "{error}");
 }
 
+/// Files of version 1 are not damaged.
+#[test]
+fn gltf_of_version_1_is_refused_by_name() {
+    let refused = |name: &str, bytes: &[u8]| load(&[(name, bytes)]).unwrap_err().to_string();
+    let mut binary = square(RED, "", "");
+    binary[4] = 1;
+    let text =
+        r#"{"accessors":{"a":{}},"asset":{"profile":{"version":"1.0.2"},"version" : "1.0"}}"#;
+    for (name, bytes) in [("a.glb", &*binary), ("a.gltf", text.as_bytes())] {
+        let error = refused(name, bytes);
+        assert!(error.contains("glTF 1, which is not supported"), "{error}");
+        assert!(!error.contains("not a valid"), "{error}");
+    }
+    let damaged = r#"{"accessors":{},"asset":{"version":"2.0"},"extras":{"version":"1.0"}}"#;
+    assert!(refused("a.gltf", damaged.as_bytes()).contains("not a valid glTF file"));
+}
+
 /// No damaged file makes a reader panic.
 #[test]
 fn damaged_models_do_not_panic() {

@@ -98,9 +98,31 @@ fn damaged(name: &str, why: impl std::fmt::Display) -> SceneError {
         .into()
 }
 
+/// Whether a file that cannot be read as glTF 2 is of version 1, whose lists are objects.
+fn is_version_1(bytes: &[u8]) -> bool {
+    if let Some(version) = bytes.strip_prefix(b"glTF") {
+        return version.starts_with(&1_u32.to_le_bytes());
+    }
+    let text = String::from_utf8_lossy(bytes);
+    let is_of = |major: &str| {
+        text.split("\"version\"").skip(1).any(|rest| {
+            let value = rest.trim_start().trim_start_matches(':').trim_start();
+            value.starts_with(major)
+        })
+    };
+    is_of("\"1.") && !is_of("\"2.")
+}
+
 /// Reads a `.glb` or a `.gltf` file.
 pub(super) fn read(name: &str, folder: &Path, bytes: &[u8]) -> Result<Loaded, SceneError> {
-    let unchecked = Gltf::from_slice_without_validation(bytes).map_err(|why| damaged(name, why))?;
+    let unchecked = Gltf::from_slice_without_validation(bytes).map_err(|why| {
+        if is_version_1(bytes) {
+            let title = "the file is of glTF 1, which is not supported";
+            let help = "export the scene again as glTF 2.0";
+            return Diagnostic::about_file(name, title).help(help).into();
+        }
+        damaged(name, why)
+    })?;
     let mut required = unchecked.extensions_required();
     if let Some(unknown) = required.find(|extension| !SUPPORTED.contains(extension)) {
         let title = format!("the file requires {unknown}, which is not supported");

@@ -10,6 +10,10 @@
 //!   other ([`Sides`]): `f` is 0. Without this, light shines through it (Veach, "Non-symmetric
 //!   scattering in light transport algorithms", 1996).
 //!
+//! So where light grazes the surface, each triangle of a smooth mesh is dark or bright as a whole: the
+//! terminator, the edge of the part that faces away from a light, shows the facets. A factor
+//! that depends on both normals softens it, if the user wants it ([`Sides::terminator`]).
+//!
 //! The renderer does this between the functions of the stages, which see hits and a
 //! [`Scattering`](crate::Scattering) only. The lanes of `simd_paths` compute the same bits.
 
@@ -74,5 +78,54 @@ impl Sides {
     #[inline]
     pub fn block(&self, material: &Material, wo: Vec3, wi: Vec3) -> bool {
         !material.lets_light_through() && self.ng.dot(wo) * self.ng.dot(wi) <= 0.0
+    }
+
+    /// A factor of `f` for light from `wi`: 0 in the plane of the surface, 1 from where `wi` is as
+    /// far from this plane as the two normals let expect, and smooth between (Chiang, Li and
+    /// Burley, "Taming the shadow terminator", SIGGRAPH 2019 talks). It takes light away and
+    /// adds none.
+    ///
+    /// With `g = |ng·wi| / (|ng·n| |n·wi|)`, at most 1, the factor is `g + g² - g³`, whose
+    /// derivative at 1 is 0.
+    #[inline]
+    pub fn terminator(&self, wi: Vec3) -> f64 {
+        let (height, expected) = (self.ng.dot(wi).abs(), (self.ng.z * wi.z).abs());
+        let g = if expected <= height {
+            1.0
+        } else {
+            height / expected
+        };
+        g * (1.0 + g * (1.0 - g))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_terminator_is_smooth_from_the_plane_to_the_expected_height() {
+        // 60 degrees between the normals; `wi` turns from the plane of the surface to `ng`.
+        let sides = Sides {
+            ng: Vec3::new(0.75_f64.sqrt(), 0.0, 0.5),
+        };
+        let along = Vec3::new(-0.5, 0.0, 0.75_f64.sqrt());
+        let at = |height: f64| {
+            sides.terminator((along * (1.0 - height * height).sqrt()) + sides.ng * height)
+        };
+        assert!(at(0.0).abs() < 1e-15);
+        let steps: Vec<f64> = (0..=1000).map(|i| at(f64::from(i) / 1000.0)).collect();
+        assert!(steps.is_sorted() && steps[1000] == 1.0, "{steps:?}");
+        // No step and no corner at the end of the soft part.
+        let slopes: Vec<f64> = steps.windows(2).map(|pair| pair[1] - pair[0]).collect();
+        let bends = slopes.windows(2).map(|pair| (pair[1] - pair[0]).abs());
+        assert!(bends.fold(0.0, f64::max) < 5e-5, "{slopes:?}");
+    }
+
+    #[test]
+    fn where_the_normals_agree_the_terminator_changes_nothing() {
+        for wi in [Vec3::Z, Vec3::new(0.6, 0.0, 0.8), Vec3::X] {
+            assert_eq!(Sides::FLAT.terminator(wi), 1.0);
+        }
     }
 }

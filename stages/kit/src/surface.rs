@@ -43,8 +43,14 @@ pub const POSITION_ERROR: f64 = 64.0 * (0.5 * f64::EPSILON);
 /// Relative length by which a shadow ray is shortened, so that the light does not block itself.
 ///
 /// It is well above the rounding error of any `t` (about 1e-15) and well below any gap in a scene:
-/// one billionth of a unit at a distance of ten units.
+/// one billionth of a unit at a distance of ten units. Where it is less than the error of the ray's
+/// origin, which is known to so many digits only, [`SHADOW_ROUNDINGS`] gives a longer gap.
 pub const SHADOW_GAP: f64 = 1e-10;
+
+/// The longer gap of a shadow ray is this many times the error of its origin. The ray meets a
+/// light at a grazing angle later or earlier by the error divided by the cosine of the angle to the
+/// normal: so many times, the cosine is so small that little light arrives.
+pub const SHADOW_ROUNDINGS: f64 = 64.0;
 
 impl<'a> Surface<'a> {
     /// The surface at `hit`, on `primitive`, made of `material`.
@@ -89,7 +95,7 @@ impl<'a> Surface<'a> {
     /// error bound). Unlike a fixed epsilon this works for scenes of any size.
     #[inline]
     pub fn leave(&self, w: Vec3) -> Ray {
-        let distance = self.error.dot(self.ng.abs());
+        let distance = self.step();
         let offset = if w.dot(self.ng) < 0.0 {
             -distance * self.ng
         } else {
@@ -99,12 +105,24 @@ impl<'a> Surface<'a> {
         Ray::new(self.p + offset, w)
     }
 
+    /// How far rays start from the surface.
+    #[inline]
+    fn step(&self) -> f64 {
+        self.error.dot(self.ng.abs())
+    }
+
     /// The ray from this point to a sampled point of a light. Its range ends just before the light,
     /// so any hit in the range means that the light is blocked.
     #[inline]
     pub fn shadow_ray(&self, light: &LightSample) -> Ray {
+        let distance = light.distance;
+        let error = POSITION_ERROR * self.p.abs().max_element() + self.step();
         Ray {
-            max_t: light.distance * (1.0 - SHADOW_GAP),
+            max_t: if distance * SHADOW_GAP < error {
+                (distance - SHADOW_ROUNDINGS * error).max(0.0)
+            } else {
+                distance * (1.0 - SHADOW_GAP)
+            },
             ..self.leave(light.wi)
         }
     }

@@ -25,6 +25,16 @@ pub fn lambert_pdf<R: Real>(wo_z: R, wi_z: R) -> R {
     on_same_side(wo_z, wi_z).choose(pdf, wi_z.constant(0.0))
 }
 
+/// The factor of a soft terminator, as [`kit::shading_normal::Sides::terminator`]. The geometric
+/// normal and `wi` are in the local space of the shading normal.
+#[inline(always)]
+pub fn terminator<R: Real>(ng: Vec3<R>, wi: Vec3<R>) -> R {
+    let (height, expected) = (ng.dot(wi).abs(), (ng.z * wi.z).abs());
+    let one = height.constant(1.0);
+    let g = expected.at_most(height).choose(one, height / expected);
+    g * (one + g * (one - g))
+}
+
 /// A sampled direction.
 ///
 /// ```

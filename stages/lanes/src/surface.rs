@@ -3,7 +3,7 @@
 use crate::real::{Mask, Real};
 use crate::shapes::Sphere;
 use crate::vec3::Vec3;
-use kit::surface::POSITION_ERROR;
+use kit::surface::{POSITION_ERROR, SHADOW_GAP, SHADOW_ROUNDINGS};
 
 /// A point on a surface that rays leave.
 ///
@@ -69,6 +69,19 @@ impl<R: Real> Departure<R> {
         let behind = w.dot(self.ng).less(self.distance.constant(0.0));
         let distance = behind.choose(-self.distance, self.distance);
         self.p + self.ng * distance
+    }
+
+    /// The end of the range of a shadow ray to a light at `distance`, as
+    /// [`kit::Surface::shadow_ray`].
+    #[inline(always)]
+    pub fn shadow_end(&self, distance: R) -> R {
+        let number = |x: f64| distance.constant(x);
+        let p = self.p.abs();
+        let error = number(POSITION_ERROR) * p.x.max(p.y).max(p.z) + self.distance;
+        (distance * number(SHADOW_GAP)).less(error).choose(
+            (distance - number(SHADOW_ROUNDINGS) * error).max(number(0.0)),
+            distance * number(1.0 - SHADOW_GAP),
+        )
     }
 
     /// `self` in the lanes of `mask`, `other` elsewhere.

@@ -3,6 +3,7 @@
 //! The context of a ray is passed as arguments: the [`RayOrigin`], which determines the primitive
 //! to skip, and the [`Place`] of a surface: its texture colour and its sides.
 
+use crate::clamp::clamp_indirect;
 use crate::exact_sum::PixelSum;
 use crate::materials::{Materials, PathMaterials, Place};
 use crate::textures::Textures;
@@ -16,8 +17,8 @@ use global::{estimate_radiance, play_roulette};
 use kit::effects::Effect;
 use kit::shading_normal::{Sides, towards_viewer};
 use kit::{
-    Camera, Hit, LitScene, PixelSampler, PrimId, Ray, Scattering, Scene, Spectrum, Surface, Tally,
-    Texture, Vec3,
+    Camera, Hit, LitScene, Material, PixelSampler, PrimId, Ray, Scattering, Scene, Spectrum,
+    Surface, Tally, Texture, Vec3,
 };
 use std::cell::Cell;
 use std::hint::black_box;
@@ -74,6 +75,10 @@ pub(crate) struct PathIntegrator<'a, T = SceneTracer<'a>> {
     pub(crate) luminance: Vec<Tally>,
     /// The samples of each finished pixel.
     pub(crate) sums: Vec<PixelSum>,
+    /// What clamping has removed from the samples of the pixel in progress.
+    pub(crate) removed: Cell<PixelSum>,
+    /// The same of each finished pixel; empty without clamping.
+    pub(crate) removed_sums: Vec<PixelSum>,
     /// The largest number of rays on a path; 0 in a scene without light.
     pub(crate) max_depth: u32,
     /// The number of directions that one estimate by hemisphere sampling traces.
@@ -111,9 +116,11 @@ impl<'a, T: RayTracer> PathIntegrator<'a, T> {
             tracer,
             settings,
             counters: Cell::default(),
-            materials: Materials::new(settings.force_effects),
+            materials: Materials::new(settings.force_effects, settings.soft_terminator),
             luminance: Vec::new(),
             sums: Vec::new(),
+            removed: Cell::default(),
+            removed_sums: Vec::new(),
             max_depth: if lit.has_light() || settings.force_effects {
                 settings.max_depth
             } else {
@@ -171,7 +178,11 @@ impl<'a, T: RayTracer> PathIntegrator<'a, T> {
         // The last hit. `estimate_radiance` passes the material of a surface to its callbacks, but
         // neither texture coordinates nor normals, so they share this cell.
         let place = Cell::new(Place::PLAIN);
-        estimate_radiance(
+        // The throughput, and the light of the first surface that scatters light. Mirrors and smooth
+        // glass before it emit nothing.
+        let throughput = Cell::new(Spectrum::WHITE);
+        let direct = Cell::new(None);
+        let radiance = estimate_radiance(
             self.lit,
             ray,
             self.max_depth,
@@ -188,9 +199,24 @@ impl<'a, T: RayTracer> PathIntegrator<'a, T> {
                 place.set(self.place(&hit, &self.lit.surface(&hit)));
                 Some(hit)
             },
-            &mut |surface, wo, sampler| self.direct(surface, place.get(), wo, sampler),
-            &mut |throughput, bounces, u| self.roulette(throughput, bounces, u),
-        )
+            &mut |surface, wo, sampler| {
+                let light = self.direct(surface, place.get(), wo, sampler);
+                // Lamps scatter nothing: their own light is direct.
+                if !matches!(surface.material, Material::Emission { .. }) {
+                    direct.set(direct.get().or(Some(throughput.get() * light)));
+                }
+                light
+            },
+            &mut |weight, bounces, u| {
+                let survivor = self.roulette(weight, bounces, u)?;
+                throughput.set(survivor);
+                Some(survivor)
+            },
+        );
+        match self.settings.clamp {
+            Some(limit) => clamp_indirect(limit, radiance, direct.get(), &self.removed),
+            None => radiance,
+        }
     }
 
     /// Russian roulette, unless it is switched off.

@@ -3,8 +3,8 @@
 //! Reading order: [`world`] (the scene as a ray tests it, and the counters), [`accel`] (brute force
 //! or a tree), [`normals`] and [`lit`] (from pixel to radiance), `integrator` and `packet` (scalar
 //! paths, and paths in packets of eight), [`empty_pixels`] (where there is nothing to hit),
-//! `materials` (scattering), [`textures`], [`lens`] and [`environment_file`] (what flags add to a
-//! scene), `radiance_file` (picture files that are read), [`mod@darkness`] (why a picture is
+//! `materials` (scattering), `clamp` (fireflies), [`textures`], [`lens`] and [`environment_file`]
+//! (what flags add to a scene), `radiance_file` (picture files that are read), [`mod@darkness`] (why a picture is
 //! black), [`trial`] (whether the stages for a picture are written), [`rendered`] (a job and its
 //! result), [`layers`] (albedo, normal, depth), [`layer_file`] (any layers of a file), [`lobe`]
 //! (scattering at a point, for drawings), [`progressive`] (rendering that can be stopped and
@@ -15,6 +15,7 @@
 
 pub mod accel;
 pub mod args;
+mod clamp;
 pub mod darkness;
 pub mod empty_pixels;
 pub mod environment_file;

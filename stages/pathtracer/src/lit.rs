@@ -44,6 +44,10 @@ pub struct LightSettings {
     pub direct_sampling: DirectSampling,
     /// Whether Russian roulette ends dim paths.
     pub roulette: bool,
+    /// Whether light fades towards the plane of a triangle (`--soft-terminator`).
+    pub soft_terminator: bool,
+    /// The largest luminance of a sample's indirect light (`--clamp`).
+    pub clamp: Option<f64>,
     /// Adaptive sampling: samples per batch and tolerance (`-a`).
     pub adaptive: Option<(u32, f64)>,
     /// The camera's lens.
@@ -62,6 +66,8 @@ impl Default for LightSettings {
             max_depth: 1,
             direct_sampling: DirectSampling::Lights,
             roulette: true,
+            soft_terminator: false,
+            clamp: None,
             adaptive: None,
             lens: Lens {
                 radius: 0.0,
@@ -191,10 +197,13 @@ impl<T: RayTracer> PathIntegrator<'_, T> {
         self.finish_pixel(sum, luminance)
     }
 
-    /// Stores the samples of the next pixel of the tile, and the tally of their luminances. Returns
-    /// their mean.
+    /// Stores the samples of the next pixel of the tile, the tally of their luminances, and what
+    /// clamping has removed. Returns the mean of the samples.
     pub(crate) fn finish_pixel(&mut self, sum: PixelSum, luminance: Tally) -> PixelEstimate {
         self.sums.push(sum);
+        if self.settings.clamp.is_some() {
+            self.removed_sums.push(self.removed.take());
+        }
         self.luminance.push(luminance);
         sum.mean()
     }
@@ -208,6 +217,7 @@ impl<T: RayTracer> PathIntegrator<'_, T> {
             effects: self.materials.counts(),
             luminance: self.luminance,
             sums: self.sums,
+            removed: self.removed_sums,
         }
     }
 }

@@ -16,6 +16,8 @@ pub(crate) struct Materials {
     counts: [Cell<u64>; Effect::ALL.len()],
     /// Whether every effect runs, called for or not. The results of the others are discarded.
     forced: bool,
+    /// Whether opaque surfaces have a soft terminator.
+    soft: bool,
 }
 
 /// The materials at one point of a surface: the BSDFs of parts 3 and 4, and those beyond the
@@ -49,11 +51,13 @@ pub(crate) struct PathMaterials<'a> {
 }
 
 impl Materials {
-    /// Counts from 0. With `forced`, every sample runs every effect.
-    pub(crate) fn new(forced: bool) -> Materials {
+    /// Counts from 0. With `forced`, every sample runs every effect; with `soft`, opaque surfaces
+    /// have a soft terminator.
+    pub(crate) fn new(forced: bool, soft: bool) -> Materials {
         Materials {
             counts: Default::default(),
             forced,
+            soft,
         }
     }
 
@@ -130,13 +134,24 @@ impl Materials {
     }
 }
 
+impl MaterialsAt<'_> {
+    /// `f` for light from `wi`, with a soft terminator if one is wanted.
+    #[inline]
+    fn softened(&self, f: Spectrum, material: &Material, wi: Vec3) -> Spectrum {
+        if self.materials.soft && !material.is_delta() && !material.lets_light_through() {
+            return f * self.place.sides.terminator(wi);
+        }
+        f
+    }
+}
+
 impl Scattering for MaterialsAt<'_> {
     #[inline]
     fn f(&self, material: &Material, wo: Vec3, wi: Vec3) -> Spectrum {
         if self.place.sides.block(material, wo, wi) {
             return Spectrum::BLACK;
         }
-        match *material {
+        let f = match *material {
             Material::Diffuse { reflectance } => lambert_f(self.place.tint * reflectance, wo, wi),
             Material::Glossy {
                 reflectance,
@@ -150,7 +165,8 @@ impl Scattering for MaterialsAt<'_> {
                 .materials
                 .rough(material)
                 .map_or(Spectrum::BLACK, |glass| glass.f(wo, wi)),
-        }
+        };
+        self.softened(f, material, wi)
     }
 
     #[inline]
@@ -209,7 +225,9 @@ impl Scattering for MaterialsAt<'_> {
                 glass_sample(reflectance, transmittance, ior, wo, choice)
             }
         };
-        sample.filter(|sample| !self.place.sides.block(material, wo, sample.wi))
+        let mut sample = sample?;
+        sample.f = self.softened(sample.f, material, sample.wi);
+        (!self.place.sides.block(material, wo, sample.wi)).then_some(sample)
     }
 }
 

@@ -48,6 +48,7 @@ pub fn render_normal_tiles<R: Send>(
                 pixels,
                 luminance: Vec::new(),
                 sums,
+                removed: Vec::new(),
                 counters,
                 effects: EffectCounts::default(),
             })

@@ -77,11 +77,14 @@ impl Passes<'_> {
         loop {
             let is_first = render.passes() == 1;
             let stop = if is_first { &never } else { stop };
-            let before = (whole_passes && !is_first).then(|| render.rendered().sums.clone());
+            let so_far = render.rendered();
+            let before =
+                (whole_passes && !is_first).then(|| (so_far.sums.clone(), so_far.removed.clone()));
             render.run_with(self.scene, usize::MAX, stop, tile_done);
             let is_stopped = stop.load(Ordering::Relaxed);
-            if let Some(sums) = before.filter(|_| !render.is_done()) {
-                render.rendered_mut().sums = sums;
+            if let Some(before) = before.filter(|_| !render.is_done()) {
+                let rendered = render.rendered_mut();
+                (rendered.sums, rendered.removed) = before;
             }
             if render.samples() == end || is_stopped {
                 render.rendered_mut().update_film();

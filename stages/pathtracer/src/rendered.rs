@@ -33,6 +33,8 @@ pub struct RenderedTile {
     pub luminance: Vec<Tally>,
     /// The sums of each pixel's samples, in the same order.
     pub sums: Vec<PixelSum>,
+    /// The sums of what clamping has removed from them; empty without clamping.
+    pub removed: Vec<PixelSum>,
     /// Rays and tests.
     pub counters: Counters,
     /// Operations of each effect.
@@ -50,6 +52,9 @@ pub struct Rendered {
     /// The exact sums of each pixel's samples, in the order of [`Film::pixels`]; empty if passes
     /// are averaged instead, with rounding.
     pub sums: Vec<PixelSum>,
+    /// The exact sums of what clamping has removed from each pixel's samples; empty without
+    /// clamping.
+    pub removed: Vec<PixelSum>,
     /// Rays and tests.
     pub counters: Counters,
     /// Operations of each effect.
@@ -65,6 +70,7 @@ impl Rendered {
             film,
             luminance: vec![Tally::default(); tallies],
             sums: Vec::new(),
+            removed: Vec::new(),
             counters: Counters::default(),
             effects: EffectCounts::default(),
         }
@@ -84,6 +90,10 @@ impl Rendered {
     /// If exact sums are kept, the film stays as it is until [`Rendered::update_film`].
     pub fn add_tile(&mut self, tile: &RenderedTile) {
         let width = self.film.size().w as usize;
+        if !tile.removed.is_empty() {
+            let pixels = self.film.pixels().len();
+            self.removed.resize(pixels, PixelSum::default());
+        }
         for (i, (x, y)) in tile.cell.pixels().enumerate() {
             let pixel = y as usize * width + x as usize;
             if let Some(sum) = self.sums.get_mut(pixel) {
@@ -93,6 +103,9 @@ impl Rendered {
             }
             if let Some(tally) = tile.luminance.get(i) {
                 self.luminance[pixel].merge(tally);
+            }
+            if let Some(removed) = tile.removed.get(i) {
+                self.removed[pixel].merge(removed);
             }
         }
         self.counters += tile.counters;
@@ -128,6 +141,7 @@ impl Rendered {
                 self.film.set(x, y, other.film.get(x, y));
                 copy(&mut self.luminance, &other.luminance, i);
                 copy(&mut self.sums, &other.sums, i);
+                copy(&mut self.removed, &other.removed, i);
             }
         }
         self.counters += other.counters;
@@ -138,6 +152,26 @@ impl Rendered {
     pub fn rendered_pixels(&self) -> u64 {
         let pixels = self.film.pixels().iter();
         pixels.filter(|pixel| pixel.samples > 0).count() as u64
+    }
+
+    /// The mean luminance that clamping has removed from the rendered pixels; `None` without
+    /// clamping. With [`Rendered::mean_luminance`] it is the mean of the same samples without
+    /// clamping.
+    pub fn removed_luminance(&self) -> Option<f64> {
+        let pixels = self.film.pixels().iter().zip(&self.removed);
+        let rendered = pixels.filter(|(pixel, _)| pixel.samples > 0);
+        let removed: Tally = rendered
+            .map(|(_, removed)| removed.mean().radiance.luminance())
+            .collect();
+        (removed.count() > 0).then(|| removed.mean())
+    }
+
+    /// The mean luminance of the rendered pixels; 0 without any.
+    pub fn mean_luminance(&self) -> f64 {
+        let pixels = self.film.pixels().iter();
+        let rendered = pixels.filter(|pixel| pixel.samples > 0);
+        let luminances: Tally = rendered.map(|pixel| pixel.radiance.luminance()).collect();
+        luminances.mean()
     }
 
     /// The noise of the picture: the root mean square of the standard errors of the pixels'

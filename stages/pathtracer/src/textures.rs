@@ -74,14 +74,21 @@ impl Textures {
         let mut warnings = Vec::new();
         let files = scene.textures.files.iter();
         let list = files.map(|file| {
-            let path = folder.join(file);
-            // If there is none, the error of opening `path` says so.
-            let found = texture_file::find(folder, file).unwrap_or_else(|| path.clone());
-            let decoded = match scene.textures.embedded.get(file) {
-                Some(bytes) => decode(bytes, &found),
-                None => std::fs::read(&found)
-                    .map_err(|why| why.to_string())
-                    .and_then(|bytes| decode(&bytes, &found)),
+            let embedded = scene.textures.embedded.get(file);
+            // The name of an image inside of the scene file is not a path.
+            let path = match embedded {
+                Some(_) => PathBuf::from(file),
+                None => folder.join(file),
+            };
+            let (found, decoded) = match embedded {
+                Some(bytes) => (path.clone(), decode(bytes, &path)),
+                None => {
+                    // If there is none, the error of opening `path` says so.
+                    let found = texture_file::find(folder, file).unwrap_or_else(|| path.clone());
+                    let bytes = std::fs::read(&found).map_err(|why| why.to_string());
+                    let decoded = bytes.and_then(|bytes| decode(&bytes, &found));
+                    (found, decoded)
+                }
             };
             match decoded {
                 Ok((texture, note)) => {
@@ -192,5 +199,28 @@ mod tests {
         assert!((from_srgb(118) - 0.18).abs() < 0.003);
         let increases = (0..255).all(|byte| from_srgb(byte) < from_srgb(byte + 1));
         assert!(increases);
+    }
+
+    /// Such an image has the path of its scene file in its name.
+    #[test]
+    fn an_image_inside_of_the_scene_file_is_no_other_file() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let model = folder.path().join("a.glb");
+        std::fs::write(&model, "no image").expect("a file");
+        let mut png = Vec::new();
+        let red =
+            DynamicImage::ImageRgb8(image::RgbImage::from_pixel(1, 1, image::Rgb([255, 0, 0])));
+        red.write_to(&mut std::io::Cursor::new(&mut png), image::ImageFormat::Png)
+            .expect("a PNG");
+        let name = format!("image 0 of {}", model.display());
+        let mut scene = Scene::default();
+        scene.textures.add_material(Some(name.clone()));
+        scene.textures.embedded.insert(name, png);
+        let (textures, warnings) = Textures::load(&scene, folder.path());
+        assert!(warnings.is_empty(), "{warnings:?}");
+        assert_eq!(
+            textures.list[0].at(Vec2::ZERO),
+            Spectrum::new(1.0, 0.0, 0.0)
+        );
     }
 }

@@ -211,6 +211,25 @@ fn explain_counts_the_operations_of_forced_effects() {
     assert!(mirror[3].parse::<u64>().unwrap() > 0, "{output}");
     let lens = line("lens");
     assert_eq!(lens[1..4], ["no", "0", "1600"], "one for each camera ray");
+    assert!(!output.contains("Clamp") && !output.contains("Terminator"));
+}
+
+/// The wall is flat, and light meets it once.
+#[test]
+fn explain_measures_what_flags_cost() {
+    let folder = folder();
+    let flags = "-f a.png -r 20 20 -s 4 -m 2 --clamp 0.01 --soft-terminator --explain lit.dae";
+    let (output, _) = pathtracer(folder.path(), flags);
+    let clamp = "Clamp       --clamp 0.01 removed a luminance of 0.000000 from the mean of 0.";
+    assert!(output.contains(clamp), "{output}");
+    let terminator = output
+        .lines()
+        .find(|line| line.starts_with("Terminator  soft:"));
+    let terminator = terminator.unwrap_or_else(|| panic!("{output}"));
+    assert!(
+        terminator.contains(": 0.000 % of the light is missing"),
+        "{terminator}"
+    );
 }
 
 #[test]
@@ -224,6 +243,8 @@ fn flags_and_lights_without_effect_are_noted() {
     );
     let (_, output) = pathtracer(folder.path(), "-f a.png -r 4 4 -a 32 0.05 lit.dae");
     assert!(output.contains("no effect: -a 32 0.05"), "{output}");
+    let (_, output) = pathtracer(folder.path(), "-f a.png -r 4 4 --clamp 2 lit.dae");
+    assert!(output.contains("no effect: --clamp 2: -m 1"), "{output}");
     let flags = "-f a.png --export mitsuba a.xml lit.dae";
     let (_, output) = pathtracer(folder.path(), flags);
     assert!(output.contains("no effect: -f: --export"), "{output}");

@@ -117,6 +117,29 @@ fn all_settings() -> Vec<(u32, LightSettings)> {
             },
         ),
         (3, through_lens),
+        (
+            5,
+            LightSettings {
+                soft_terminator: true,
+                clamp: Some(0.1),
+                ..deep
+            },
+        ),
+        (
+            4,
+            LightSettings {
+                direct_sampling: DirectSampling::Mis,
+                soft_terminator: true,
+                ..deep
+            },
+        ),
+        (
+            20,
+            LightSettings {
+                clamp: Some(0.05),
+                ..adaptive(8)
+            },
+        ),
         (300, adaptive(100)),
         (600, adaptive(257)),
         (20, adaptive(8)),
@@ -147,6 +170,10 @@ fn pictures_and_counts_equal_those_of_scalar_paths() {
             assert!(
                 packets.luminance == scalar.luminance,
                 "{what}: the luminances differ"
+            );
+            assert!(
+                packets.removed == scalar.removed,
+                "{what}: what clamping removes differs"
             );
             assert_eq!(packets.effects, scalar.effects, "{what}");
             assert_eq!(packets.counters.rays, scalar.counters.rays, "{what}");

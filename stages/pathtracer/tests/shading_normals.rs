@@ -74,9 +74,19 @@ fn job(from: Vec3) -> Job {
 
 /// The mean luminance, which is the same with paths in lanes.
 fn mean(lit: &LitScene, from: Vec3, direct_sampling: DirectSampling) -> f64 {
+    mean_with(lit, from, direct_sampling, false)
+}
+
+fn mean_with(
+    lit: &LitScene,
+    from: Vec3,
+    direct_sampling: DirectSampling,
+    soft_terminator: bool,
+) -> f64 {
     let settings = LightSettings {
         max_depth: 3,
         direct_sampling,
+        soft_terminator,
         ..LightSettings::default()
     };
     let pictures = [AccelKind::Bvh, AccelKind::Simd].map(|kind| {
@@ -129,6 +139,33 @@ fn no_light_passes_an_opaque_sheet() {
     ] {
         for sampling in [DirectSampling::Lights, DirectSampling::Mis] {
             assert_eq!(mean(&sheet(60.0, below, material), above, sampling), 0.0);
+        }
+    }
+}
+
+/// Light that just grazes the sheet is on the front of its tilted normals: with a hard terminator
+/// the sheet is bright at once.
+#[test]
+fn a_soft_terminator_fades_towards_the_plane_of_the_surface() {
+    let from = Vec3::new(2.0, 3.0, 0.5);
+    let glossy = Material::Glossy {
+        reflectance: Spectrum::WHITE,
+        shininess: 2.0,
+    };
+    for material in [WHITE, glossy] {
+        for sampling in [DirectSampling::Lights, DirectSampling::Mis] {
+            let at = |degrees: f64, tilt: f64, soft| {
+                let (sin, cos) = degrees.to_radians().sin_cos();
+                let light = 6.0 * Vec3::new(cos, sin, 0.0);
+                mean_with(&sheet(tilt, light, material), from, sampling, soft)
+            };
+            let share = |degrees| at(degrees, 60.0, true) / at(degrees, 60.0, false);
+            assert!(at(12.0, 60.0, false) > 0.05, "bright");
+            let shares = [12.0, 20.0, 40.0, 70.0].map(share);
+            assert!(shares.is_sorted() && shares[0] < 0.7, "{shares:?}");
+            // Where the light is as high as the normals let expect, and where both normals agree.
+            assert!((share(89.0) - 1.0).abs() < 1e-12);
+            assert!((at(20.0, 0.0, true) / at(20.0, 0.0, false) - 1.0).abs() < 1e-12);
         }
     }
 }

@@ -71,8 +71,7 @@ impl<S: Simd> PathPacket<'_, S> {
                 let in_front = mask & wo_z.simd_ne(f64x8::splat(simd, 0.0));
                 let wo_ng = self.wo_ng(surfaces);
                 for _ in 0..self.settings.light_samples {
-                    let DiffuseSample { wi, pdf, weight } =
-                        self.sample_diffuse(surfaces.color, wo_z);
+                    let DiffuseSample { wi, pdf, weight } = self.sample_diffuse(surfaces, wo_z);
                     let sample = shadows.push_undecided(simd);
                     let d = Frame::around(surfaces.n).to_world(wi);
                     let same_side = on_same_side(wo_ng, d.dot(surfaces.departure.ng));

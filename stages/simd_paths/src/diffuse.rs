@@ -10,8 +10,9 @@ use crate::sin_cos::sin_cos;
 use crate::surface_packet::SurfacePacket;
 use crate::vec3x8::Vec3x8;
 use fearless_simd::{Simd, f64x8, mask64x8, prelude::*};
-use kit::surface::SHADOW_GAP;
-use lanes::diffuse::{DiffuseSample, lambert_f, lambert_pdf, lambert_sample, on_same_side};
+use lanes::diffuse::{
+    DiffuseSample, lambert_f, lambert_pdf, lambert_sample, on_same_side, terminator,
+};
 use lanes::frame::Frame;
 use lanes::mis::power_heuristic;
 use lanes::roulette;
@@ -60,11 +61,17 @@ impl<S: Simd> PathPacket<'_, S> {
                             o,
                             d: light.wi,
                             min_t: zero,
-                            max_t: light.distance * (1.0 - SHADOW_GAP),
+                            max_t: surfaces.departure.shadow_end(light.distance),
                         };
                         let mut weight = f64x8::splat(simd, 1.0);
                         if self.settings.samples_bsdf && !emitter.is_delta() {
                             weight = power_heuristic(light.pdf, lambert_pdf(wo_z, wi_z));
+                        }
+                        let mut f = f;
+                        if self.settings.soft_terminator {
+                            let frame = Frame::around(surfaces.n);
+                            let ng = frame.to_local(surfaces.departure.ng);
+                            f = f * terminator(ng, frame.to_local(light.wi));
                         }
                         let light = light.scattered(f, wi_z, weight);
                         shadows.push(number, &rays, skip, active, light);
@@ -90,7 +97,7 @@ impl<S: Simd> PathPacket<'_, S> {
             || {
                 let simd = self.simd;
                 let zero = f64x8::splat(simd, 0.0);
-                let DiffuseSample { wi, weight, .. } = self.sample_diffuse(surfaces.color, wo_z);
+                let DiffuseSample { wi, weight, .. } = self.sample_diffuse(surfaces, wo_z);
                 let d = Frame::around(surfaces.n).to_world(wi);
                 // No light is scattered towards a viewer in the plane of the surface, nor through
                 // it.
@@ -117,11 +124,11 @@ impl<S: Simd> PathPacket<'_, S> {
         (-self.paths.d).dot(surfaces.departure.ng)
     }
 
-    /// Samples a direction at diffuse surfaces of this `color`.
+    /// Samples a direction at diffuse surfaces.
     #[inline(never)]
     pub(crate) fn sample_diffuse(
         &mut self,
-        color: Vec3x8<S>,
+        surfaces: &SurfacePacket<S>,
         wo_z: f64x8<S>,
     ) -> DiffuseSample<f64x8<S>> {
         self.simd.vectorize(
@@ -131,7 +138,14 @@ impl<S: Simd> PathPacket<'_, S> {
                 // The plain path tracer uses this number to choose between reflection and refraction. A
                 // diffuse surface does not need it.
                 self.samplers.skip_1d();
-                lambert_sample(color, wo_z, u[0], sin_cos(u[1] * TAU))
+                let color = surfaces.color;
+                let mut sample = lambert_sample(color, wo_z, u[0], sin_cos(u[1] * TAU));
+                if self.settings.soft_terminator {
+                    let ng = Frame::around(surfaces.n).to_local(surfaces.departure.ng);
+                    let f = lambert_f(color) * terminator(ng, sample.wi);
+                    sample.weight = f * (sample.wi.z.abs() / sample.pdf);
+                }
+                sample
             },
         )
     }

@@ -87,6 +87,19 @@ impl PathQueue {
         }
     }
 
+    /// The numbers of the paths whose last surface was neither a mirror nor smooth glass.
+    pub(crate) fn scattered(&self) -> impl Iterator<Item = usize> {
+        let index = &self.fields.index;
+        let paths = self
+            .fields
+            .emission_counts
+            .iter()
+            .zip(index)
+            .take(self.count);
+        let scattered = paths.filter(|(emission_counts, _)| **emission_counts < 0.5);
+        scattered.map(|(_, index)| *index as usize)
+    }
+
     /// The samplers of these paths.
     #[inline(always)]
     pub(crate) fn samplers(&self, first: usize) -> PixelSamplers<LANES> {

@@ -59,6 +59,11 @@ pub struct PathSettings {
     pub samples_bsdf: bool,
     /// Bounces after which Russian roulette starts; `None` switches it off.
     pub min_bounces: Option<u32>,
+    /// Whether the BSDF of diffuse surfaces has the factor
+    /// [`Sides::terminator`](kit::shading_normal::Sides::terminator).
+    pub soft_terminator: bool,
+    /// Whether [`PathMemory::direct`] is set.
+    pub keeps_direct: bool,
 }
 
 /// The camera and the film.
@@ -121,6 +126,9 @@ pub struct PathMemory {
     pub(crate) traced: TracedRays,
     pub(crate) visible: VisiblePixels,
     // END SOLUTION(part6.task2)
+    /// The radiance of each path of the last call, in the order of its results, up to and including
+    /// its first surface that is neither a mirror nor smooth glass, if a ray leaves this surface.
+    pub direct: Vec<Option<Spectrum>>,
     /// The operations so far.
     pub counts: Counts,
 }
@@ -203,6 +211,10 @@ impl<'a> PathScene<'a> {
         // BEGIN SOLUTION(part6.task2)
         let samples = samples as usize;
         let mut radiance = vec![Spectrum::BLACK; starts.len() * samples];
+        memory.direct.clear();
+        if settings.keeps_direct {
+            memory.direct.resize(radiance.len(), None);
+        }
         dispatch!(self.level, simd => {
             let mut visible = mem::take(&mut memory.visible);
             visible.find(simd, self, view, starts, samples, memory, fallback);

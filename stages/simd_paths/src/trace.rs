@@ -92,6 +92,11 @@ pub(crate) fn trace_paths<S: Simd>(
         );
         shadows.trace_bsdf(simd, scene, &mut traced, memory, fallback);
         shadows.add_light(simd, scene, settings, radiance);
+        if settings.keeps_direct {
+            for path in memory.queue.scattered() {
+                memory.direct[path].get_or_insert(radiance[path]);
+            }
+        }
         if kept == 0 {
             break;
         }

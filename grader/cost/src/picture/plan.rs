@@ -1,4 +1,4 @@
-//! The experiments: five comparisons of methods that render the same picture.
+//! The experiments: six comparisons of methods that render the same picture.
 
 /// One experiment.
 #[derive(Clone, Debug)]
@@ -50,7 +50,14 @@ impl RenderMethod {
 pub fn all(quick: bool) -> Vec<ExperimentPlan> {
     let lamp = direct_light(quick, "direct light from a lamp", "cornell_spheres.dae");
     let sky = direct_light(quick, "direct light from the sky", "stairs_sky.dae");
-    vec![edges(quick), lamp, sky, depth(quick), adaptive(quick)]
+    vec![
+        edges(quick),
+        lamp,
+        sky,
+        depth(quick),
+        clamp(quick),
+        adaptive(quick),
+    ]
 }
 
 /// Returns the lower three quarters of the picture.
@@ -153,6 +160,38 @@ fn depth(quick: bool) -> ExperimentPlan {
         is_relative: false,
         samples_are: "camera rays per pixel",
         methods: depths.iter().map(method).collect(),
+    }
+}
+
+/// Clamping indirect light: less noise, and a bias. A clamped picture takes as long as any other,
+/// so rows of equal samples compare the limits at equal time.
+fn clamp(quick: bool) -> ExperimentPlan {
+    let samples: &[u32] = if quick { &[16, 64] } else { &[4, 16, 64, 256] };
+    let limits: &[f64] = if quick {
+        &[3.0, 0.3]
+    } else {
+        &[10.0, 3.0, 1.0, 0.3, 0.1]
+    };
+    let flags = "--shade lit -m 8 --sampler independent";
+    let mut methods = vec![RenderMethod::new("no clamp", flags, samples)];
+    methods.extend(limits.iter().map(|limit| {
+        let flags = format!("{flags} --clamp {limit}");
+        RenderMethod::new(format!("clamp {limit}"), flags, samples)
+    }));
+    let film = if quick { [20, 16] } else { [32, 24] };
+    ExperimentPlan {
+        title: "fireflies",
+        scene: "cornell_mirror_glass.dae",
+        film,
+        cell: without_lamp(film),
+        seeds: if quick { 3 } else { 8 },
+        converged: format!(
+            "--shade lit -m 8 --sampler sobol -s {}",
+            if quick { 2048 } else { 8192 }
+        ),
+        is_relative: false,
+        samples_are: "camera rays per pixel",
+        methods,
     }
 }
 

@@ -100,6 +100,16 @@ pub struct Args {
     #[arg(long)]
     pub no_roulette: bool,
 
+    /// The largest luminance of a sample's indirect light: removes fireflies, and light. Indirect is
+    /// what reaches the first surface that is neither a mirror nor smooth glass from other surfaces
+    #[arg(long, value_name = "LUMINANCE", value_parser = positive)]
+    pub clamp: Option<f64>,
+
+    /// Let light fade where it grazes the triangles of a smooth mesh, so that the edge of its dark
+    /// side shows no facets: the picture gets darker
+    #[arg(long)]
+    pub soft_terminator: bool,
+
     /// The distribution of a pixel's samples
     // At equal noise, Sobol points need less than half the time of independent samples.
     #[arg(long, value_enum, default_value_t = SamplerName::Sobol)]

@@ -98,6 +98,8 @@ impl Args {
                 (false, false) => DirectSampling::Lights,
             },
             roulette: !self.no_roulette,
+            soft_terminator: self.soft_terminator,
+            clamp: self.clamp,
             adaptive: self.adaptive()?,
             lens: Lens {
                 radius: self.lens_radius,
@@ -193,6 +195,8 @@ impl Args {
             (self.hemisphere, "-H"),
             (self.mis, "--mis"),
             (self.no_roulette, "--no-roulette"),
+            (self.soft_terminator, "--soft-terminator"),
+            (self.clamp.is_some(), "--clamp"),
         ]));
         unused
     }
@@ -215,6 +219,8 @@ impl Args {
             (self.environment.is_some(), "-e"),
             (self.mis, "--mis"),
             (self.no_roulette, "--no-roulette"),
+            (self.soft_terminator, "--soft-terminator"),
+            (self.clamp.is_some(), "--clamp"),
             (self.lens_radius > 0.0, "--lens-radius"),
             (self.time.is_some(), "--time"),
             (self.error.is_some(), "--error"),

@@ -5,6 +5,7 @@
 
 mod fallback;
 
+use crate::clamp::clamp_indirect;
 use crate::empty_pixels::EmptyPixels;
 use crate::exact_sum::PixelSum;
 use crate::integrator::PathIntegrator;
@@ -20,6 +21,8 @@ use kit::film::Cell;
 use kit::{LitScene, PixelEstimate, PixelSampler, Ray, Spectrum, Tally, Vec3};
 use simd_bvh::{StreamMemory, WideBvh};
 use simd_paths::{BATCH_SIZE, Counts, PathMemory, PathScene, PathSettings, PathStart, View};
+use std::cell;
+use std::slice;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Renders one picture with paths in packets.
@@ -80,6 +83,8 @@ impl<'a> PacketRenderer<'a> {
                 has_textures: !textures.is_empty(),
                 samples_bsdf: settings.direct_sampling == DirectSampling::Mis,
                 min_bounces: settings.roulette.then_some(MIN_BOUNCES),
+                soft_terminator: settings.soft_terminator,
+                keeps_direct: settings.clamp.is_some() && settings.max_depth > 1,
             },
         })
     }
@@ -122,8 +127,11 @@ impl<'a> PacketRenderer<'a> {
                     sampler: PixelSampler::new(x, y, self.job.sampling),
                 })
                 .collect();
-            let samples = self.trace(integrator, &mut memory, &mut starts, first);
-            for (samples, start) in samples.chunks(first as usize).zip(&mut starts) {
+            let removed = vec![cell::Cell::default(); starts.len()];
+            let samples = self.trace(integrator, &mut memory, &mut starts, first, &removed);
+            let pixels = samples.chunks(first as usize).zip(&mut starts).zip(removed);
+            for ((samples, start), removed) in pixels {
+                integrator.removed = removed;
                 let estimate = self.pixel(integrator, &mut memory, start, samples);
                 estimates.push(estimate);
             }
@@ -160,7 +168,9 @@ impl<'a> PacketRenderer<'a> {
                 if used == ready.len() {
                     let started = start.sampler.samples_started();
                     let count = self.certain_samples(started - self.job.sampling.first_sample);
-                    ready = self.trace(integrator, memory, std::slice::from_mut(start), count);
+                    let (start, removed) =
+                        (slice::from_mut(start), slice::from_ref(&integrator.removed));
+                    ready = self.trace(integrator, memory, start, count, removed);
                     used = 0;
                 }
                 used += 1;
@@ -181,13 +191,15 @@ impl<'a> PacketRenderer<'a> {
         certain.min(MAX_SAMPLES as u32)
     }
 
-    /// Traces the next `count` samples of each pixel.
+    /// Traces the next `count` samples of each pixel. Adds what clamping removes from them to
+    /// `removed`.
     fn trace(
         &self,
         integrator: &PathIntegrator<'a>,
         memory: &mut Memory,
         pixels: &mut [PathStart],
         count: u32,
+        removed: &[cell::Cell<PixelSum>],
     ) -> Vec<Spectrum> {
         let mut fallback = Fallback {
             integrator,
@@ -196,7 +208,7 @@ impl<'a> PacketRenderer<'a> {
             counters: Counters::default(),
             stream: &mut memory.stream,
         };
-        let samples = self.scene.trace(
+        let mut samples = self.scene.trace(
             &self.view,
             &self.paths,
             pixels,
@@ -207,6 +219,12 @@ impl<'a> PacketRenderer<'a> {
         integrator.counting(|counters| *counters += fallback.counters);
         for pixel in pixels {
             pixel.sampler.start_samples(count);
+        }
+        if let (Some(limit), true) = (self.settings.clamp, self.paths.keeps_direct) {
+            for (i, radiance) in samples.iter_mut().enumerate() {
+                let direct = memory.paths.direct[i];
+                *radiance = clamp_indirect(limit, *radiance, direct, &removed[i / count as usize]);
+            }
         }
         samples
     }

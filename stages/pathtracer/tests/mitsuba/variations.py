@@ -130,6 +130,7 @@ def variations():
         ("scale 1e-4", scene(scale=1e-4), square),
         ("scale 1e5", scene(scale=1e5), square),
         ("far origin", scene(origin=(4e4, -3e4, 5e4)), square),
+        ("origin at 4e6 units", scene(origin=(4e6, -3e6, 5e6)), square),
         ("cube lamp", scene(lamp=cube_lamp), square),
         ("octahedron lamp, mirrored", scene(lamp=octahedron_lamp, mirrored=True), square),
         ("lamp with tilted normals", scene(lamp=tilted_lamp), square),

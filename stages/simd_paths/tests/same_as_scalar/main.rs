@@ -4,7 +4,7 @@ mod scalar;
 mod scenes;
 
 use kit::sampler::{Pattern, Sampling};
-use kit::{Camera, FilmSize, LitScene, Mat3, PixelSampler, PrimId, Sphere, Vec2, Vec3};
+use kit::{Camera, FilmSize, LitScene, Mat3, PixelSampler, PrimId, Spectrum, Sphere, Vec2, Vec3};
 use lanes::instruction_sets;
 use scalar::{ScalarPaths, radiance};
 use scenes::{Random, box_with_a_point_light, random_scene};
@@ -27,6 +27,10 @@ fn view(centered: bool, has_lens: bool) -> View {
     }
 }
 
+fn bits(radiance: Spectrum) -> [u64; 3] {
+    radiance.to_array().map(f64::to_bits)
+}
+
 fn starts(sampling: Sampling, view: &View) -> Vec<PathStart> {
     let pixels = view.film.whole().pixels();
     let of = |(x, y)| PathStart {
@@ -42,14 +46,17 @@ fn compare(lit: &LitScene, settings: PathSettings, sampling: Sampling, view: &Vi
     let samples: u32 = if view.centered { 1 } else { 5 };
     let starts = starts(sampling, view);
     let scalar = ScalarPaths::new(lit, settings);
-    let mut expected = Vec::new();
+    let (mut expected, mut expected_direct) = (Vec::new(), Vec::new());
     for start in &starts {
         let mut start = start.clone();
         for _ in 0..samples {
             if !view.centered {
                 start.sampler.start_sample();
             }
-            expected.push(radiance(&scalar, view, &start).to_array().map(f64::to_bits));
+            let (radiance, direct) = radiance(&scalar, view, &start);
+            expected.push(bits(radiance));
+            // Without a direct surface all light is direct.
+            expected_direct.push(bits(direct.unwrap_or(radiance)));
         }
     }
     // With all primitives in the tree, and with every other one apart from it.
@@ -72,12 +79,30 @@ fn compare(lit: &LitScene, settings: PathSettings, sampling: Sampling, view: &Vi
             );
             assert_eq!(results.len(), expected.len());
             for (i, (radiance, expected)) in results.iter().zip(&expected).enumerate() {
-                let bits = radiance.to_array().map(f64::to_bits);
                 assert_eq!(
-                    bits, *expected,
+                    bits(*radiance),
+                    *expected,
                     "{level:?}, path {i}: {radiance:?}\n{lit:#?}"
                 );
             }
+            let parts = memory.direct.iter().zip(&results);
+            let direct: Vec<_> = parts
+                .map(|(direct, all)| bits(direct.unwrap_or(*all)))
+                .collect();
+            for (i, direct) in direct.iter().enumerate() {
+                assert_eq!(
+                    *direct, expected_direct[i],
+                    "{level:?}, path {i}: direct light differs"
+                );
+            }
+            assert_eq!(
+                direct.len(),
+                if settings.keeps_direct {
+                    results.len()
+                } else {
+                    0
+                }
+            );
             let counts = sum(memory.counts, fallback.counts.get());
             assert_eq!(counts, scalar.counts.get(), "{level:?}: the counts differ");
             all_counts.push(memory.counts);
@@ -120,6 +145,8 @@ fn with_lists_and_trees_and_every_material_and_light() {
             has_textures: i % 8 == 3,
             samples_bsdf: i % 4 == 1,
             min_bounces: [Some(3), Some(1), None][i % 3],
+            soft_terminator: i % 5 == 2,
+            keeps_direct: i % 2 == 0,
         };
         let sampling = Sampling {
             pattern: pattern(i),
@@ -158,6 +185,8 @@ const TO_DEPTH_5: PathSettings = PathSettings {
     has_textures: false,
     samples_bsdf: false,
     min_bounces: Some(3),
+    soft_terminator: false,
+    keeps_direct: false,
 };
 
 /// Equal random, and still not one normal: interpolated they give a zero of the other sign, and

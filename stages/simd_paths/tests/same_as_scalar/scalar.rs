@@ -42,8 +42,8 @@ fn record(lit: &LitScene, id: PrimId, ray: &Ray, hit: TriangleHit) -> Hit {
     }
 }
 
-/// The texture colour and the sides of a surface.
-type Place = (Spectrum, Sides);
+/// The texture colour and the sides of a surface, and whether its terminator is soft.
+type Place = (Spectrum, Sides, bool);
 
 /// The materials of the course, but no rough glass; and the place of the last hit, which the
 /// callbacks of `estimate_radiance` share.
@@ -51,18 +51,19 @@ struct Materials<'a>(&'a Cell<Place>);
 
 impl Scattering for Materials<'_> {
     fn f(&self, material: &Material, wo: Vec3, wi: Vec3) -> Spectrum {
-        let (tint, sides) = self.0.get();
+        let (tint, sides, is_soft) = self.0.get();
         if sides.block(material, wo, wi) {
             return Spectrum::BLACK;
         }
-        match *material {
+        let f = match *material {
             Material::Diffuse { reflectance } => lambert_f(tint * reflectance, wo, wi),
             Material::Glossy {
                 reflectance,
                 shininess,
             } => glossy_f(reflectance, shininess, wo, wi),
             _ => Spectrum::BLACK,
-        }
+        };
+        if is_soft { f * sides.terminator(wi) } else { f }
     }
 
     fn pdf(&self, material: &Material, wo: Vec3, wi: Vec3) -> f64 {
@@ -74,7 +75,7 @@ impl Scattering for Materials<'_> {
     }
 
     fn sample(&self, material: &Material, wo: Vec3, u: Vec2, choice: f64) -> Option<BsdfSample> {
-        let (tint, sides) = self.0.get();
+        let (tint, sides, is_soft) = self.0.get();
         let sample = match *material {
             Material::Diffuse { reflectance } => lambert_sample(tint * reflectance, wo, u),
             Material::Emission { .. } => None,
@@ -93,7 +94,11 @@ impl Scattering for Materials<'_> {
                 ..
             } => glass_sample(reflectance, transmittance, ior, wo, choice),
         };
-        sample.filter(|sample| !sides.block(material, wo, sample.wi))
+        let mut sample = sample?;
+        if is_soft && !sample.delta {
+            sample.f = sample.f * sides.terminator(sample.wi);
+        }
+        (!sides.block(material, wo, sample.wi)).then_some(sample)
     }
 }
 
@@ -190,7 +195,8 @@ impl<'a> ScalarPaths<'a> {
     }
 
     fn place(&self, hit: &Hit, surface: &Surface<'_>) -> Place {
-        (self.look_up_texture(hit), Sides::of(surface))
+        let is_soft = self.settings.soft_terminator;
+        (self.look_up_texture(hit), Sides::of(surface), is_soft)
     }
 
     /// The colour of the texture, which all surfaces have if any has one; else white.
@@ -230,8 +236,13 @@ fn through_lens(ray: &Ray, sampler: &mut PixelSampler) -> Ray {
     }
 }
 
-/// The radiance of the path from `start`.
-pub(crate) fn radiance(scalar: &ScalarPaths<'_>, view: &View, start: &PathStart) -> Spectrum {
+/// The radiance of the path from `start`, and the part that the first surface that is neither a
+/// mirror nor smooth glass has from the lights.
+pub(crate) fn radiance(
+    scalar: &ScalarPaths<'_>,
+    view: &View,
+    start: &PathStart,
+) -> (Spectrum, Option<Spectrum>) {
     let PathStart {
         pixel: (x, y),
         mut sampler,
@@ -250,8 +261,9 @@ pub(crate) fn radiance(scalar: &ScalarPaths<'_>, view: &View, start: &PathStart)
         ray
     };
     let mut origin = None;
-    let place = Cell::new((Spectrum::WHITE, Sides::FLAT));
-    estimate_radiance(
+    let place = Cell::new((Spectrum::WHITE, Sides::FLAT, false));
+    let (throughput, direct) = (Cell::new(Spectrum::WHITE), Cell::new(None));
+    let radiance = estimate_radiance(
         scalar.lit,
         &ray,
         scalar.settings.max_depth,
@@ -264,9 +276,20 @@ pub(crate) fn radiance(scalar: &ScalarPaths<'_>, view: &View, start: &PathStart)
             place.set(scalar.place(&hit, &scalar.lit.surface(&hit)));
             Some(hit)
         },
-        &mut |surface, wo, sampler| scalar.direct(surface, place.get(), wo, sampler),
-        &mut |throughput, bounce, u| scalar.roulette(throughput, bounce, u),
-    )
+        &mut |surface, wo, sampler| {
+            let light = scalar.direct(surface, place.get(), wo, sampler);
+            if !matches!(surface.material, Material::Emission { .. }) {
+                direct.set(direct.get().or(Some(throughput.get() * light)));
+            }
+            light
+        },
+        &mut |weight, bounce, u| {
+            let survivor = scalar.roulette(weight, bounce, u)?;
+            throughput.set(survivor);
+            Some(survivor)
+        },
+    );
+    (radiance, direct.get())
 }
 
 impl ScalarFallback for ScalarPaths<'_> {

@@ -9,7 +9,6 @@ use crate::outputs::{Outputs, PictureFile, is_sums};
 use crate::progress::Progress;
 use crate::{part, pixel, summary, view, window};
 use base::{errln, outln};
-use kit::effects::EffectCounts;
 use kit::hole;
 use kit::{Emitter, LitScene};
 use pathtracer::args::{Args, Shade};
@@ -71,6 +70,7 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
         Picture::Lit(lit) => {
             note_missing_lights(lit, light.direct_sampling);
             note_single_batch(light.adaptive, args.samples);
+            note_no_indirect_light(&light);
         }
     }
     let textures = view::load_textures(&args.scene, picture.scene());
@@ -181,15 +181,21 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
                 outln!("Effects     none: normals are shown, no light is simulated")
             }
             Picture::Lit(lit) => {
-                let forced = if light.force_effects {
-                    rendered.effects
-                } else {
-                    let samples = match budget {
-                        Some(_) => (rendered.samples() / cell.area()) as u32,
-                        None => job.samples,
-                    };
-                    let whole = Job { samples, ..job };
-                    threads.install(|| forced_effects(&prepared, whole, light, &stop))
+                let samples = match budget {
+                    Some(_) => (rendered.samples() / cell.area()) as u32,
+                    None => job.samples,
+                };
+                let whole = Job { samples, ..job };
+                let all = LightSettings {
+                    force_effects: true,
+                    ..light
+                };
+                let forced = match light.force_effects {
+                    true => rendered.effects,
+                    false => {
+                        let again = || render_again(&prepared, whole, all, &stop);
+                        threads.install(again).effects
+                    }
                 };
                 // The counts of an incomplete picture cannot be compared.
                 let forced = (!stop.is_interrupted()).then_some(&forced);
@@ -197,6 +203,22 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
                     "{}",
                     explain::table(&light.effects(lit), &rendered.effects, forced)
                 );
+                let mean = rendered.mean_luminance();
+                if let (Some(limit), Some(removed)) = (light.clamp, rendered.removed_luminance()) {
+                    outln!("{}", summary::clamped(limit, mean, removed));
+                }
+                if light.soft_terminator && !stop.is_interrupted() {
+                    let hard = LightSettings {
+                        soft_terminator: false,
+                        ..light
+                    };
+                    let start = Instant::now();
+                    let again = threads.install(|| render_again(&prepared, whole, hard, &stop));
+                    if !stop.is_interrupted() {
+                        let again = (again.mean_luminance(), start.elapsed());
+                        outln!("{}", summary::terminator((mean, time), again));
+                    }
+                }
             }
         }
     }
@@ -216,23 +238,14 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// The operations of each effect if all are forced on.
-fn forced_effects(
-    scene: &PreparedScene,
-    job: Job,
-    light: LightSettings,
-    stop: &Stop,
-) -> EffectCounts {
-    let settings = LightSettings {
-        force_effects: true,
-        ..light
-    };
+/// Renders the picture with other `settings`.
+fn render_again(scene: &PreparedScene, job: Job, settings: LightSettings, stop: &Stop) -> Rendered {
     let passes = Passes {
         scene,
         job,
         settings,
     };
-    passes.render(&stop.flag, &|_| (), &mut |_| true).effects
+    passes.render(&stop.flag, &|_| (), &mut |_| true)
 }
 
 /// Prints which of the given flags have no effect on a picture of normals.
@@ -256,6 +269,15 @@ fn note_missing_lights(lit: &LitScene, sampling: DirectSampling) {
     if sampling == DirectSampling::Hemisphere && lit.emitters.iter().any(Emitter::is_delta) {
         errln!(
             "note: point, spot and directional lights have no area, so -H never hits them: omit -H to include their light"
+        );
+    }
+}
+
+/// Prints a note if there is no indirect light to clamp.
+fn note_no_indirect_light(light: &LightSettings) {
+    if let (Some(limit), depth @ ..=1) = (light.clamp, light.max_depth) {
+        errln!(
+            "note: no effect: --clamp {limit}: -m {depth} has no indirect light: use -m 2 or more"
         );
     }
 }

@@ -98,6 +98,27 @@ pub(crate) fn stats(
     )
 }
 
+/// What `--clamp` has removed: `kept` and `removed` are mean luminances.
+pub(crate) fn clamped(limit: f64, kept: f64, removed: f64) -> String {
+    let whole = kept + removed;
+    format!(
+        "Clamp       --clamp {limit} removed a luminance of {removed:.6} from the mean of {whole:.6}: {:.3} %",
+        100.0 * removed / whole.max(f64::MIN_POSITIVE)
+    )
+}
+
+/// What a soft terminator costs: the mean luminance and the time with it and without.
+pub(crate) fn terminator(soft: (f64, Duration), hard: (f64, Duration)) -> String {
+    format!(
+        "Terminator  soft: mean luminance {:.6}, hard: {:.6}: {:.3} % of the light is missing; {} instead of {}",
+        soft.0,
+        hard.0,
+        100.0 * (1.0 - soft.0 / hard.0.max(f64::MIN_POSITIVE)),
+        seconds(soft.1),
+        seconds(hard.1)
+    )
+}
+
 fn seconds(time: Duration) -> String {
     format!("{:.4} s", time.as_secs_f64())
 }

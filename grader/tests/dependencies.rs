@@ -95,6 +95,12 @@ const MAY_DEPEND_ON: &[(&str, &[&str])] = &[
         &["base", "kit", "judge", "oracle", "pictures", "wire"],
     ),
     ("pages", &["base", "pictures"]),
+    (
+        "preview",
+        &[
+            "base", "grader", "judge", "kit", "pictures", "scenes", "wire",
+        ],
+    ),
     ("plots", &["base", "pages"]),
     // It links indicatif, which `grader part1` does not compile.
     ("progress", &["base"]),

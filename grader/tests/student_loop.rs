@@ -97,7 +97,7 @@ fn a_student_writes_a_task() {
     assert!(output.status.success());
     let first = status.lines().next().expect("a line");
     assert!(
-        first.contains("part1.task1") && first.contains("1 hole left"),
+        first.contains("part1.task1") && first.contains("1 gap left"),
         "{status}"
     );
     assert!(first.ends_with("not graded yet"), "{status}");

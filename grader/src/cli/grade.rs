@@ -6,11 +6,12 @@ use crate::course::given;
 use crate::course::sources;
 use crate::course::{Course, Task};
 use crate::grade::{self, GradeRequest, Graded};
-use crate::progress::next_task;
+use crate::progress::next_task::{self, Known};
 use crate::progress::results::{self, Fingerprints, Results};
 use crate::report::screen::{self, Context};
 use crate::report::terminal::Page;
 use crate::report::{self, HintLevel, Report, Reveal, TaskReport, links, worst_test};
+use crate::score::Status;
 use crate::workers::printed;
 use base::program::{Exit, path_argument, whole_number};
 use base::{GraderError, Workspace, errln, out, outln};
@@ -202,6 +203,7 @@ fn next_open_task(
 ) -> Result<(GradeRequest, GradedRun), GraderError> {
     let course = Course::read(workspace)?;
     let mut graded: Vec<&str> = Vec::new();
+    let mut complete: Vec<TaskReport> = Vec::new();
     loop {
         let known = next_task::known(workspace, &course)?;
         let open: Vec<&str> = next_task::open(&known)
@@ -225,20 +227,37 @@ fn next_open_task(
         };
         let mut run = GradedRun::new(workspace, &request, times, false)?;
         let report = &mut run.graded.report;
-        let incomplete = |task: &TaskReport| task.result.score < task.result.max_score;
-        if let Some(task) = report.tasks.iter().find(|task| incomplete(task)) {
-            let what = task.result.key.clone();
-            // The tasks that are complete now are told once: the next run leaves them out.
-            let is_shown = |task: &&TaskReport| !incomplete(task) || task.result.key == what;
-            let shown = report.tasks.iter().filter(is_shown).cloned().collect();
-            *report = Report::new(shown, report.speedups.take());
-            return Ok((GradeRequest { what, seed }, run));
-        }
         if is_last {
             return Ok((request, run));
         }
+        // The tasks that are complete now are told once: the next run leaves them out.
+        let (full, incomplete): (Vec<_>, Vec<_>) =
+            (report.tasks.drain(..)).partition(|task| task.result.is_complete());
+        complete.extend(full);
+        if let Some(task) = to_go_on_with(incomplete, &known) {
+            let what = task.result.key.clone();
+            complete.push(task);
+            *report = Report::new(complete, report.speedups.take());
+            return Ok((GradeRequest { what, seed }, run));
+        }
         graded.extend(keys);
     }
+}
+
+/// The first of the `incomplete` tasks of a stage. If the stage does not compile, all are, so one
+/// that was not complete before comes first.
+fn to_go_on_with(incomplete: Vec<TaskReport>, known: &[Known]) -> Option<TaskReport> {
+    let was_complete = |task: &TaskReport| {
+        let of_task = known
+            .iter()
+            .find(|known| known.place.key == task.result.key);
+        of_task.is_some_and(Known::was_complete)
+    };
+    let mut tasks = incomplete.into_iter();
+    let first = tasks.next()?;
+    let is_broken = first.result.status == Status::DoesNotCompile && was_complete(&first);
+    let other = tasks.find(|task| is_broken && !was_complete(task));
+    Some(other.unwrap_or(first))
 }
 
 /// Writes `report.json`, the results of its tasks, whose code had these fingerprints, and the

@@ -51,7 +51,7 @@ fn result(build: Build) -> (bool, Option<&'static str>) {
     let Work::BuildGrowth(work) = &spec.work else {
         panic!("another kind of work");
     };
-    let answer = worker::build_growth::time_builds(work, build);
+    let answer = driver::build_growth::time_builds(work, build);
     let findings = judge::judge(spec, Tier::Robust, &Answer::BuildGrowth(answer));
     (findings[0].passed(), findings[0].undecided)
 }

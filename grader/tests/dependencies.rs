@@ -60,6 +60,7 @@ const MAY_DEPEND_ON: &[(&str, &[&str])] = &[
             "pictures",
             "wire",
             // What the stages answer to a case of a report.
+            "driver",
             "worker",
         ],
     ),
@@ -68,11 +69,12 @@ const MAY_DEPEND_ON: &[(&str, &[&str])] = &[
     ("wire", &[]),
     ("sandbox", &[]),
     ("harness", &["kit", "sandbox", "wire"]),
+    ("driver", &["harness", "kit", "meshes", "wire"]),
     (
         "worker",
         &[
+            "driver",
             "kit",
-            "meshes",
             "wire",
             "harness",
             "raygen",

@@ -162,6 +162,16 @@ const INSERTIONS: &[Insertion] = &[
         after: "[dependencies]",
         lines: "doubling = { workspace = true, optional = true }",
     },
+    Insertion {
+        file: "grader/driver/src/stages.rs",
+        after: "pub struct Stages {",
+        lines: "    pub doubling: Option<fn(f64) -> f64>,",
+    },
+    Insertion {
+        file: "grader/worker/src/lib.rs",
+        after: "const STAGES: Stages = Stages {",
+        lines: "    #[cfg(feature = \"doubling\")]\n    doubling: Some(doubling::twice),\n    #[cfg(not(feature = \"doubling\"))]\n    doubling: None,",
+    },
     // The task.
     Insertion {
         file: "grader/wire/src/kinds.rs",
@@ -179,9 +189,9 @@ const INSERTIONS: &[Insertion] = &[
         lines: "    (\"part7.task1\", |_| part7_task1::cases()),",
     },
     Insertion {
-        file: "grader/worker/src/run.rs",
+        file: "grader/driver/src/run.rs",
         after: "    Ok(match work {",
-        lines: "        #[cfg(feature = \"doubling\")]\n        Work::Doubling(numbers) => Answer::Doubling(numbers.iter().enumerate().map(|(i, x)| { harness::call(i); doubling::twice(*x) }).collect()),",
+        lines: "        Work::Doubling(numbers) => { let twice = linked(&stages.doubling, \"doubling\")?; Answer::Doubling(harness::each_call(numbers, |_, x| twice(*x))) }",
     },
 ];
 

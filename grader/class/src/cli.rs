@@ -11,6 +11,7 @@ use crate::reading::intake::Revision;
 use crate::roster::table::System;
 use base::program::whole_number;
 use clap::{Arg, ArgAction, Command, value_parser};
+use judge::cases::KNOWN_SEED;
 use std::path::PathBuf;
 
 /// The command line.
@@ -58,7 +59,7 @@ pub fn command() -> Command {
             Arg::new("seed")
                 .long("seed")
                 .value_name("SEED")
-                .value_parser(|value: &str| whole_number(value, 0, u64::MAX))
+                .value_parser(drawn_seed)
                 .allow_negative_numbers(true)
                 .help("Seed of the random inputs; without it one is drawn for the class and kept in OUT"),
         )
@@ -128,4 +129,29 @@ pub fn command() -> Command {
         .arg(Arg::new("unit").long("unit").value_name("KEY").hide(true))
         .arg(flag("of-pool", "").hide(true))
         .arg(folder("course").long("course").hide(true))
+}
+
+/// Parses the seed of a class. Fails for [`KNOWN_SEED`], whose questions students have, and for what
+/// is not a whole number.
+fn drawn_seed(value: &str) -> Result<u64, String> {
+    match whole_number(value, 0, u64::MAX)? {
+        KNOWN_SEED => Err(format!(
+            "students have the questions of seed {KNOWN_SEED}, so code could contain their answers: \
+             choose another, or leave it out"
+        )),
+        seed => Ok(seed),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_seed_that_students_have_is_refused() {
+        assert_eq!(drawn_seed("1"), Ok(1));
+        assert!(drawn_seed("-1").is_err());
+        let refused = drawn_seed("0").unwrap_err();
+        assert!(refused.contains("students have the questions"), "{refused}");
+    }
 }

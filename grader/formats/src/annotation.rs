@@ -220,7 +220,7 @@ mod tests {
 
     #[test]
     fn a_place_outside_the_students_code_is_no_place() {
-        let text = "error: no\n --> grader/worker/src/run.rs:7:1\n";
+        let text = "error: no\n --> grader/worker/src/lib.rs:7:1\n";
         assert_eq!(of_compiler(text, &sources()), []);
     }
 

@@ -16,11 +16,12 @@ pub(super) struct WithoutTests {
     pub(super) files: Vec<PathBuf>,
 }
 
-/// What the attribute of an item for tests begins with: alone, or together with a system or feature.
+/// How the attribute of an item for tests begins, written without spaces. After `all(test,` stands
+/// the system or the feature that the tests need, too.
 const FOR_TESTS: [&str; 2] = ["cfg(test)", "cfg(all(test,"];
 
-/// Removes the items of a file that are marked with `#[cfg(test)]` or `#[cfg(all(test, …))]`; `path`
-/// is the file's.
+/// Removes the items of a file that are marked with `#[cfg(test)]` or `#[cfg(all(test, …))]`.
+/// `path` is that of the file.
 pub(super) fn remove(path: &Path, text: &str) -> Result<WithoutTests, GraderError> {
     let mut files = Vec::new();
     // Reading the tokens of all files of a handout takes a second.
@@ -82,8 +83,8 @@ fn items(text: &str) -> Option<Vec<Item>> {
                 let is_of_file = tokens.next_if(is_inner).is_some();
                 if let Some(TokenTree::Group(attribute)) = tokens.next() {
                     let text = attribute.stream().to_string();
-                    let text: String = text.split_whitespace().collect();
-                    let is_of_tests = FOR_TESTS.iter().any(|start| text.starts_with(start));
+                    let unspaced: String = text.split_whitespace().collect();
+                    let is_of_tests = FOR_TESTS.iter().any(|start| unspaced.starts_with(start));
                     is_for_tests |= !is_of_file && is_of_tests;
                 }
                 if is_of_file {

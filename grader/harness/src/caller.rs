@@ -51,8 +51,8 @@ mod tests {
              at ./stages/kit/src/sort.rs:9:5
    3: bvh::construct::halves
              at /home/me/course/stages/bvh/src/construct.rs:33:9
-   4: worker::bvh::build
-             at ./grader/worker/src/bvh.rs:7:1";
+   4: driver::bvh::build
+             at ./grader/driver/src/bvh.rs:7:1";
         let line = Some("stages/bvh/src/construct.rs:33".to_owned());
         assert_eq!(first_caller(text), line);
         assert_eq!(first_caller("   0: <unknown>\n   1: bvh::construct"), None);

@@ -41,7 +41,7 @@ pub(super) fn run(
 ) -> Result<Exit, GraderError> {
     let course = Course::read(workspace)?;
     let (task, entry) = find(&course, &request.what, name)?;
-    let specs = grade::specs(request.seed)?;
+    let specs = grade::specs(&[task], request.seed)?;
     let spec = grade::chosen(&[task], &specs)?;
     let spec = spec
         .into_iter()

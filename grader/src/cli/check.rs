@@ -111,13 +111,11 @@ fn report(
     let known = next_task::known(workspace, course)?;
     let files = sources::read_all(workspace.root(), course)?;
     let given = given_code(workspace)?;
-    let specs = cases::all(0);
     let code = |task: &Task| {
         let open = sources::place(task, &files[task.stage.as_str()]).open;
         let is_attempted = open.len() < task.holes.len();
         (is_attempted && checked.crates.contains_key(&task.stage)).then(|| {
-            let mut of_task = specs.iter().filter(|spec| spec.task == task.key);
-            let whole_scenes = of_task.any(Spec::needs_all_stages);
+            let whole_scenes = cases::of(&task.key, 0).iter().any(Spec::needs_all_stages);
             let linked = files.iter().filter(|(stage, _)| match whole_scenes {
                 true => build::traces_scenes_with(&task.stage, stage),
                 false => task.stage == **stage,
@@ -192,9 +190,10 @@ impl Desk for Editor<'_> {
 }
 
 /// The files besides those of stages that decide what the answers are and what is said about them.
-const GIVEN: [&str; 4] = [
+const GIVEN: [&str; 5] = [
     "stages/kit/src",
     "grader/harness/src",
+    "grader/driver/src",
     "grader/worker/src",
     "scenes/meshes/src",
 ];

@@ -29,16 +29,19 @@ pub(super) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     let what: &String = matches.get_one("case").expect("clap requires it");
     let workspace = Workspace::above(Path::new("."))?;
     let course = Course::read(&workspace)?;
-    let specs = grade::specs(seed_of(matches))?;
+    let seed = seed_of(matches);
     let page = Page::of_stdout();
     match what.split_once('/') {
         None => {
-            for task in course.select(what)? {
+            let tasks = course.select(what)?;
+            let specs = grade::specs(&tasks, seed)?;
+            for task in tasks {
                 out!("{}", explain::task(task, &specs, page));
             }
         }
         Some((key, name)) => {
             let (task, entry) = find(&course, key, name)?;
+            let specs = grade::specs(&[task], seed)?;
             let spec = specs
                 .iter()
                 .find(|spec| spec.is(&task.key, name))
@@ -47,7 +50,7 @@ pub(super) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
                         "course.toml lists {what}, which the grader does not have"
                     ))
                 })?;
-            let golden = golden(&workspace, spec, seed_of(matches));
+            let golden = golden(&workspace, spec, seed);
             out!("{}", explain::case(entry, spec, golden.as_ref(), page));
         }
     }

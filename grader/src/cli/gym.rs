@@ -33,9 +33,10 @@ pub(super) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     let workspace = Workspace::above(Path::new("."))?;
     let course = Course::read(&workspace)?;
     let what: &String = matches.get_one("what").expect("it has a default");
-    let specs = grade::specs(0)?;
+    let tasks = course.select(what)?;
+    let specs = grade::specs(&tasks, 0)?;
     let mut all = Vec::new();
-    for task in course.select(what)? {
+    for task in tasks {
         all.extend(exercise::of(&workspace, task, &specs)?);
     }
     let seed = asking::seed_of(matches);

@@ -65,7 +65,7 @@ pub fn in_place(
 ) -> Result<Graded, GraderError> {
     let course = Course::read(workspace)?;
     let tasks = course.select(&request.what)?;
-    let specs = specs(request.seed)?;
+    let specs = specs(&tasks, request.seed)?;
     let times = times && speedup::applies_to(&tasks);
     let build_root = BuildRoot {
         quiet,
@@ -152,7 +152,7 @@ pub fn at(
     build_root: &BuildRoot,
     pictures: bool,
 ) -> Result<Graded, GraderError> {
-    let specs = specs(seed)?;
+    let specs = specs(tasks, seed)?;
     let workers = workers(build_root, tasks, &specs, false)?;
     let run = run(&workers, course, tasks, &specs)?;
     let lost = |task: &&Task| {
@@ -194,12 +194,19 @@ fn may_be_the_machine(workers: &WorkerSet, results: &[TaskResult]) -> bool {
     workers.has_failed || cases.any(is_killed)
 }
 
-/// All cases of a seed. A handout refuses other seeds than 0: it has no right results for them.
-pub fn specs(seed: u64) -> Result<Vec<Spec>, GraderError> {
+/// The cases of `tasks` for a seed. A handout refuses other seeds than 0: it has no right results
+/// for them.
+pub fn specs(tasks: &[&Task], seed: u64) -> Result<Vec<Spec>, GraderError> {
     match packed_truth::refusal(seed) {
         Some(why) => Err(GraderError::new(why)),
-        None => Ok(cases::all(seed)),
+        None => Ok(of_tasks(tasks, seed)),
     }
+}
+
+/// The cases of `tasks`.
+fn of_tasks(tasks: &[&Task], seed: u64) -> Vec<Spec> {
+    let keys: Vec<&str> = tasks.iter().map(|task| task.key.as_str()).collect();
+    cases::of_tasks(&keys, seed)
 }
 
 /// The scores of `tasks` with the code in `build_root`, without what explains them.
@@ -209,7 +216,7 @@ pub fn scores_at(
     seed: u64,
     build_root: &BuildRoot,
 ) -> Result<Vec<TaskResult>, GraderError> {
-    let specs = cases::all(seed);
+    let specs = of_tasks(tasks, seed);
     let workers = workers(build_root, tasks, &specs, false)?;
     Ok(run(&workers, course, tasks, &specs)?.results)
 }

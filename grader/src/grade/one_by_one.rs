@@ -59,7 +59,7 @@ pub fn in_place(
     mut done: impl FnMut(&Task, Graded<'_>) -> Result<(), GraderError>,
 ) -> Result<(), GraderError> {
     let seed = 0;
-    let specs = specs(seed)?;
+    let specs = specs(tasks, seed)?;
     let build_root = BuildRoot {
         quiet: true,
         ..BuildRoot::of(workspace)

@@ -237,12 +237,12 @@ fn pictured(chapter: &str) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{course, grade};
+    use crate::course;
 
     #[test]
     fn each_task_has_exercises_with_a_picture_names_and_calls() {
         let (workspace, course) = course::of_this_checkout();
-        let specs = grade::specs(0).expect("the cases");
+        let specs = judge::cases::all(0);
         let (mut all, mut with_calls) = (0, 0);
         for task in course.tasks() {
             let exercises = of(&workspace, task, &specs).unwrap_or_else(|error| panic!("{error}"));
@@ -280,7 +280,7 @@ mod tests {
     #[test]
     fn the_calls_of_a_culled_face_are_hits() {
         let (workspace, course) = course::of_this_checkout();
-        let specs = grade::specs(0).expect("the cases");
+        let specs = judge::cases::of("part1.task3", 0);
         let task = course
             .tasks()
             .find(|task| task.key == "part1.task3")

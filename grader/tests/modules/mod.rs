@@ -21,7 +21,7 @@ const LARGEST_CIRCLE: usize = 3;
 const REMAINING: &[(&str, usize)] = &[
     ("grader/class/src/reading", 6),
     ("grader/cost/src", 14),
-    ("grader/worker/src/picture", 12),
+    ("grader/driver/src/picture", 12),
     ("scenes/src/collada", 4),
     ("stages/pathtracer/src", 4),
     ("stages/simd_bvh/src", 5),

@@ -1,6 +1,6 @@
 //! The kinds of work: each with its question and its answer, in one list.
 //!
-//! A new kind is one entry here. The worker runs it (`worker/src/run.rs`), and the crate `judge`
+//! A new kind is one entry here. The worker runs it (`driver/src/run.rs`), and the crate `judge`
 //! has a check for it.
 
 use crate::adaptive::{AdaptiveAnswer, AdaptivePixel, StopAnswer, StopCall};

@@ -284,7 +284,7 @@ fn print_stored(workspace: &Workspace, task: &str) -> Result<(), GraderError> {
 
 /// What reports would say of these versions that is false of their answers.
 fn false_claims(task: &str, graded: &[run::Graded], known: &[Known]) -> Vec<String> {
-    let specs = cases::all(0);
+    let specs = cases::of(task, 0);
     let each = graded.par_iter().flat_map_iter(|graded| {
         let cases = &graded.result.cases;
         let Explanation {
@@ -329,7 +329,7 @@ const NEAREST: usize = 3;
 /// Prints what mutants lose that may make unlisted mistakes, and their diagnosis.
 fn show_unlisted(task: &str, graded: &[run::Graded], known: &[Known]) {
     outln!("{task}: {}", plural(graded.len(), "mutant", "mutants"));
-    let specs = cases::all(0);
+    let specs = cases::of(task, 0);
     for graded in graded {
         let result = &graded.result;
         let loses = |points: f64, most: f64| points < most;

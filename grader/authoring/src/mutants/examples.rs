@@ -40,7 +40,7 @@ pub fn of_task(
     let right = of_task.filter(|of| verdict(of).is_none());
     let questions: Vec<Spec> = right.filter_map(Example::question).collect();
     let worker = VersionsWorker::of_mutants(workspace, course, task)?;
-    let specs = cases::all(0);
+    let specs = cases::of(&task.key, 0);
     let each = (0..worker.versions.len()).into_par_iter().map(|version| {
         let graded = worker.grade_one(task, &specs, version, None)?;
         let Graded { kind, result, .. } = &graded;

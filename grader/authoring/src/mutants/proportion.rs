@@ -52,7 +52,7 @@ pub fn of_task(
     let right = render(0)?.map_err(|status| {
         GraderError::new(format!("the reference renders no picture ({status:?})"))
     })?;
-    let specs = cases::all(0);
+    let specs = cases::of(&task.key, 0);
     let mutants = versions.versions.par_iter().enumerate();
     mutants
         .filter(|(_, (_, kind))| matches!(kind, Kind::Mutant(_)))

@@ -63,7 +63,7 @@ pub fn task(
     task: &Task,
 ) -> Result<Vec<Graded>, GraderError> {
     let worker = VersionsWorker::of_mutants(workspace, course, task)?;
-    worker.grade_all(task, &cases::all(0), 0..worker.versions.len())
+    worker.grade_all(task, &cases::of(&task.key, 0), 0..worker.versions.len())
 }
 
 /// Grades mutants whose mistakes need not be listed in the corpus.
@@ -93,7 +93,7 @@ pub fn those_that_compile(
     let compiled =
         VersionsWorker::of_those_that_compile(workspace, course, task, mutants, correct)?;
     let (worker, wanted, broken) = compiled;
-    let graded = worker.grade_all(task, &cases::all(0), wanted.into_iter())?;
+    let graded = worker.grade_all(task, &cases::of(&task.key, 0), wanted.into_iter())?;
     Ok((graded, broken))
 }
 
@@ -109,7 +109,7 @@ pub(super) fn in_core_cases(
     let compiled =
         VersionsWorker::of_those_that_compile(workspace, course, task, mutants, correct)?;
     let (worker, wanted, _) = compiled;
-    let specs = cases::all(0);
+    let specs = cases::of(&task.key, 0);
     let mut of_task = task.clone();
     of_task.cases.retain(|entry| {
         let spec = specs.iter().find(|spec| spec.is(&task.key, &entry.name));

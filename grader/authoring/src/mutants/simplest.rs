@@ -87,7 +87,7 @@ pub fn of_task(
     task: &Task,
 ) -> Result<Simplest, GraderError> {
     let worker = VersionsWorker::of_mutants(workspace, course, task)?;
-    let specs = cases::all(0);
+    let specs = cases::of(&task.key, 0);
     let each: Vec<Simplest> = (0..worker.versions.len())
         .into_par_iter()
         .map(|version| of_version(&worker, task, &specs, version))

@@ -18,7 +18,12 @@ pub fn all(seed: u64) -> Vec<Spec> {
 
 /// All cases of one task; the others are not made.
 pub fn of(task: &str, seed: u64) -> Vec<Spec> {
-    wanted(seed, |key| key == task)
+    of_tasks(&[task], seed)
+}
+
+/// All cases of the tasks with these keys; the others are not made.
+pub fn of_tasks(tasks: &[&str], seed: u64) -> Vec<Spec> {
+    wanted(seed, |key| tasks.contains(&key))
 }
 
 /// First Light's cases of the tasks whose keys `is_wanted`, then those of a teacher.

@@ -23,7 +23,7 @@ use grader::course::{Course, Task, packed};
 use grader::grade;
 use grader::grade::picture;
 use grader::report::table::status_text;
-use judge::cases::{self, Spec};
+use judge::cases::Spec;
 use judge::pictures;
 use judge::snapshot::{Snapshot, parse};
 use std::path::Path;
@@ -39,7 +39,7 @@ pub fn propose(workspace: &Workspace, keys: &[&str]) -> Result<Proposal, GraderE
     let selected = select(&course, keys)?;
     workspace.ensure_full("goldens are blessed from the reference, which is not in it")?;
     let tasks: Vec<&Task> = selected.iter().map(|selected| selected.task).collect();
-    let specs = cases::all(0);
+    let specs = grade::specs(&tasks, 0)?;
     let workers = grade::workers(&BuildRoot::of(workspace), &tasks, &specs, false)?;
     let mut proposal = Proposal::default();
     for selected in &selected {

@@ -8,7 +8,6 @@ use grader::cli::picture::task_of;
 use grader::course::Course;
 use grader::grade;
 use grader::grade::picture::file_stem;
-use judge::cases;
 use review::look::{Look, page};
 use std::path::Path;
 
@@ -16,7 +15,7 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     let workspace = Workspace::above(Path::new("."))?;
     let course = Course::read(&workspace)?;
     let task = task_of(matches, &workspace, &course)?;
-    let specs = cases::all(0);
+    let specs = grade::specs(&[task], 0)?;
     let workers = grade::workers(&BuildRoot::of(&workspace), &[task], &specs, false)?;
     let look = Look::of(&workspace, &course, task, &specs, &workers)?;
     let out = workspace.for_students(&format!("{}.html", file_stem(&task.key)))?;

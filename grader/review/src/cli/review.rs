@@ -6,7 +6,6 @@ use clap::{Arg, ArgMatches, Command};
 use grader::build::BuildRoot;
 use grader::course::{Course, Task};
 use grader::grade;
-use judge::cases;
 use review::{self, Author, page};
 use std::path::{Path, PathBuf};
 use submission::clean_workspace::CleanWorkspace;
@@ -37,7 +36,7 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     let workspace = Workspace::above(Path::new("."))?;
     let course = Course::read(&workspace)?;
     let tasks = tasks(matches, &course)?;
-    let specs = cases::all(0);
+    let specs = grade::specs(&tasks, 0)?;
     review::check_goldens(&workspace, &tasks, &specs)?;
     let out = page_file(matches, &workspace)?;
     let (review, author) = match matches.get_one::<PathBuf>("submission") {

@@ -1,10 +1,10 @@
 //! A tree that the stage built, against the boxes that it has to have.
 
+use driver::bvh::kit_tree;
 use judge::exact_boxes;
 use kit::{Aabb, Bvh, NodeKind};
 use wire::answer::BuildAnswer;
 use wire::work::BuildWork;
-use worker::bvh::kit_tree;
 
 /// The stage's tree over the boxes of a case.
 #[derive(Clone, Debug)]

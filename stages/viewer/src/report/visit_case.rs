@@ -2,13 +2,13 @@
 
 use super::child_order::{ChildOrder, child_orders};
 use crate::truth::{Parting, check_ray};
+use driver::bvh::{TraverseScript, kit_tree, nodes_by_box};
 use judge::convert;
 use judge::scene;
 use kit::{Aabb, Bvh, NodeKind, PrimId, Ray, Scene};
 use pathtracer::replay::{Outcome, RayRecord, Test, Visit, record_ray};
 use pathtracer::{RayRole, SceneWorld};
 use wire::work::{SceneSource, ScriptedRay, ScriptedWorld, Tree};
-use worker::bvh::{TraverseScript, kit_tree, nodes_by_box};
 
 /// A traversal, recorded.
 #[derive(Clone, Debug)]

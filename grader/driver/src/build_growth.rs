@@ -12,11 +12,6 @@ const FEW: u32 = 20_000;
 /// Of so many builds of a small tree the fastest counts.
 const REPEATS: u32 = 3;
 
-/// Times the student's builds.
-pub(crate) fn build(work: &BuildGrowthWork) -> BuildGrowthAnswer {
-    time_builds(work, bvh::construct_bvh)
-}
-
 /// Builds the sizes in turn, round by round, each between two runs of the control: whatever slows
 /// the machine down for a while slows both. There is no other round after one in which the largest
 /// tree was built fast.

@@ -1,16 +1,17 @@
 //! Runs Part 1, tasks 1 and 2, with a camera and a world that record their calls.
 
 use crate::convert;
+use crate::stages::Raygen;
 use kit::{FilmSize, Mat3, PixelSampler, Spectrum, Vec2, Vec3};
 use wire::answer::PixelAnswer;
 use wire::work::{CameraWork, PixelWork, PixelWorld};
 
-pub(crate) fn pixels(work: &PixelWork) -> Vec<PixelAnswer> {
+pub(crate) fn pixels(stage: &Raygen, work: &PixelWork) -> Vec<PixelAnswer> {
     let calls: Vec<_> = work.calls().collect();
-    harness::each_call(&calls, |_, &(place, seed)| pixel(work, place, seed))
+    harness::each_call(&calls, |_, &(place, seed)| pixel(stage, work, place, seed))
 }
 
-fn pixel(work: &PixelWork, [x, y]: [u32; 2], seed: u64) -> PixelAnswer {
+fn pixel(stage: &Raygen, work: &PixelWork, [x, y]: [u32; 2], seed: u64) -> PixelAnswer {
     let film = FilmSize {
         w: work.film[0],
         h: work.film[1],
@@ -19,7 +20,7 @@ fn pixel(work: &PixelWork, [x, y]: [u32; 2], seed: u64) -> PixelAnswer {
     let mut traced_points: Vec<Option<Vec2>> = Vec::new();
     let mut traced_radiance: Vec<Spectrum> = Vec::new();
     let asked_for = || samples(work.ns_aa);
-    let estimate = raygen::raytrace_pixel(
+    let estimate = (stage.raytrace_pixel)(
         x,
         y,
         film,
@@ -98,11 +99,11 @@ fn rings(point: Vec2) -> Spectrum {
     Spectrum::new(ring(300.0), ring(330.0), ring(360.0))
 }
 
-pub(crate) fn camera_rays(work: &CameraWork) -> Vec<wire::work::Ray> {
+pub(crate) fn camera_rays(stage: &Raygen, work: &CameraWork) -> Vec<wire::work::Ray> {
     let cameras = work.cameras.iter();
     let pairs = cameras.flat_map(|camera| work.sensor.iter().map(move |point| (camera, point)));
     harness::each_call(&pairs.collect::<Vec<_>>(), |_, (camera, point)| {
-        let ray = raygen::generate_ray(&kit_camera(camera), Vec2::from(**point));
+        let ray = (stage.generate_ray)(&kit_camera(camera), Vec2::from(**point));
         convert::wire_ray(&ray)
     })
 }

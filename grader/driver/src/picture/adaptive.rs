@@ -3,6 +3,7 @@
 use super::given_light::Lamps;
 use super::{Eye, Panel, two_panels};
 use crate::panels;
+use crate::stages::Adaptive;
 use kit::{
     Budget, FilmSize, Material, PixelEstimate, PixelSampler, Ray, Spectrum, Tally, Vec2, Vec3, math,
 };
@@ -20,6 +21,7 @@ pub(super) fn budget(ns_aa: u32, batch: u32, tolerance: f64) -> Budget {
 
 /// A world of rectangles under a large lamp, and its sampling rate.
 pub(super) fn lamp(
+    stage: &Adaptive,
     size: [u32; 2],
     world: &LitWorld,
     view: &View,
@@ -31,6 +33,7 @@ pub(super) fn lamp(
     let eye = Eye::new(view);
     let [w, h] = size.map(f64::from);
     picture(
+        stage,
         size,
         budget,
         &mut |point| eye.ray(point.x * w, point.y * h),
@@ -46,14 +49,15 @@ pub(super) fn lamp(
                 _ => surface.emitted(wo),
             }
         },
-        &mut adaptive::has_converged,
+        &mut { stage.has_converged },
     )
 }
 
 /// Light on a ball that each sample finds with a probability from 1 (right) down to 0.005 (left),
 /// and the sampling rate.
-pub(super) fn rare_light(size: [u32; 2], budget: Budget) -> Vec<Panel> {
+pub(super) fn rare_light(stage: &Adaptive, size: [u32; 2], budget: Budget) -> Vec<Panel> {
     picture(
+        stage,
         size,
         budget,
         &mut |point| Ray::new(Vec3::new(point.x, point.y, 1.0), Vec3::NEG_Z),
@@ -65,7 +69,7 @@ pub(super) fn rare_light(size: [u32; 2], budget: Budget) -> Vec<Panel> {
             }
         },
         &mut |samples, tolerance| {
-            adaptive::has_surely_converged(samples, tolerance, &mut adaptive::has_converged)
+            (stage.has_surely_converged)(samples, tolerance, &mut { stage.has_converged })
         },
     )
 }
@@ -84,6 +88,7 @@ fn brightness(point: Vec2) -> Spectrum {
 
 /// The radiance of each pixel, and its sampling rate.
 fn picture(
+    stage: &Adaptive,
     size: [u32; 2],
     budget: Budget,
     camera_ray: &mut impl FnMut(Vec2) -> Ray,
@@ -96,7 +101,7 @@ fn picture(
     };
     two_panels(size, |x, y| {
         let mut sampler = PixelSampler::new(x, y, 0);
-        let PixelEstimate { radiance, samples } = adaptive::raytrace_pixel_adaptive(
+        let PixelEstimate { radiance, samples } = (stage.raytrace_pixel_adaptive)(
             (x, y),
             film,
             budget,
@@ -105,7 +110,7 @@ fn picture(
             trace_ray,
             rule,
         );
-        let rate = adaptive::rate_colour(samples, budget.ns_aa);
+        let rate = (stage.rate_colour)(samples, budget.ns_aa);
         [radiance.to_array(), rate.to_array()]
     })
 }

@@ -1,5 +1,6 @@
 //! Runs Part 4: mirrors and glass, scripted paths, and roulette.
 
+use crate::stages::Global;
 use crate::{convert, light};
 use harness::{attempt, each_call};
 use kit::{
@@ -10,30 +11,30 @@ use std::cell::{Cell, RefCell};
 use wire::global::{PathAnswer, RouletteWork, ScriptedPath, SpecularAnswer, SpecularCall, Step};
 use wire::work::Xyz;
 
-pub(crate) fn specular(calls: &[SpecularCall]) -> Vec<SpecularAnswer> {
-    each_call(calls, |_, call| specular_call(call))
+pub(crate) fn specular(stage: &Global, calls: &[SpecularCall]) -> Vec<SpecularAnswer> {
+    each_call(calls, |_, call| specular_call(stage, call))
 }
 
-fn specular_call(call: &SpecularCall) -> SpecularAnswer {
+fn specular_call(stage: &Global, call: &SpecularCall) -> SpecularAnswer {
     let direction = |d: Option<Vec3>| SpecularAnswer::Direction(d.map(Into::into));
     let sample =
         |s: Option<BsdfSample>| SpecularAnswer::Sample(s.as_ref().map(convert::wire_sample));
     match *call {
         SpecularCall::Fresnel { cos_i, eta } => {
             let share = attempt("fresnel_dielectric", || {
-                global::fresnel_dielectric(cos_i, eta)
+                (stage.fresnel_dielectric)(cos_i, eta)
             });
             SpecularAnswer::Share(share.unwrap_or_default())
         }
         SpecularCall::Reflect { wo } => {
-            direction(attempt("reflect", || global::reflect(wo.into())))
+            direction(attempt("reflect", || (stage.reflect)(wo.into())))
         }
         SpecularCall::Refract { wo, ior } => {
-            direction(attempt("refract", || global::refract(wo.into(), ior)).flatten())
+            direction(attempt("refract", || (stage.refract)(wo.into(), ior)).flatten())
         }
         SpecularCall::Mirror { reflectance, wo } => {
             let drawn = attempt("mirror_sample", || {
-                global::mirror_sample(reflectance.into(), wo.into())
+                (stage.mirror_sample)(reflectance.into(), wo.into())
             });
             sample(drawn.flatten())
         }
@@ -43,7 +44,7 @@ fn specular_call(call: &SpecularCall) -> SpecularAnswer {
             wo,
         } => {
             let drawn = attempt("refraction_sample", || {
-                global::refraction_sample(transmittance.into(), ior, wo.into())
+                (stage.refraction_sample)(transmittance.into(), ior, wo.into())
             });
             sample(drawn.flatten())
         }
@@ -55,7 +56,7 @@ fn specular_call(call: &SpecularCall) -> SpecularAnswer {
             choice,
         } => {
             let drawn = attempt("glass_sample", || {
-                global::glass_sample(
+                (stage.glass_sample)(
                     reflectance.into(),
                     transmittance.into(),
                     ior,
@@ -68,8 +69,8 @@ fn specular_call(call: &SpecularCall) -> SpecularAnswer {
     }
 }
 
-pub(crate) fn paths(paths: &[ScriptedPath]) -> Vec<PathAnswer> {
-    each_call(paths, |i, path| run_path(i as u32, path))
+pub(crate) fn paths(stage: &Global, paths: &[ScriptedPath]) -> Vec<PathAnswer> {
+    each_call(paths, |i, path| run_path(stage, i as u32, path))
 }
 
 /// The scene of a path's surfaces: one triangle each, which is never intersected.
@@ -96,7 +97,7 @@ fn facing(step: &Step) -> Triangle {
     }
 }
 
-fn run_path(call: u32, path: &ScriptedPath) -> PathAnswer {
+fn run_path(stage: &Global, call: u32, path: &ScriptedPath) -> PathAnswer {
     let lit = lit_scene(path);
     let recorded = RefCell::new(PathAnswer::default());
     let script = PathScript {
@@ -106,7 +107,7 @@ fn run_path(call: u32, path: &ScriptedPath) -> PathAnswer {
     };
     let mut sampler = PixelSampler::new(call, 0, path.seed);
     sampler.get_sample();
-    let radiance = global::estimate_radiance(
+    let radiance = (stage.estimate_radiance)(
         &lit,
         &convert::ray(&path.ray),
         path.max_depth,
@@ -194,7 +195,7 @@ impl Scattering for PathScript<'_> {
     }
 }
 
-pub(crate) fn roulette(work: &RouletteWork) -> Vec<Option<Xyz>> {
+pub(crate) fn roulette(stage: &Global, work: &RouletteWork) -> Vec<Option<Xyz>> {
     let calls = work
         .paths
         .iter()
@@ -202,7 +203,7 @@ pub(crate) fn roulette(work: &RouletteWork) -> Vec<Option<Xyz>> {
     each_call(
         &calls.collect::<Vec<_>>(),
         |_, &(&(throughput, bounces), &u)| {
-            global::play_roulette(throughput.into(), bounces, u).map(Spectrum::to_array)
+            (stage.play_roulette)(throughput.into(), bounces, u).map(Spectrum::to_array)
         },
     )
 }

@@ -2,11 +2,13 @@
 
 use super::{Eye, Panel, nearness, two_panels};
 use crate::convert;
+use crate::stages::Bbox;
 use wire::picture::View;
 use wire::work::Xyz;
 
 /// The nearest distance at which a box is entered, then the length of the ray inside of all boxes.
 pub(super) fn boxes(
+    stage: &Bbox,
     size: [u32; 2],
     boxes: &[[Xyz; 2]],
     view: &View,
@@ -21,7 +23,7 @@ pub(super) fn boxes(
         let hits = boxes
             .iter()
             .zip(0_u32..)
-            .filter_map(|(b, i)| Some((bbox::intersect_bbox(b, &ray)?, i)));
+            .filter_map(|(b, i)| Some(((stage.intersect_bbox)(b, &ray)?, i)));
         let (mut inside, mut nearest) = (0.0, None);
         for (interval, i) in hits {
             inside += interval.max - interval.min;

@@ -28,12 +28,6 @@ impl Eye {
     }
 
     /// The ray through the centre of a pixel.
-    #[cfg(any(
-        feature = "intersect",
-        feature = "bbox",
-        feature = "direct",
-        feature = "global"
-    ))]
     pub(super) fn through(&self, x: u32, y: u32) -> Ray {
         self.ray(f64::from(x) + 0.5, f64::from(y) + 0.5)
     }

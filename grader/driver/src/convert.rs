@@ -1,14 +1,7 @@
 //! Converts between the plain numbers of `wire` and the types of `kit`.
 
-#[cfg(any(feature = "intersect", feature = "bbox", feature = "bvh"))]
 use wire::work::Xyz;
 
-#[cfg(any(
-    feature = "intersect",
-    feature = "bbox",
-    feature = "bvh",
-    feature = "global"
-))]
 pub(crate) fn ray(r: &wire::work::Ray) -> kit::Ray {
     kit::Ray {
         o: kit::Vec3::from(r.o),
@@ -18,13 +11,6 @@ pub(crate) fn ray(r: &wire::work::Ray) -> kit::Ray {
     }
 }
 
-#[cfg(any(
-    feature = "raygen",
-    feature = "intersect",
-    feature = "bvh",
-    feature = "direct",
-    feature = "global"
-))]
 pub(crate) fn wire_ray(r: &kit::Ray) -> wire::work::Ray {
     wire::work::Ray {
         o: r.o.into(),
@@ -34,7 +20,6 @@ pub(crate) fn wire_ray(r: &kit::Ray) -> wire::work::Ray {
     }
 }
 
-#[cfg(feature = "intersect")]
 pub(crate) fn wire_hit(h: &kit::Hit) -> wire::answer::Hit {
     wire::answer::Hit {
         t: h.t,
@@ -46,7 +31,6 @@ pub(crate) fn wire_hit(h: &kit::Hit) -> wire::answer::Hit {
     }
 }
 
-#[cfg(feature = "intersect")]
 pub(crate) fn triangle(v: &[Xyz; 6]) -> kit::Triangle {
     let [p0, p1, p2, n0, n1, n2] = v.map(kit::Vec3::from);
     kit::Triangle {
@@ -59,7 +43,6 @@ pub(crate) fn triangle(v: &[Xyz; 6]) -> kit::Triangle {
     }
 }
 
-#[cfg(feature = "intersect")]
 pub(crate) fn sphere(&(center, radius): &(Xyz, f64)) -> kit::Sphere {
     kit::Sphere {
         center: kit::Vec3::from(center),
@@ -67,7 +50,6 @@ pub(crate) fn sphere(&(center, radius): &(Xyz, f64)) -> kit::Sphere {
     }
 }
 
-#[cfg(any(feature = "bbox", feature = "bvh"))]
 pub(crate) fn aabb([min, max]: &[Xyz; 2]) -> kit::Aabb {
     kit::Aabb {
         min: kit::Vec3::from(*min),
@@ -75,12 +57,10 @@ pub(crate) fn aabb([min, max]: &[Xyz; 2]) -> kit::Aabb {
     }
 }
 
-#[cfg(feature = "bvh")]
 pub(crate) fn wire_aabb(b: &kit::Aabb) -> [Xyz; 2] {
     [b.min.into(), b.max.into()]
 }
 
-#[cfg(any(feature = "direct", feature = "global"))]
 pub(crate) fn wire_sample(s: &kit::BsdfSample) -> wire::light::BsdfSample {
     wire::light::BsdfSample {
         wi: s.wi.into(),

@@ -1,5 +1,6 @@
 //! Runs Part 3: diffuse surfaces, and direct light in worlds that record the traced rays.
 
+use crate::stages::Direct;
 use crate::{convert, light, panels};
 use harness::{attempt, each_call};
 use kit::{Frame, LitScene, PixelSampler, PrimId, Ray, Spectrum, Surface, Vec2, Vec3};
@@ -7,30 +8,36 @@ use wire::direct::{
     DirectAnswer, DirectWork, LambertAnswer, LambertProbe, RecordedRay, ShadedPoint, Strategy,
 };
 
-pub(crate) fn lambert(probes: &[LambertProbe]) -> Vec<LambertAnswer> {
+pub(crate) fn lambert(stage: &Direct, probes: &[LambertProbe]) -> Vec<LambertAnswer> {
     each_call(probes, |_, probe| {
         let reflectance = Spectrum::from(probe.reflectance);
         let [wo, wi] = [probe.wo, probe.wi].map(Vec3::from);
         let sample = attempt("lambert_sample", || {
-            direct::lambert_sample(reflectance, wo, Vec2::from(probe.u))
+            (stage.lambert_sample)(reflectance, wo, Vec2::from(probe.u))
         });
-        let f = attempt("lambert_f", || direct::lambert_f(reflectance, wo, wi));
+        let f = attempt("lambert_f", || (stage.lambert_f)(reflectance, wo, wi));
         LambertAnswer {
             f: f.unwrap_or_default().to_array(),
-            pdf: attempt("lambert_pdf", || direct::lambert_pdf(wo, wi)).unwrap_or_default(),
+            pdf: attempt("lambert_pdf", || (stage.lambert_pdf)(wo, wi)).unwrap_or_default(),
             sample: sample.flatten().as_ref().map(convert::wire_sample),
         }
     })
 }
 
-pub(crate) fn direct(work: &DirectWork) -> Vec<DirectAnswer> {
+pub(crate) fn direct(stage: &Direct, work: &DirectWork) -> Vec<DirectAnswer> {
     let lit = panels::lit_scene(&work.world);
     each_call(&work.points, |i, point| {
-        estimate(work, &lit, i as u32, point)
+        estimate(stage, work, &lit, i as u32, point)
     })
 }
 
-fn estimate(work: &DirectWork, lit: &LitScene, call: u32, point: &ShadedPoint) -> DirectAnswer {
+fn estimate(
+    stage: &Direct,
+    work: &DirectWork,
+    lit: &LitScene,
+    call: u32,
+    point: &ShadedPoint,
+) -> DirectAnswer {
     let material = light::material(&point.material);
     let surface = Surface {
         p: point.p.into(),
@@ -51,11 +58,11 @@ fn estimate(work: &DirectWork, lit: &LitScene, call: u32, point: &ShadedPoint) -
     };
     let radiance = match work.strategy {
         Strategy::ZeroBounce => attempt("zero_bounce_radiance", || {
-            direct::zero_bounce_radiance(&surface, wo)
+            (stage.zero_bounce_radiance)(&surface, wo)
         })
         .unwrap_or_default(),
         Strategy::Hemisphere => attempt("estimate_direct_lighting_hemisphere", || {
-            direct::estimate_direct_lighting_hemisphere(
+            (stage.estimate_direct_lighting_hemisphere)(
                 lit,
                 &surface,
                 wo,
@@ -75,7 +82,7 @@ fn estimate(work: &DirectWork, lit: &LitScene, call: u32, point: &ShadedPoint) -
             )
         })
         .unwrap_or_default(),
-        Strategy::Lights => direct::estimate_direct_lighting_importance(
+        Strategy::Lights => (stage.estimate_direct_lighting_importance)(
             lit,
             &surface,
             wo,

@@ -1,6 +1,7 @@
 //! The picture of Part 3, task 1.
 
 use super::{Panel, panel};
+use crate::stages::Direct;
 use kit::{Frame, Spectrum, Vec2, Vec3};
 use std::f64::consts::PI;
 
@@ -20,7 +21,7 @@ const GRID: u32 = 40;
 
 /// A ball (left) and the inside of a bowl (right) under two suns; then `lambert_pdf` over the
 /// directions of the upper hemisphere (left) and the directions of `lambert_sample` (right).
-pub(super) fn lambert(size: [u32; 2]) -> Vec<Panel> {
+pub(super) fn lambert(stage: &Direct, size: [u32; 2]) -> Vec<Panel> {
     let discs = Discs::of(size);
     let lit = panel(size, |x, y| {
         let Some((side, [a, b, height])) = discs.at(x, y) else {
@@ -28,34 +29,34 @@ pub(super) fn lambert(size: [u32; 2]) -> Vec<Panel> {
         };
         // The ball's normals point to the viewer, those of the bowl's outside away from them.
         let towards_viewer = if side == 0 { height } else { -height };
-        lit(Vec3::new(a, b, towards_viewer)).to_array()
+        lit(stage, Vec3::new(a, b, towards_viewer)).to_array()
     });
     let density = panel(size, |x, y| match discs.at(x, y) {
-        Some((0, wi)) => [direct::lambert_pdf(Vec3::Z, wi.into()) * PI * 0.7; 3],
+        Some((0, wi)) => [(stage.lambert_pdf)(Vec3::Z, wi.into()) * PI * 0.7; 3],
         Some((1, _)) => [0.04; 3],
         _ => BACKGROUND,
     });
-    vec![lit, with_samples(density, &discs)]
+    vec![lit, with_samples(stage, density, &discs)]
 }
 
 /// The radiance towards +z of a point with the normal `n`.
-fn lit(n: Vec3) -> Spectrum {
+fn lit(stage: &Direct, n: Vec3) -> Spectrum {
     let frame = Frame::around(n);
     let wo = frame.to_local(Vec3::Z);
     let of_sun = |&(d, irradiance): &(Vec3, Spectrum)| {
         let wi = frame.to_local(d);
-        direct::lambert_f(REFLECTANCE, wo, wi) * irradiance * (PI * wi.z.abs())
+        (stage.lambert_f)(REFLECTANCE, wo, wi) * irradiance * (PI * wi.z.abs())
     };
     SUNS.iter().map(of_sun).sum()
 }
 
 /// Adds a dot for each sampled direction, in the colour of its weight `f · cos θ / pdf`.
-fn with_samples(mut panel: Panel, discs: &Discs) -> Panel {
+fn with_samples(stage: &Direct, mut panel: Panel, discs: &Discs) -> Panel {
     let share = |i: u32| (f64::from(i) + 0.5) / f64::from(GRID);
     for i in 0..GRID {
         for j in 0..GRID {
             let u = Vec2::new(share(i), share(j));
-            let Some(sample) = direct::lambert_sample(REFLECTANCE, Vec3::Z, u) else {
+            let Some(sample) = (stage.lambert_sample)(REFLECTANCE, Vec3::Z, u) else {
                 continue;
             };
             let colour = (sample.weight() * 0.7).to_array().map(|c| c as f32);

@@ -1,32 +1,35 @@
 //! Times one intersection test, in a loop with nothing else in it.
 
 use crate::convert;
+use crate::stages::{Stages, linked};
 use std::hint::black_box;
 use std::time::Instant;
 use wire::work::{Shapes, TestTiming};
 
 /// Times the test of the given shapes. For hits of `test_triangle` and `test_sphere` it also
 /// computes `o + t·d`, as the kernels do with which they are compared.
-pub(crate) fn test(timing: &TestTiming) -> Result<Vec<f64>, String> {
+pub(crate) fn test(stages: &Stages, timing: &TestTiming) -> Result<Vec<f64>, String> {
+    let intersect = || linked(&stages.intersect, "intersect");
     match &timing.shapes {
-        #[cfg(feature = "intersect")]
-        Shapes::Triangles(triangles) => Ok(time(
-            triangles,
-            timing,
-            convert::triangle,
-            |triangle, ray| intersect::test_triangle(triangle, ray).map(|hit| (hit, ray.at(hit.t))),
-        )),
-        #[cfg(feature = "intersect")]
-        Shapes::Spheres(spheres) => Ok(time(spheres, timing, convert::sphere, |sphere, ray| {
-            intersect::test_sphere(sphere, ray).map(|t| (t, ray.at(t)))
-        })),
-        #[cfg(feature = "bbox")]
-        Shapes::Boxes(boxes) => Ok(time(boxes, timing, convert::aabb, bbox::intersect_bbox)),
-        #[allow(
-            unreachable_patterns,
-            reason = "a worker with both stages times all shapes"
-        )]
-        _ => Err("this worker was built without the stage of these shapes".into()),
+        Shapes::Triangles(triangles) => {
+            let test = intersect()?.test_triangle;
+            Ok(time(
+                triangles,
+                timing,
+                convert::triangle,
+                |triangle, ray| test(triangle, ray).map(|hit| (hit, ray.at(hit.t))),
+            ))
+        }
+        Shapes::Spheres(spheres) => {
+            let test = intersect()?.test_sphere;
+            Ok(time(spheres, timing, convert::sphere, |sphere, ray| {
+                test(sphere, ray).map(|t| (t, ray.at(t)))
+            }))
+        }
+        Shapes::Boxes(boxes) => {
+            let test = linked(&stages.bbox, "bbox")?.intersect_bbox;
+            Ok(time(boxes, timing, convert::aabb, test))
+        }
     }
 }
 

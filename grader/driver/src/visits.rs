@@ -3,13 +3,14 @@
 use crate::bvh::{BoxKey, box_key, kit_tree};
 use crate::convert;
 use crate::meshes::{SceneWorld, load};
+use crate::stages::OfScenes;
 use kit::{Aabb, Hit, Interval, PrimId, Ray, World};
 use std::collections::HashMap;
 use wire::answer::{Visit, VisitsAnswer};
 use wire::work::VisitsWork;
 
 /// Traces the rays through the scene by its tree and records the boxes that each tests.
-pub(crate) fn visits(work: &VisitsWork) -> Result<VisitsAnswer, String> {
+pub(crate) fn visits(stages: OfScenes<'_>, work: &VisitsWork) -> Result<VisitsAnswer, String> {
     let scene = load(&work.scene)?;
     let tree = kit_tree(&work.tree);
     let mut nodes_of: HashMap<BoxKey, Vec<u32>> = HashMap::new();
@@ -21,11 +22,11 @@ pub(crate) fn visits(work: &VisitsWork) -> Result<VisitsAnswer, String> {
     let rays = each.map(|(i, ray)| {
         harness::call(i);
         let mut world = RecordingWorld {
-            world: SceneWorld::new(&scene),
+            world: SceneWorld::new(stages, &scene),
             nodes_of: &nodes_of,
             visits: Vec::new(),
         };
-        bvh::intersect_bvh(&tree, &mut convert::ray(ray), &mut world);
+        (stages.bvh.intersect_bvh)(&tree, &mut convert::ray(ray), &mut world);
         world.visits
     });
     Ok(VisitsAnswer {

@@ -1,23 +1,24 @@
 //! Runs Part 5: stopping rules, and pixels with given samples.
 
+use crate::stages::Adaptive;
 use kit::{Budget, FilmSize, PixelSampler, Ray, Spectrum, Tally, Vec2, Vec3};
 use wire::adaptive::{AdaptiveAnswer, AdaptivePixel, StopAnswer, StopCall, StopRule};
 
-pub(crate) fn stop(calls: &[StopCall]) -> Vec<StopAnswer> {
+pub(crate) fn stop(stage: &Adaptive, calls: &[StopCall]) -> Vec<StopAnswer> {
     answers(calls, |samples, call, _| {
-        let stop = || adaptive::has_converged(samples, call.tolerance);
+        let stop = || (stage.has_converged)(samples, call.tolerance);
         harness::attempt("has_converged", stop).unwrap_or_default()
     })
 }
 
-pub(crate) fn sure_stop(calls: &[StopCall]) -> Vec<StopAnswer> {
+pub(crate) fn sure_stop(stage: &Adaptive, calls: &[StopCall]) -> Vec<StopAnswer> {
     answers(calls, |samples, call, rule_calls| {
         let rule = &mut |samples: &Tally, tolerance| {
             harness::limit_calls("rule", rule_calls.len(), || "one decision".into());
             rule_calls.push((samples.count(), samples.mean(), tolerance));
             call.rule
         };
-        adaptive::has_surely_converged(samples, call.tolerance, rule)
+        (stage.has_surely_converged)(samples, call.tolerance, rule)
     })
 }
 
@@ -36,11 +37,11 @@ fn answers(
     })
 }
 
-pub(crate) fn pixels(pixels: &[AdaptivePixel]) -> Vec<AdaptiveAnswer> {
-    harness::each_call(pixels, |_, pixel| sample(pixel))
+pub(crate) fn pixels(stage: &Adaptive, pixels: &[AdaptivePixel]) -> Vec<AdaptiveAnswer> {
+    harness::each_call(pixels, |_, pixel| sample(stage, pixel))
 }
 
-fn sample(work: &AdaptivePixel) -> AdaptiveAnswer {
+fn sample(stage: &Adaptive, work: &AdaptivePixel) -> AdaptiveAnswer {
     let [x, y] = work.pixel;
     let mut points: Vec<[f64; 2]> = Vec::new();
     let (mut traced, mut foreign) = (0_u32, 0);
@@ -72,11 +73,11 @@ fn sample(work: &AdaptivePixel) -> AdaptiveAnswer {
         ));
         match work.rule {
             StopRule::From(count) => samples.count() >= count,
-            StopRule::Plain => adaptive::has_converged(samples, tolerance),
+            StopRule::Plain => (stage.has_converged)(samples, tolerance),
         }
     };
     let estimate = harness::attempt("raytrace_pixel_adaptive", || {
-        adaptive::raytrace_pixel_adaptive(
+        (stage.raytrace_pixel_adaptive)(
             (x, y),
             FilmSize {
                 w: work.film[0],

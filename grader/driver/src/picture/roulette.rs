@@ -1,6 +1,7 @@
 //! The picture of Part 4, task 3.
 
 use super::{Panel, panel};
+use crate::stages::Global;
 use kit::Spectrum;
 
 /// The largest channel at the right edge of a column.
@@ -16,7 +17,7 @@ const ENDED: [f64; 3] = [0.02, 0.02, 0.22];
 const NUMBERS: u32 = 256;
 
 /// A column for each number of bounces.
-pub(super) fn roulette(size: [u32; 2], bounces: &[u32]) -> Vec<Panel> {
+pub(super) fn roulette(stage: &Global, size: [u32; 2], bounces: &[u32]) -> Vec<Panel> {
     let columns = bounces.len() as u32;
     let width = size[0] / columns;
     let of_pixel = |x: u32| {
@@ -28,7 +29,7 @@ pub(super) fn roulette(size: [u32; 2], bounces: &[u32]) -> Vec<Panel> {
     let played = panel(size, |x, y| {
         let (bounces, throughput) = of_pixel(x);
         let u = (f64::from(y) + 0.5) / f64::from(size[1]);
-        let survivor = global::play_roulette(throughput, bounces, u);
+        let survivor = (stage.play_roulette)(throughput, bounces, u);
         survivor.map_or(ENDED, |throughput| (throughput * EXPOSURE).to_array())
     });
     // The mean depends on the column of pixels alone.
@@ -36,7 +37,7 @@ pub(super) fn roulette(size: [u32; 2], bounces: &[u32]) -> Vec<Panel> {
         .map(|x| {
             let (bounces, throughput) = of_pixel(x);
             let numbers = (0..NUMBERS).map(|i| (f64::from(i) + 0.5) / f64::from(NUMBERS));
-            let survivors = numbers.filter_map(|u| global::play_roulette(throughput, bounces, u));
+            let survivors = numbers.filter_map(|u| (stage.play_roulette)(throughput, bounces, u));
             survivors.sum::<Spectrum>() / f64::from(NUMBERS)
         })
         .collect();

@@ -3,6 +3,7 @@
 use super::given_light::Lamps;
 use super::{Eye, Panel, panel};
 use crate::panels;
+use crate::stages::Global;
 use kit::sampler::{Pattern, Sampling};
 use kit::{BsdfSample, Material, PixelSampler, Scattering, Spectrum, Surface, Vec2, Vec3, warp};
 use wire::light::LitWorld;
@@ -10,6 +11,7 @@ use wire::picture::{GivenScattering, View};
 
 /// The radiance of paths through a world of rectangles.
 pub(super) fn paths(
+    stage: &Global,
     size: [u32; 2],
     world: &LitWorld,
     view: &View,
@@ -30,7 +32,7 @@ pub(super) fn paths(
         let mut sum = Spectrum::BLACK;
         for _ in 0..samples {
             sampler.start_sample();
-            sum += global::estimate_radiance(
+            sum += (stage.estimate_radiance)(
                 &lit,
                 &ray,
                 max_depth,

@@ -1,20 +1,19 @@
 //! Runs Part 1, tasks 3 and 4: probes of single shapes, and rays through lists of shapes.
 
 use crate::convert;
+use crate::stages::Intersect;
 use harness::{attempt, each_call};
 use kit::PrimId;
 use wire::answer::{HitsAnswer, SphereAnswer, TriangleAnswer};
 use wire::work::{BruteForceWork, SphereWork, TriangleWork};
 
-pub(crate) fn triangles(work: &TriangleWork) -> Vec<TriangleAnswer> {
+pub(crate) fn triangles(stage: &Intersect, work: &TriangleWork) -> Vec<TriangleAnswer> {
     each_call(&work.probes, |_, probe| {
         let triangle = convert::triangle(&work.triangles[probe.shape as usize]);
         let mut ray = convert::ray(&probe.ray);
-        let test = attempt("test_triangle", || {
-            intersect::test_triangle(&triangle, &ray)
-        });
+        let test = attempt("test_triangle", || (stage.test_triangle)(&triangle, &ray));
         let hit = attempt("intersect_triangle", || {
-            intersect::intersect_triangle(&triangle, PrimId(probe.shape), &mut ray)
+            (stage.intersect_triangle)(&triangle, PrimId(probe.shape), &mut ray)
         });
         let (test, hit) = (test.flatten(), hit.flatten());
         TriangleAnswer {
@@ -25,13 +24,13 @@ pub(crate) fn triangles(work: &TriangleWork) -> Vec<TriangleAnswer> {
     })
 }
 
-pub(crate) fn spheres(work: &SphereWork) -> Vec<SphereAnswer> {
+pub(crate) fn spheres(stage: &Intersect, work: &SphereWork) -> Vec<SphereAnswer> {
     each_call(&work.probes, |_, probe| {
         let sphere = convert::sphere(&work.spheres[probe.shape as usize]);
         let mut ray = convert::ray(&probe.ray);
-        let test = attempt("test_sphere", || intersect::test_sphere(&sphere, &ray));
+        let test = attempt("test_sphere", || (stage.test_sphere)(&sphere, &ray));
         let hit = attempt("intersect_sphere", || {
-            intersect::intersect_sphere(&sphere, PrimId(probe.shape), &mut ray)
+            (stage.intersect_sphere)(&sphere, PrimId(probe.shape), &mut ray)
         });
         let (test, hit) = (test.flatten(), hit.flatten());
         SphereAnswer {
@@ -42,7 +41,7 @@ pub(crate) fn spheres(work: &SphereWork) -> Vec<SphereAnswer> {
     })
 }
 
-pub(crate) fn brute_force(work: &BruteForceWork) -> HitsAnswer {
+pub(crate) fn brute_force(stage: &Intersect, work: &BruteForceWork) -> HitsAnswer {
     let triangles: Vec<_> = work.triangles.iter().map(convert::triangle).collect();
     let spheres: Vec<_> = work.spheres.iter().map(convert::sphere).collect();
     let answers = each_call(&work.rays, |_, ray| {
@@ -51,13 +50,13 @@ pub(crate) fn brute_force(work: &BruteForceWork) -> HitsAnswer {
         let mut ids = (0..).map(PrimId);
         for (triangle, id) in triangles.iter().zip(ids.by_ref()) {
             let hit = attempt("intersect_triangle", || {
-                intersect::intersect_triangle(triangle, id, &mut ray)
+                (stage.intersect_triangle)(triangle, id, &mut ray)
             });
             closest = hit.flatten().or(closest);
         }
         for (sphere, id) in spheres.iter().zip((triangles.len() as u32..).map(PrimId)) {
             let hit = attempt("intersect_sphere", || {
-                intersect::intersect_sphere(sphere, id, &mut ray)
+                (stage.intersect_sphere)(sphere, id, &mut ray)
             });
             closest = hit.flatten().or(closest);
         }

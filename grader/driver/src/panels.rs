@@ -2,10 +2,8 @@
 
 use crate::light::{environment, material, scene};
 use kit::scene::NamedLight;
-#[cfg(feature = "direct")]
 use kit::{BsdfSample, Material, Scattering, Spectrum};
 use kit::{Hit, LitScene, PrimId, Ray, Triangle, Vec2, Vec3};
-#[cfg(feature = "direct")]
 use wire::light::scripted_f;
 use wire::light::{Light, LitWorld, Panel};
 
@@ -102,10 +100,8 @@ fn kit_light(light: &Light) -> kit::Light {
 }
 
 /// Scripted scattering: [`scripted_f`] for diffuse surfaces, black for all others.
-#[cfg(feature = "direct")]
 pub(crate) struct ScriptedScattering;
 
-#[cfg(feature = "direct")]
 impl Scattering for ScriptedScattering {
     fn f(&self, material: &Material, wo: Vec3, wi: Vec3) -> Spectrum {
         match material {

@@ -2,6 +2,7 @@
 
 use super::{Eye, Panel, panel};
 use crate::panels;
+use crate::stages::Direct;
 use kit::sampler::{Pattern, Sampling};
 use kit::{Material, PixelSampler, Scattering, Spectrum, Vec2, Vec3};
 use wire::direct::Strategy;
@@ -10,6 +11,7 @@ use wire::picture::{GivenScattering, View};
 
 /// Emission and direct light.
 pub(super) fn direct(
+    stage: &Direct,
     size: [u32; 2],
     world: &LitWorld,
     view: &View,
@@ -37,13 +39,13 @@ pub(super) fn direct(
         let mut radiance = match strategy {
             Strategy::Lights => surface.emitted(wo),
             Strategy::ZeroBounce | Strategy::Hemisphere => {
-                direct::zero_bounce_radiance(&surface, wo)
+                (stage.zero_bounce_radiance)(&surface, wo)
             }
         };
         let (s, f) = (&mut sampler, &GivenDiffuse(scattering));
         radiance += match strategy {
             Strategy::ZeroBounce => Spectrum::BLACK,
-            Strategy::Hemisphere => direct::estimate_direct_lighting_hemisphere(
+            Strategy::Hemisphere => (stage.estimate_direct_lighting_hemisphere)(
                 &lit,
                 &surface,
                 wo,
@@ -52,7 +54,7 @@ pub(super) fn direct(
                 f,
                 &mut |ray| panels::first_hit(world, ray),
             ),
-            Strategy::Lights => direct::estimate_direct_lighting_importance(
+            Strategy::Lights => (stage.estimate_direct_lighting_importance)(
                 &lit,
                 &surface,
                 wo,

@@ -2,6 +2,7 @@
 
 use crate::bvh::kit_tree;
 use crate::convert;
+use crate::stages::OfScenes;
 use kit::{Aabb, Hit, Interval, PrimId, Primitive, Ray, Scene, Vec2, Vec3, World};
 use meshes::{MeshKind, cornell_with, generate};
 use std::hint::black_box;
@@ -10,17 +11,17 @@ use wire::answer::{HitsAnswer, TimingAnswer};
 use wire::work::{SceneSource, SceneWork, TimingWork};
 
 /// Traces the rays through the scene by its tree.
-pub(crate) fn scene_hits(work: &SceneWork) -> Result<HitsAnswer, String> {
+pub(crate) fn scene_hits(stages: OfScenes<'_>, work: &SceneWork) -> Result<HitsAnswer, String> {
     let scene = load(&work.scene)?;
     let tree = kit_tree(&work.tree);
-    let mut world = SceneWorld::new(&scene);
+    let mut world = SceneWorld::new(stages, &scene);
     let answers = harness::each_call(&work.rays, |_, ray| {
         world.limit_tests_of_ray();
         let mut ray = convert::ray(ray);
         let hit = if work.any_hit {
-            bvh::occludes_bvh(&tree, &ray, &mut world).then_some(ANY_HIT)
+            (stages.bvh.occludes_bvh)(&tree, &ray, &mut world).then_some(ANY_HIT)
         } else {
-            bvh::intersect_bvh(&tree, &mut ray, &mut world)
+            (stages.bvh.intersect_bvh)(&tree, &mut ray, &mut world)
         };
         (hit.as_ref().map(convert::wire_hit), ray.max_t)
     });
@@ -66,6 +67,7 @@ pub(crate) fn load(source: &SceneSource) -> Result<Scene, String> {
 /// A scene whose boxes and primitives are tested with the stages `bbox` and `intersect`; it counts
 /// the tests.
 pub(crate) struct SceneWorld<'a> {
+    stages: OfScenes<'a>,
     scene: &'a Scene,
     box_tests: u64,
     prim_tests: u64,
@@ -74,9 +76,10 @@ pub(crate) struct SceneWorld<'a> {
     before_ray: Option<(u64, u64)>,
 }
 
-impl SceneWorld<'_> {
-    pub(crate) fn new(scene: &Scene) -> SceneWorld<'_> {
+impl<'a> SceneWorld<'a> {
+    pub(crate) fn new(stages: OfScenes<'a>, scene: &'a Scene) -> SceneWorld<'a> {
         SceneWorld {
+            stages,
             scene,
             box_tests: 0,
             prim_tests: 0,
@@ -119,15 +122,17 @@ impl World for SceneWorld<'_> {
     #[inline]
     fn hit_box(&mut self, b: &Aabb, ray: &Ray) -> Option<Interval> {
         self.count_box_test();
-        bbox::intersect_bbox(b, ray)
+        (self.stages.bbox.intersect_bbox)(b, ray)
     }
 
     #[inline]
     fn hit_prim(&mut self, id: PrimId, ray: &mut Ray) -> Option<Hit> {
         self.count_prim_test("hit_prim");
         match self.scene.primitive(id) {
-            Primitive::Triangle(triangle) => intersect::intersect_triangle(triangle, id, ray),
-            Primitive::Sphere(sphere) => intersect::intersect_sphere(sphere, id, ray),
+            Primitive::Triangle(triangle) => {
+                (self.stages.intersect.intersect_triangle)(triangle, id, ray)
+            }
+            Primitive::Sphere(sphere) => (self.stages.intersect.intersect_sphere)(sphere, id, ray),
         }
     }
 
@@ -135,8 +140,10 @@ impl World for SceneWorld<'_> {
     fn blocked(&mut self, id: PrimId, ray: &Ray) -> bool {
         self.count_prim_test("blocked");
         match self.scene.primitive(id) {
-            Primitive::Triangle(triangle) => intersect::test_triangle(triangle, ray).is_some(),
-            Primitive::Sphere(sphere) => intersect::test_sphere(sphere, ray).is_some(),
+            Primitive::Triangle(triangle) => {
+                (self.stages.intersect.test_triangle)(triangle, ray).is_some()
+            }
+            Primitive::Sphere(sphere) => (self.stages.intersect.test_sphere)(sphere, ray).is_some(),
         }
     }
 }
@@ -151,7 +158,7 @@ const BATCH: usize = 64;
 /// Times construction, the tree and brute force in alternation, so that a change of the machine's
 /// speed affects all of them. Each timed pass of rays follows an untimed one: construction and
 /// brute force leave other data in the caches.
-pub(crate) fn time(timing: &TimingWork) -> Result<TimingAnswer, String> {
+pub(crate) fn time(stages: OfScenes<'_>, timing: &TimingWork) -> Result<TimingAnswer, String> {
     let scene = load(&timing.scene)?;
     let bounds = scene.primitive_bounds();
     let mut rays: Vec<Ray> = timing.rays.iter().map(convert::ray).collect();
@@ -171,29 +178,29 @@ pub(crate) fn time(timing: &TimingWork) -> Result<TimingAnswer, String> {
     answer.brute_rays = sample.len() as u64;
     for round in 0..timing.rounds {
         let started = Instant::now();
-        let tree = bvh::construct_bvh(&bounds, timing.max_leaf_size as usize);
+        let tree = (stages.bvh.construct_bvh)(&bounds, timing.max_leaf_size as usize);
         answer.build_s.push(started.elapsed().as_secs_f64());
 
-        let mut world = SceneWorld::new(&scene);
+        let mut world = SceneWorld::new(stages, &scene);
         if round == 0 {
-            rays.truncate(count(&tree, &rays, &mut world, &mut answer));
+            rays.truncate(count(stages, &tree, &rays, &mut world, &mut answer));
             let through_tree = sample
                 .iter()
-                .map(|ray| bvh::intersect_bvh(&tree, &mut { *ray }, &mut world));
+                .map(|ray| (stages.bvh.intersect_bvh)(&tree, &mut { *ray }, &mut world));
             let differs = through_tree.zip(&sample).filter(|(hit, ray)| {
-                hit.as_ref().map(|hit| hit.t) != brute_force(&scene, ray).map(|hit| hit.t)
+                hit.as_ref().map(|hit| hit.t) != brute_force(stages, &scene, ray).map(|hit| hit.t)
             });
             answer.differing_hits = differs.count() as u64;
         }
         answer.tree_s.push(time_second_pass(|| {
             for (done, ray) in rays.iter().enumerate() {
                 harness::call(done);
-                black_box(bvh::intersect_bvh(&tree, &mut { *ray }, &mut world));
+                black_box((stages.bvh.intersect_bvh)(&tree, &mut { *ray }, &mut world));
             }
         }));
         answer.brute_s.push(time_second_pass(|| {
             for ray in &sample {
-                black_box(brute_force(&scene, ray));
+                black_box(brute_force(stages, &scene, ray));
             }
         }));
     }
@@ -211,6 +218,7 @@ fn time_second_pass(mut pass: impl FnMut()) -> f64 {
 /// Counts hits and tests of the rays through the tree, until [`TREE_TIME`] is over. Returns the
 /// number of rays.
 fn count(
+    stages: OfScenes<'_>,
     tree: &kit::Bvh,
     rays: &[Ray],
     world: &mut SceneWorld,
@@ -222,7 +230,7 @@ fn count(
         for ray in batch {
             harness::call(done);
             done += 1;
-            let hit = bvh::intersect_bvh(tree, &mut { *ray }, world);
+            let hit = (stages.bvh.intersect_bvh)(tree, &mut { *ray }, world);
             answer.tree_hits += u64::from(hit.is_some());
         }
         if started.elapsed() > TREE_TIME {
@@ -242,11 +250,11 @@ fn evenly(rays: &[Ray], count: usize) -> Vec<Ray> {
 }
 
 /// The closest hit, by testing every primitive in order.
-fn brute_force(scene: &Scene, ray: &Ray) -> Option<Hit> {
+fn brute_force(stages: OfScenes<'_>, scene: &Scene, ray: &Ray) -> Option<Hit> {
     let mut ray = *ray;
     let mut closest = None;
     for (triangle, id) in scene.triangles.iter().zip((0..).map(PrimId)) {
-        closest = intersect::intersect_triangle(triangle, id, &mut ray).or(closest);
+        closest = (stages.intersect.intersect_triangle)(triangle, id, &mut ray).or(closest);
     }
     closest
 }

@@ -1,6 +1,7 @@
 //! The picture of Part 4, task 1.
 
 use super::{Panel, panel};
+use crate::stages::Global;
 use kit::{BsdfSample, Frame, Spectrum, Vec3};
 
 /// Index of refraction of the glass.
@@ -20,12 +21,12 @@ const FLOOR: f64 = -1.0;
 
 /// A mirror ball and a glass ball; then bands of the Fresnel reflectance and of refracted
 /// directions over the cosine.
-pub(super) fn specular(size: [u32; 2]) -> Vec<Panel> {
-    vec![balls(size), bands(size)]
+pub(super) fn specular(stage: &Global, size: [u32; 2]) -> Vec<Panel> {
+    vec![balls(stage, size), bands(stage, size)]
 }
 
 /// The balls, in a parallel projection that looks down a little.
-fn balls(size: [u32; 2]) -> Panel {
+fn balls(stage: &Global, size: [u32; 2]) -> Panel {
     let forward = Vec3::new(0.0, -0.28, -0.96);
     let up = Vec3::new(0.0, 0.96, -0.28);
     let [w, h] = size.map(f64::from);
@@ -41,8 +42,8 @@ fn balls(size: [u32; 2]) -> Panel {
                 let n = a * Vec3::X + rise * up - height2.sqrt() * forward;
                 let centre = centre * Vec3::X;
                 return match is_glass {
-                    true => through_glass(centre, n, forward),
-                    false => mirrored(centre, n, forward),
+                    true => through_glass(stage, centre, n, forward),
+                    false => mirrored(stage, centre, n, forward),
                 }
                 .to_array();
             }
@@ -52,17 +53,17 @@ fn balls(size: [u32; 2]) -> Panel {
 }
 
 /// What is seen in the mirror at the point `n` of the unit ball.
-fn mirrored(centre: Vec3, n: Vec3, d: Vec3) -> Spectrum {
+fn mirrored(stage: &Global, centre: Vec3, n: Vec3, d: Vec3) -> Spectrum {
     let frame = Frame::around(n);
     let tint = Spectrum::new(0.9, 0.85, 0.75);
-    match global::mirror_sample(tint, frame.to_local(-d)) {
+    match (stage.mirror_sample)(tint, frame.to_local(-d)) {
         Some(sample) => sample.weight() * surroundings(centre + n, frame.to_world(sample.wi)),
         None => Spectrum::BLACK,
     }
 }
 
 /// What is seen through the glass at the point `n` of the unit ball: the mean of some paths.
-fn through_glass(centre: Vec3, n: Vec3, d: Vec3) -> Spectrum {
+fn through_glass(stage: &Global, centre: Vec3, n: Vec3, d: Vec3) -> Spectrum {
     let paths = (0..PATHS).map(|path| {
         let (mut n, mut d) = (n, d);
         let mut throughput = Spectrum::WHITE;
@@ -71,7 +72,7 @@ fn through_glass(centre: Vec3, n: Vec3, d: Vec3) -> Spectrum {
             // Regular at the first boundary, and unrelated to it at the others.
             let turn = f64::from(path) * 0.618_034 * f64::from(boundary);
             let choice = ((f64::from(path) + 0.5) / f64::from(PATHS) + turn).fract();
-            let Some(sample) = glass(frame.to_local(-d), choice) else {
+            let Some(sample) = glass(stage, frame.to_local(-d), choice) else {
                 return Spectrum::BLACK;
             };
             throughput *= sample.weight();
@@ -87,8 +88,8 @@ fn through_glass(centre: Vec3, n: Vec3, d: Vec3) -> Spectrum {
     paths.sum::<Spectrum>() / f64::from(PATHS)
 }
 
-fn glass(wo: Vec3, choice: f64) -> Option<BsdfSample> {
-    global::glass_sample(Spectrum::WHITE, Spectrum::WHITE, GLASS, wo, choice)
+fn glass(stage: &Global, wo: Vec3, choice: f64) -> Option<BsdfSample> {
+    (stage.glass_sample)(Spectrum::WHITE, Spectrum::WHITE, GLASS, wo, choice)
 }
 
 /// The radiance from `p` along `d`: a chequered floor, or a sky with a red wall of light on the
@@ -116,7 +117,7 @@ fn surroundings(p: Vec3, d: Vec3) -> Spectrum {
 
 /// From the top: `fresnel_dielectric` for four ratios `eta`, the direction of `refract` for two
 /// `ior`; the cosine of the angle to the normal falls from 1 (left) to 0 (right).
-fn bands(size: [u32; 2]) -> Panel {
+fn bands(stage: &Global, size: [u32; 2]) -> Panel {
     const ETAS: [f64; 4] = [1.0 / GLASS, GLASS, 1.0, 2.4];
     const IORS: [f64; 2] = [GLASS, 1.0 / GLASS];
     let height = size[1] / 6;
@@ -127,11 +128,11 @@ fn bands(size: [u32; 2]) -> Panel {
             return [0.0; 3];
         }
         match ETAS.get(band) {
-            Some(&eta) => [0.05 + 0.6 * global::fresnel_dielectric(cos, eta); 3],
+            Some(&eta) => [0.05 + 0.6 * (stage.fresnel_dielectric)(cos, eta); 3],
             None => {
                 let wo = Vec3::new((1.0 - cos * cos).max(0.0).sqrt(), 0.0, cos);
                 let ior = IORS[(band - ETAS.len()).min(1)];
-                match global::refract(wo, ior) {
+                match (stage.refract)(wo, ior) {
                     Some(wi) => (0.35 * wi + 0.35).to_array(),
                     None => [0.0; 3],
                 }

@@ -2,12 +2,14 @@
 
 use super::{Eye, Panel, direction_colour, nearness, two_panels};
 use crate::convert;
+use crate::stages::Intersect;
 use kit::PrimId;
 use wire::picture::View;
 use wire::work::Xyz;
 
 /// The closest hits of all shapes: normals, then distances. Misses are black.
 pub(super) fn closest(
+    stage: &Intersect,
     size: [u32; 2],
     triangles: &[[Xyz; 6]],
     spheres: &[(Xyz, f64)],
@@ -22,10 +24,10 @@ pub(super) fn closest(
         let mut closest = None;
         let mut ids = (0..).map(PrimId);
         for (triangle, id) in triangles.iter().zip(ids.by_ref()) {
-            closest = intersect::intersect_triangle(triangle, id, &mut ray).or(closest);
+            closest = (stage.intersect_triangle)(triangle, id, &mut ray).or(closest);
         }
         for (sphere, id) in spheres.iter().zip((triangles.len() as u32..).map(PrimId)) {
-            closest = intersect::intersect_sphere(sphere, id, &mut ray).or(closest);
+            closest = (stage.intersect_sphere)(sphere, id, &mut ray).or(closest);
         }
         closest.map_or([[0.0; 3]; 2], |hit| {
             [direction_colour(hit.n), [nearness(hit.t, range); 3]]

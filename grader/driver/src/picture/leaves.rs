@@ -1,18 +1,24 @@
 //! The picture of Part 2, task 1.
 
 use super::{Panel, heat};
+use crate::stages;
 use kit::{Aabb, Bvh, NodeKind, Vec3};
 use wire::work::Xyz;
 
 /// A mesh in the colours of its leaves, then of their depths. Triangles in no leaf are left out.
-pub(super) fn leaves(size: [u32; 2], triangles: &[[Xyz; 3]], max_leaf_size: u32) -> Vec<Panel> {
+pub(super) fn leaves(
+    stage: &stages::Bvh,
+    size: [u32; 2],
+    triangles: &[[Xyz; 3]],
+    max_leaf_size: u32,
+) -> Vec<Panel> {
     let triangles: Vec<[Vec3; 3]> = triangles.iter().map(|t| t.map(Vec3::from)).collect();
     let bounds_of = |corners: &[Vec3; 3]| Aabb {
         min: corners[0].min(corners[1]).min(corners[2]),
         max: corners[0].max(corners[1]).max(corners[2]),
     };
     let bounds: Vec<Aabb> = triangles.iter().map(bounds_of).collect();
-    let tree = bvh::construct_bvh(&bounds, max_leaf_size as usize);
+    let tree = (stage.construct_bvh)(&bounds, max_leaf_size as usize);
     let all = bounds.iter().fold(Aabb::EMPTY, |all, b| all.union(*b));
     let places = places(&tree, triangles.len());
     // The depth of a tree whose leaves are all full, twice.

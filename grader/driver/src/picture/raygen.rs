@@ -2,11 +2,12 @@
 
 use super::{Panel, direction_colour, panel};
 use crate::raygen::kit_camera;
+use crate::stages::Raygen;
 use kit::{FilmSize, PixelSampler, Ray, Spectrum, Vec2, Vec3, math};
 use wire::work::Camera;
 
 /// A panel for each number of samples.
-pub(super) fn sample_loop(size: [u32; 2], samples: &[u32]) -> Vec<Panel> {
+pub(super) fn sample_loop(stage: &Raygen, size: [u32; 2], samples: &[u32]) -> Vec<Panel> {
     let film = FilmSize {
         w: size[0],
         h: size[1],
@@ -14,7 +15,7 @@ pub(super) fn sample_loop(size: [u32; 2], samples: &[u32]) -> Vec<Panel> {
     let mut of_point = |ray: &Ray, _: &mut PixelSampler| world(Vec2::new(ray.o.x, ray.o.y));
     let each = samples.iter().map(|&ns_aa| {
         panel(size, |x, y| {
-            let estimate = raygen::raytrace_pixel(
+            let estimate = (stage.raytrace_pixel)(
                 x,
                 y,
                 film,
@@ -48,12 +49,12 @@ const GRID: f64 = 10.0;
 const LINE: f64 = 0.5;
 
 /// The directions of a camera's rays.
-pub(super) fn camera_rays(size: [u32; 2], camera: &Camera) -> Vec<Panel> {
+pub(super) fn camera_rays(stage: &Raygen, size: [u32; 2], camera: &Camera) -> Vec<Panel> {
     let camera = kit_camera(camera);
     let share = |place: u32, count: u32| (f64::from(place) + 0.5) / f64::from(count);
     vec![panel(size, |x, y| {
         let sensor = Vec2::new(share(x, size[0]), share(y, size[1]));
-        let d = raygen::generate_ray(&camera, sensor).d;
+        let d = (stage.generate_ray)(&camera, sensor).d;
         let level = Vec2::new(d.x, d.z).length();
         let latitude = math::atan2(d.y, level).to_degrees();
         let longitude = math::atan2(d.x, -d.z).to_degrees();

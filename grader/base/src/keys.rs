@@ -4,6 +4,8 @@
 //! turns both off while it lives. Ctrl-C still ends the program, and puts the terminal back as it
 //! was.
 
+use std::sync::LazyLock;
+
 /// The terminal passes on each key at once. Dropping this puts it back as it was.
 #[derive(Debug)]
 pub struct SingleKeys(());
@@ -23,20 +25,28 @@ impl Drop for SingleKeys {
 }
 
 /// What the terminal of stdin and stdout says that it can: the numbers of its primary device
-/// attributes (DA1). None, if there is no terminal or it does not answer in a moment.
-pub fn device_attributes() -> Vec<u32> {
-    let Some(_raw) = SingleKeys::start() else {
-        return Vec::new();
-    };
-    attributes_in(&terminal::answer_to("\x1b[c", b'c'))
+/// attributes (DA1). None, if there is no terminal, it does not answer in a moment, or somebody
+/// types already, whose keys would be read with the answer.
+pub fn device_attributes() -> &'static [u32] {
+    /// A program asks once: a terminal that does not answer makes it wait once.
+    static ATTRIBUTES: LazyLock<Vec<u32>> = LazyLock::new(|| {
+        let raw = SingleKeys::start();
+        let answer =
+            raw.map(|_raw| terminal::answer_to("\x1b[c", |text| numbers_in(text).is_some()));
+        let numbers = answer.as_deref().and_then(numbers_in);
+        numbers
+            .into_iter()
+            .flat_map(|text| text.split(';'))
+            .filter_map(|text| text.parse().ok())
+            .collect()
+    });
+    &ATTRIBUTES
 }
 
-/// The numbers of an answer such as `\x1b[?62;4;22c`.
-fn attributes_in(answer: &str) -> Vec<u32> {
-    let start = answer.rfind("\x1b[?").map(|start| &answer[start + 3..]);
-    let numbers = start.and_then(|rest| rest.strip_suffix('c'));
-    let numbers = numbers.into_iter().flat_map(|numbers| numbers.split(';'));
-    numbers.filter_map(|number| number.parse().ok()).collect()
+/// The numbers of a whole answer such as `\x1b[?62;4;22c`.
+fn numbers_in(answer: &str) -> Option<&str> {
+    let start = answer.rfind("\x1b[?")? + 3;
+    answer[start..].strip_suffix('c')
 }
 
 /// Puts the terminal back as it was before [`SingleKeys::start`].
@@ -46,6 +56,7 @@ pub(crate) fn restore_terminal() {
 
 #[cfg(unix)]
 mod terminal {
+    use rustix::io::ioctl_fionread;
     use rustix::termios::{
         LocalModes, OptionalActions, SpecialCodeIndex, Termios, isatty, tcgetattr, tcsetattr,
     };
@@ -76,11 +87,12 @@ mod terminal {
         is_set
     }
 
-    /// What the terminal answers to `question`, up to the byte `end`. [`start`] was called.
-    pub(super) fn answer_to(question: &str, end: u8) -> String {
+    /// What the terminal answers to `question`, until it `is_whole`. [`start`] was called.
+    pub(super) fn answer_to(question: &str, is_whole: impl Fn(&str) -> bool) -> String {
         let stdin = std::io::stdin();
-        let mut answer = Vec::new();
-        if let Ok(mut waiting) = tcgetattr(&stdin) {
+        let mut answer = String::new();
+        let is_idle = ioctl_fionread(&stdin) == Ok(0);
+        if let (true, Ok(mut waiting)) = (is_idle, tcgetattr(&stdin)) {
             waiting.special_codes[SpecialCodeIndex::VMIN] = 0;
             waiting.special_codes[SpecialCodeIndex::VTIME] = PATIENCE;
             let is_set = tcsetattr(&stdin, OptionalActions::Now, &waiting).is_ok();
@@ -91,13 +103,13 @@ mod terminal {
             while is_set
                 && is_asked.is_ok()
                 && answer.len() < LONGEST
-                && answer.last() != Some(&end)
+                && !is_whole(&answer)
                 && rustix::io::read(&stdin, &mut byte) == Ok(1)
             {
-                answer.push(byte[0]);
+                answer.push(char::from(byte[0]));
             }
         }
-        String::from_utf8_lossy(&answer).into_owned()
+        answer
     }
 
     pub(super) fn restore() {
@@ -113,7 +125,7 @@ mod terminal {
         false
     }
 
-    pub(super) fn answer_to(_: &str, _: u8) -> String {
+    pub(super) fn answer_to(_: &str, _: impl Fn(&str) -> bool) -> String {
         String::new()
     }
 
@@ -125,12 +137,12 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_attributes_of_a_terminal_are_numbers() {
-        assert_eq!(attributes_in("\x1b[?62;4;22c"), [62, 4, 22]);
+    fn the_answer_of_a_terminal_is_known_when_it_is_whole() {
+        assert_eq!(numbers_in("\x1b[?62;4;22c"), Some("62;4;22"));
         // A key was pressed before the terminal answered.
-        assert_eq!(attributes_in("x\x1b[?1;2c"), [1, 2]);
-        for other in ["", "\x1b[?62;4", "62;4c", "\x1b[?c"] {
-            assert_eq!(attributes_in(other), [0; 0], "{other:?}");
+        assert_eq!(numbers_in("c\x1b[?1;2c"), Some("1;2"));
+        for other in ["", "c", "\x1b[?62;4", "62;4c"] {
+            assert_eq!(numbers_in(other), None, "{other:?}");
         }
     }
 }

@@ -36,7 +36,7 @@ pub fn shown(
     picture: &Image,
     columns: u32,
     environment: impl Fn(&str) -> Option<String>,
-    attributes: impl FnOnce() -> Vec<u32>,
+    attributes: impl FnOnce() -> &'static [u32],
 ) -> Option<String> {
     let colours = colours(&environment)?;
     let is = |name: &str, values: &[&str]| {
@@ -227,7 +227,7 @@ mod tests {
                 let found = set.iter().find(|(known, _)| *known == name);
                 found.map(|(_, value)| (*value).to_string())
             };
-            shown(&picture, 64, of, || vec![62, 22])
+            shown(&picture, 64, of, || &[62, 22])
         };
         let kitty = shown(&[("TERM", "xterm-kitty")]).expect("a picture");
         assert!(
@@ -254,12 +254,73 @@ mod tests {
         // Blue has one pixel, the first; red has the other rows of its column, and then all six.
         let bands = "#215;2;100;100;100#5!1@!4?$#180!1}!4~$-#215!5@$-\x1b\\\n";
         assert!(sixels.ends_with(bands), "{sixels}");
-        let in_terminal = |attributes: Vec<u32>| {
+        let in_terminal = |attributes: &'static [u32]| {
             let of = |name: &str| (name == "COLORTERM").then(|| "truecolor".to_string());
             shown(&picture, 80, of, || attributes).expect("a picture")
         };
-        assert_eq!(in_terminal(vec![62, 4, 22]), sixels);
-        assert!(in_terminal(vec![62, 22]).contains('▀'));
+        assert_eq!(in_terminal(&[62, 4, 22]), sixels);
+        assert!(in_terminal(&[62, 22]).contains('▀'));
+    }
+
+    /// The pixels that a terminal draws of `sixels`, row by row, and the size that they give: a reader
+    /// of its own, by the manual.
+    fn drawn(sixels: &str) -> ([usize; 2], Vec<Option<[u8; 3]>>) {
+        let body = sixels.strip_prefix("\x1bP0;1q").expect("it begins");
+        let mut body = body
+            .strip_suffix("\x1b\\\n")
+            .expect("it ends")
+            .chars()
+            .peekable();
+        let mut size = [0, 0];
+        let mut pixels = Vec::new();
+        let mut palette = BTreeMap::new();
+        let (mut x, mut top, mut colour, mut times) = (0, 0, 0, 1);
+        while let Some(control) = body.next() {
+            let mut numbers = String::new();
+            while let Some(c) = body.next_if(|c| c.is_ascii_digit() || *c == ';') {
+                numbers.push(c);
+            }
+            let numbers: Vec<usize> = numbers.split(';').filter_map(|n| n.parse().ok()).collect();
+            match (control, &numbers[..]) {
+                ('"', &[1, 1, w, h]) => {
+                    size = [w, h];
+                    pixels = vec![None; w * h];
+                }
+                ('#', &[number]) => colour = number,
+                ('#', &[number, 2, r, g, b]) => {
+                    let channel = |percent: usize| (percent * 255 / 100) as u8;
+                    palette.insert(number, [r, g, b].map(channel));
+                }
+                ('!', &[count]) => times = count,
+                ('$', []) => x = 0,
+                ('-', []) => (x, top) = (0, top + 6),
+                ('?'..='~', []) => {
+                    let bits = control as usize - '?' as usize;
+                    for _ in 0..times {
+                        for y in (0..6).filter(|row| bits >> row & 1 == 1) {
+                            pixels[(top + y) * size[0] + x] = Some(palette[&colour]);
+                        }
+                        x += 1;
+                    }
+                    times = 1;
+                }
+                other => panic!("{other:?}"),
+            }
+        }
+        (size, pixels)
+    }
+
+    #[test]
+    fn sixels_are_the_pixels_of_the_picture() {
+        // The levels of the palette, which no dither changes.
+        let colour = |x: u32, y: u32| [x % 6, (x + y) % 6, y % 6].map(|level| 51 * level as u8);
+        for [w, h] in [[1, 1], [13, 6], [40, 20], [7, 12]] {
+            let picture = Image::from_fn([w, h], colour);
+            let (size, pixels) = drawn(&as_sixels(&picture));
+            assert_eq!(size, [w as usize, h as usize]);
+            let expected = (0..h).flat_map(|y| (0..w).map(move |x| Some(colour(x, y))));
+            assert!(pixels.into_iter().eq(expected), "{w} x {h}");
+        }
     }
 
     #[test]

@@ -74,6 +74,8 @@ pub(super) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
         .get_one::<String>(TASK)
         .filter(|what| is_scene(what))
     {
+        // Before the program is built, which takes a minute the first time.
+        std::fs::File::open(scene).map_err(|e| GraderError::file("read", Path::new(scene), e))?;
         return subprogram::run(PREVIEW, vec![scene.into()]);
     }
     // A picture gives no points: that it differs is no failure.

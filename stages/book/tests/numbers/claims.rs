@@ -428,6 +428,7 @@ const GIVEN: &[(&str, &str)] = &[
     ("part4/task3.md", "a largest channel of 1.25"),
     ("part4/task3.md", "survive with at most 95 %"),
     ("part5/task1.md", "Without the factor 1.96"),
+    ("part5/task1.md", "1.96 times the standard error"),
     (
         "part5/task1.md",
         "with a confidence of about 95 %, $$\\lvert \\mu - I \\rvert \\le 1.96 \\, s.$$",

@@ -180,7 +180,10 @@ fn a_student_writes_a_task() {
 
     // After it, `practice` shows mistakes; before them it judges the student's own examples.
     let asked = practice(&course, "q\n");
-    assert!(asked.contains(" mistakes. Left is the right picture"), "{asked}");
+    assert!(
+        asked.contains(" mistakes. Left is the right picture"),
+        "{asked}"
+    );
     assert!(!asked.contains("examples"), "{asked}");
     let examples = course.join("stages/raygen/examples.toml");
     let wrong = "[[pixel]]\nfilm = [2, 2]\npixel = [0, 0]\nexpected = [0.5, 0.5]\n";

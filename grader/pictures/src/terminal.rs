@@ -5,6 +5,8 @@
 use crate::Image;
 use crate::image::Rgb;
 use crate::png;
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
@@ -48,7 +50,7 @@ pub fn shown(
         return Some(as_kitty_reads(picture, columns));
     }
     if is_direct && is("TERM_PROGRAM", &["iTerm.app", "WezTerm"]) {
-        let file = base64(&png::encode(picture));
+        let file = STANDARD.encode(png::encode(picture));
         return Some(format!(
             "\x1b]1337;File=inline=1;width={columns}:{file}\x07\n"
         ));
@@ -67,7 +69,7 @@ const COLUMN_WIDTH: u32 = 8;
 
 /// The picture in the protocol of kitty: in pieces of at most 4,096 characters.
 fn as_kitty_reads(picture: &Image, columns: u32) -> String {
-    let file = base64(&png::encode(picture));
+    let file = STANDARD.encode(png::encode(picture));
     let mut pieces = file.as_bytes().chunks(4096).peekable();
     let mut keys = format!("a=T,f=100,q=2,c={columns},");
     let mut text = String::new();
@@ -117,23 +119,6 @@ fn dithered(channel: u8, x: u32, y: u32) -> u32 {
     const ORDER: [[u32; 4]; 4] = [[0, 8, 2, 10], [12, 4, 14, 6], [3, 11, 1, 9], [15, 7, 13, 5]];
     let threshold = 16 * ORDER[(y % 4) as usize][(x % 4) as usize] + 7;
     (u32::from(channel) * 5 + threshold) / 255
-}
-
-/// Bytes as text (RFC 4648).
-fn base64(bytes: &[u8]) -> String {
-    const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    let digits = bytes.chunks(3).flat_map(|three| {
-        let byte = |at: usize| u32::from(three.get(at).copied().unwrap_or(0));
-        let bits = byte(0) << 16 | byte(1) << 8 | byte(2);
-        [18, 12, 6, 0]
-            .into_iter()
-            .enumerate()
-            .map(move |(at, shift)| match at <= three.len() {
-                true => char::from(DIGITS[(bits >> shift & 63) as usize]),
-                false => '=',
-            })
-    });
-    digits.collect()
 }
 
 /// The picture as text of at most `columns` columns, scaled down if it is wider.
@@ -218,9 +203,6 @@ mod tests {
 
     #[test]
     fn terminals_that_show_files_get_the_file() {
-        for (bytes, text) in [("", ""), ("f", "Zg=="), ("fo", "Zm8="), ("foo", "Zm9v")] {
-            assert_eq!(base64(bytes.as_bytes()), text);
-        }
         let picture = Image::from_fn([100, 100], |x, y| [(x * y) as u8, (x ^ y) as u8, 9]);
         let shown = |set: &'static [(&str, &str)]| {
             let of = |name: &str| {
@@ -266,21 +248,20 @@ mod tests {
     /// of its own, by the manual.
     fn drawn(sixels: &str) -> ([usize; 2], Vec<Option<[u8; 3]>>) {
         let body = sixels.strip_prefix("\x1bP0;1q").expect("it begins");
-        let mut body = body
-            .strip_suffix("\x1b\\\n")
-            .expect("it ends")
-            .chars()
-            .peekable();
+        let controls = body.strip_suffix("\x1b\\\n").expect("it ends");
+        let mut controls = controls.chars().peekable();
         let mut size = [0, 0];
         let mut pixels = Vec::new();
         let mut palette = BTreeMap::new();
         let (mut x, mut top, mut colour, mut times) = (0, 0, 0, 1);
-        while let Some(control) = body.next() {
-            let mut numbers = String::new();
-            while let Some(c) = body.next_if(|c| c.is_ascii_digit() || *c == ';') {
-                numbers.push(c);
+        while let Some(control) = controls.next() {
+            let mut parameters = String::new();
+            while let Some(c) = controls.next_if(|c| c.is_ascii_digit() || *c == ';') {
+                parameters.push(c);
             }
-            let numbers: Vec<usize> = numbers.split(';').filter_map(|n| n.parse().ok()).collect();
+            let numbers: Vec<usize> = (parameters.split(';'))
+                .filter_map(|number| number.parse().ok())
+                .collect();
             match (control, &numbers[..]) {
                 ('"', &[1, 1, w, h]) => {
                     size = [w, h];

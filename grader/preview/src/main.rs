@@ -42,14 +42,18 @@ fn run(file: &Path) -> Result<Exit, GraderError> {
     let root = BuildRoot::of(&workspace);
     let workers = WorkerSet::build(&root, &[STAGE], false)?;
     let start = Instant::now();
-    let answers: Result<Vec<PictureAnswer>, Status> = match workers.workers(STAGE) {
+    let drawn = match workers.workers(STAGE) {
         None => Err(Status::DoesNotCompile),
         Some(of_stage) => answers_of(&course, &tiles.pictures, &of_stage.stage)?
             .into_iter()
             .collect(),
     };
-    let answers = match answers {
+    let answers: Vec<PictureAnswer> = match drawn {
         Ok(answers) => answers,
+        Err(Status::NotAttempted) => {
+            outln!("{task} is not written yet, and the picture needs it.");
+            return Ok(Exit::Failed);
+        }
         Err(status) => {
             outln!("{}", without_picture(&status, task));
             return Ok(Exit::Failed);

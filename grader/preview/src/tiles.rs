@@ -124,8 +124,8 @@ fn tiles_of(
         let place = camera.c2w.transpose() * (*point - camera.pos);
         is_in_front &= place.z < 0.0;
         for axis in 0..2 {
-            let at = (place[axis] / (-place.z * extent[axis]) + 1.0) / 2.0;
-            let at = at * f64::from(count[axis]);
+            let sensor = (place[axis] / (-place.z * extent[axis]) + 1.0) / 2.0;
+            let at = sensor * f64::from(count[axis]);
             range[axis] = [range[axis][0].min(at), range[axis][1].max(at)];
         }
     }

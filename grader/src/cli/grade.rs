@@ -237,6 +237,11 @@ fn next_open_task(
         if let Some(task) = to_go_on_with(incomplete, &known) {
             let what = task.result.key.clone();
             complete.push(task);
+            let place = |task: &TaskReport| {
+                let mut known = known.iter();
+                known.position(|known| known.place.key == task.result.key)
+            };
+            complete.sort_by_key(place);
             *report = Report::new(complete, report.speedups.take());
             return Ok((GradeRequest { what, seed }, run));
         }
@@ -333,5 +338,56 @@ impl GradedRun {
             printed: self.graded.printed.clone(),
             changed_given: given::changed(workspace)?,
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::course::sources::Place;
+    use crate::progress::results::TaskScore;
+    use crate::score::TaskResult;
+
+    /// The key of the task that a stage goes on with, whose tasks have these results; `scores` are
+    /// those of the reports before, of at most 5.
+    fn gone_on_with(status: Status, scores: [f64; 2]) -> String {
+        let keys = ["part1.task1", "part1.task2"];
+        let known = keys.iter().zip(scores).map(|(key, score)| Known {
+            place: Place {
+                key: (*key).into(),
+                title: String::new(),
+                file: None,
+                open: Vec::new(),
+                has_hole: false,
+            },
+            last: Some(TaskScore::of(score, 5.0)),
+            changed: true,
+        });
+        let reports = keys.map(|key| {
+            TaskReport::from(TaskResult {
+                key: key.into(),
+                title: String::new(),
+                score: 0.0,
+                max_score: 5.0,
+                robust_score: 0.0,
+                robust_max_score: 0.0,
+                status: status.clone(),
+                stage: "raygen".into(),
+                functions: Vec::new(),
+                cases: Vec::new(),
+            })
+        });
+        let task = to_go_on_with(reports.into(), &known.collect::<Vec<_>>());
+        task.expect("one is incomplete").result.key
+    }
+
+    #[test]
+    fn a_stage_that_does_not_compile_is_that_of_the_task_in_work() {
+        let broken = Status::DoesNotCompile;
+        assert_eq!(gone_on_with(broken.clone(), [5.0, 1.0]), "part1.task2");
+        assert_eq!(gone_on_with(broken.clone(), [1.0, 1.0]), "part1.task1");
+        assert_eq!(gone_on_with(broken, [5.0, 5.0]), "part1.task1");
+        // A wrong answer is that of its own task.
+        assert_eq!(gone_on_with(Status::Failed, [5.0, 1.0]), "part1.task1");
     }
 }

@@ -2,8 +2,8 @@
 
 use super::picture::{task_argument, task_of};
 use super::{asking, examples, gym, predict};
-use crate::course::sources;
 use crate::course::Course;
+use crate::course::sources;
 use crate::examples as own;
 use base::program::Exit;
 use base::{GraderError, Workspace, outln};
@@ -66,7 +66,10 @@ fn line_of(name: &str, task: &str, matches: &ArgMatches) -> Vec<String> {
         .get_one::<u64>("seed")
         .filter(|_| name != examples::NAME)
         .map(|seed| format!("--seed={seed}"));
-    [name.to_owned(), task.to_owned()].into_iter().chain(seed).collect()
+    [name.to_owned(), task.to_owned()]
+        .into_iter()
+        .chain(seed)
+        .collect()
 }
 
 /// The command of an exercise and what runs it.
@@ -91,7 +94,10 @@ mod tests {
             let matches = command().try_get_matches_from(line).expect("it is read");
             let line = line_of(name, "part1.task3", &matches);
             assert!(own.try_get_matches_from(&line).is_ok(), "{line:?}");
-            assert_eq!(line.contains(&"--seed=7".to_owned()), name != examples::NAME);
+            assert_eq!(
+                line.contains(&"--seed=7".to_owned()),
+                name != examples::NAME
+            );
         }
         let other = ["practice", "part1.task3", "--only", "sleep"];
         assert!(command().try_get_matches_from(other).is_err());

@@ -327,6 +327,7 @@ fn no_command_of_the_grader_compiles_the_grader_again() {
         "export",
         "formats",
         "handout",
+        "preview",
         "review",
         "submission",
     ] {

@@ -248,8 +248,8 @@ mod tests {
     /// of its own, by the manual.
     fn drawn(sixels: &str) -> ([usize; 2], Vec<Option<[u8; 3]>>) {
         let body = sixels.strip_prefix("\x1bP0;1q").expect("it begins");
-        let controls = body.strip_suffix("\x1b\\\n").expect("it ends");
-        let mut controls = controls.chars().peekable();
+        let content = body.strip_suffix("\x1b\\\n").expect("it ends");
+        let mut controls = content.chars().peekable();
         let mut size = [0, 0];
         let mut pixels = Vec::new();
         let mut palette = BTreeMap::new();

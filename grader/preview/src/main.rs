@@ -14,9 +14,10 @@ use grader::grade::picture::answers_of;
 use grader::score::Status;
 use grader::workers::worker_set::WorkerSet;
 use judge::plural;
-use kit::FilmSize;
+use kit::{FilmSize, Scene};
 use pictures::{light, png};
-use std::path::Path;
+use scenes::Loaded;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Instant;
 use tiles::Tiles;
@@ -29,16 +30,25 @@ const STAGE: &str = "intersect";
 const FILM: FilmSize = FilmSize { w: 640, h: 480 };
 
 fn main() -> ExitCode {
-    run_to_exit_code(|| match std::env::args_os().nth(1) {
-        Some(file) => run(Path::new(&file)),
-        None => Err(GraderError::new("expected a scene file")),
-    })
+    let Some(file) = std::env::args_os().nth(1).map(PathBuf::from) else {
+        return run_to_exit_code(|| Err(GraderError::new("expected a scene file")));
+    };
+    match scenes::load(&file) {
+        Ok(loaded) => run_to_exit_code(|| run(&file, &loaded)),
+        Err(why) => {
+            errln!("{why}");
+            ExitCode::from(2)
+        }
+    }
 }
 
-fn run(file: &Path) -> Result<Exit, GraderError> {
+fn run(file: &Path, loaded: &Loaded) -> Result<Exit, GraderError> {
+    for warning in &loaded.warnings {
+        errln!("{warning}");
+    }
     let workspace = Workspace::above(Path::new("."))?;
     let course = Course::read(&workspace)?;
-    let Question { task, count, tiles } = Question::of(file, FILM)?;
+    let Question { task, count, tiles } = Question::of(file, &loaded.scene, FILM)?;
     let root = BuildRoot::of(&workspace);
     let workers = WorkerSet::build(&root, &[STAGE], false)?;
     let start = Instant::now();
@@ -83,13 +93,8 @@ struct Question {
 }
 
 impl Question {
-    /// Reads `file` and prints its warnings.
-    fn of(file: &Path, film: FilmSize) -> Result<Question, GraderError> {
-        let loaded = scenes::load(file).map_err(|why| GraderError::new(why.to_string()))?;
-        for warning in &loaded.warnings {
-            errln!("{warning}");
-        }
-        let scene = &loaded.scene;
+    /// The question about the `scene` of `file`.
+    fn of(file: &Path, scene: &Scene, film: FilmSize) -> Result<Question, GraderError> {
         let triangles = plural(scene.triangles.len(), "triangle", "triangles");
         let spheres = plural(scene.spheres.len(), "sphere", "spheres");
         let (task, count) = match (scene.triangles.len(), scene.spheres.len()) {
@@ -122,7 +127,6 @@ mod tests {
     use judge::pictures::TaskPicture;
     use kit::Triangle;
     use pictures::Image;
-    use std::path::PathBuf;
     use wire::picture::Subject;
     use wire::{Answer, Outcome};
 
@@ -170,6 +174,10 @@ mod tests {
         (folder, path)
     }
 
+    fn question(path: &Path, scene: &Scene) -> Question {
+        Question::of(path, scene, SMALL).expect("it can be drawn")
+    }
+
     /// What the stages in this checkout answer to a picture; `None` in a handout.
     fn answer(picture: &TaskPicture) -> Option<PictureAnswer> {
         match worker::run(0, &picture.spec().case()).outcome {
@@ -182,10 +190,10 @@ mod tests {
     /// The picture of a file, if the stages are written; and the share of its pixels that show a
     /// surface. Each pixel is that of a picture in which each ray tests every shape.
     fn drawn(path: &Path) -> Option<(Image, f64)> {
-        let tiles = Question::of(path, SMALL).expect("it can be drawn").tiles;
+        let scene = scenes::load(path).expect("it can be read").scene;
+        let tiles = question(path, &scene).tiles;
         let answers: Vec<_> = tiles.pictures.iter().map(answer).collect::<Option<_>>()?;
         let whole = tiles.whole(&answers);
-        let scene = scenes::load(path).expect("it can be read").scene;
         let mut work = tiles.work.clone();
         let Subject::Shapes {
             triangles, spheres, ..
@@ -229,7 +237,8 @@ mod tests {
             (without_lamp, "2 triangles"),
             (glb, "1 triangle"),
         ] {
-            let question = Question::of(&path, SMALL).expect("it can be drawn");
+            let scene = scenes::load(&path).expect("it can be read").scene;
+            let question = question(&path, &scene);
             assert!(question.count.ends_with(count), "{}", question.count);
             let Some((picture, share)) = drawn(&path) else {
                 return;
@@ -241,12 +250,7 @@ mod tests {
 
     #[test]
     fn a_file_that_cannot_be_drawn_is_named_and_not_built_for() {
-        let message = |path: &Path| {
-            Question::of(path, SMALL)
-                .map(|_| ())
-                .unwrap_err()
-                .to_string()
-        };
+        let message = |path: &Path| scenes::load(path).unwrap_err().to_string();
         assert!(message(Path::new("nowhere/house.dae")).contains("nowhere/house.dae"));
         let whole = glb();
         for (name, bytes) in [

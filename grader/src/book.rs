@@ -70,7 +70,8 @@ pub fn make_current(workspace: &Workspace) -> Result<PathBuf, GraderError> {
         )));
     }
     errln!(
-        "Building the book. The first time this compiles mdBook, which takes a minute or two ..."
+        "Building the book. The first time this compiles mdBook: some minutes of processor time. Until then, read the \
+         chapters as Markdown: {TEXT} ..."
     );
     let program = build::build_program(workspace.root(), "book_site")?
         .map_err(|_| GraderError::new("the package book_site does not compile"))?;

@@ -97,6 +97,12 @@ const MAY_DEPEND_ON: &[(&str, &[&str])] = &[
         &["base", "kit", "judge", "oracle", "pictures", "wire"],
     ),
     ("pages", &["base", "pictures"]),
+    (
+        "preview",
+        &[
+            "base", "grader", "judge", "kit", "pictures", "scenes", "wire",
+        ],
+    ),
     ("plots", &["base", "pages"]),
     // It links indicatif, which `grader part1` does not compile.
     ("progress", &["base"]),
@@ -321,6 +327,7 @@ fn no_command_of_the_grader_compiles_the_grader_again() {
         "export",
         "formats",
         "handout",
+        "preview",
         "review",
         "submission",
     ] {

@@ -59,6 +59,19 @@ fn run(course: &Path, arguments: &[&str]) -> (String, Output) {
     (stdout, output)
 }
 
+/// What `practice part1.task1` prints if `answers` are typed.
+fn practice(course: &Path, answers: &str) -> String {
+    let mut practice = grader(course, &["practice", "part1.task1", "--seed", "1"]);
+    practice.stdin(Stdio::piped()).stdout(Stdio::piped());
+    let mut child = practice.spawn().expect("it runs");
+    let mut stdin = child.stdin.take().unwrap();
+    stdin.write_all(answers.as_bytes()).unwrap();
+    drop(stdin);
+    let output = child.wait_with_output().expect("it ends");
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    String::from_utf8_lossy(&output.stdout).into_owned()
+}
+
 /// Reads lines until one contains `text`; returns all of them.
 fn read_until(lines: &Receiver<String>, text: &str) -> String {
     let mut seen = String::new();
@@ -97,10 +110,14 @@ fn a_student_writes_a_task() {
     assert!(output.status.success());
     let first = status.lines().next().expect("a line");
     assert!(
-        first.contains("part1.task1") && first.contains("1 hole left"),
+        first.contains("part1.task1") && first.contains("1 gap left"),
         "{status}"
     );
     assert!(first.ends_with("not graded yet"), "{status}");
+
+    // Before the task is written, `practice` asks what to expect.
+    let asked = practice(&course, "q\n");
+    assert!(asked.contains("what do you expect?"), "{asked}");
 
     // Bare `grader` grades the next open task.
     let (bare, output) = run(&course, &[]);
@@ -160,6 +177,21 @@ fn a_student_writes_a_task() {
     );
     stdin.write_all(b"q\n").unwrap();
     assert!(child.wait().expect("it ends").success());
+
+    // After it, `practice` shows mistakes; before them it judges the student's own examples.
+    let asked = practice(&course, "q\n");
+    assert!(
+        asked.contains(" mistakes. Left is the right picture"),
+        "{asked}"
+    );
+    assert!(!asked.contains("examples"), "{asked}");
+    let examples = course.join("stages/raygen/examples.toml");
+    let wrong = "[[pixel]]\nfilm = [2, 2]\npixel = [0, 0]\nexpected = [0.5, 0.5]\n";
+    fs::write(&examples, wrong).unwrap();
+    let asked = practice(&course, "q\n");
+    let [judged, mistakes] = ["1 example", " mistakes. Left is"].map(|text| asked.find(text));
+    assert!(judged.is_some() && judged < mistakes, "{asked}");
+    fs::remove_file(examples).unwrap();
 
     // A run of one task keeps what is known of the others.
     let (status, _) = run(&course, &["status"]);

@@ -18,6 +18,7 @@ const PROGRAMS: &[&str] = &[
     "cost",
     "speedup",
     "review",
+    "preview",
     "submission",
     "formats",
 ];

@@ -54,9 +54,8 @@ pub(super) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     let file = format!("stages/{}/{FILE}", task.stage);
     let none = |why: &str| {
         GraderError::new(format!(
-            "{why}. Write three to six examples into {file}, before your code, such as\n\n{}\nThen run `cargo grader examples {}` again.",
-            sample(&task.key),
-            task.key
+            "{why}. Write three to six examples into {file}, before your code, such as\n\n{}\nThen run this command again.",
+            sample(&task.key)
         ))
     };
     let Some(text) = read(&workspace, task)? else {

@@ -6,11 +6,12 @@ use crate::course::given;
 use crate::course::sources;
 use crate::course::{Course, Task};
 use crate::grade::{self, GradeRequest, Graded};
-use crate::progress::next_task;
+use crate::progress::next_task::{self, Known};
 use crate::progress::results::{self, Fingerprints, Results};
 use crate::report::screen::{self, Context};
 use crate::report::terminal::Page;
 use crate::report::{self, HintLevel, Report, Reveal, TaskReport, links, worst_test};
+use crate::score::Status;
 use crate::workers::printed;
 use base::program::{Exit, path_argument, whole_number};
 use base::{GraderError, Workspace, errln, out, outln};
@@ -202,6 +203,7 @@ fn next_open_task(
 ) -> Result<(GradeRequest, GradedRun), GraderError> {
     let course = Course::read(workspace)?;
     let mut graded: Vec<&str> = Vec::new();
+    let mut complete: Vec<TaskReport> = Vec::new();
     loop {
         let known = next_task::known(workspace, &course)?;
         let open: Vec<&str> = next_task::open(&known)
@@ -225,20 +227,42 @@ fn next_open_task(
         };
         let mut run = GradedRun::new(workspace, &request, times, false)?;
         let report = &mut run.graded.report;
-        let incomplete = |task: &TaskReport| task.result.score < task.result.max_score;
-        if let Some(task) = report.tasks.iter().find(|task| incomplete(task)) {
-            let what = task.result.key.clone();
-            // The tasks that are complete now are told once: the next run leaves them out.
-            let is_shown = |task: &&TaskReport| !incomplete(task) || task.result.key == what;
-            let shown = report.tasks.iter().filter(is_shown).cloned().collect();
-            *report = Report::new(shown, report.speedups.take());
-            return Ok((GradeRequest { what, seed }, run));
-        }
         if is_last {
             return Ok((request, run));
         }
+        // The tasks that are complete now are told once: the next run leaves them out.
+        let (full, incomplete): (Vec<_>, Vec<_>) =
+            (report.tasks.drain(..)).partition(|task| task.result.is_complete());
+        complete.extend(full);
+        if let Some(task) = to_go_on_with(incomplete, &known) {
+            let what = task.result.key.clone();
+            complete.push(task);
+            let place = |task: &TaskReport| {
+                let mut known = known.iter();
+                known.position(|known| known.place.key == task.result.key)
+            };
+            complete.sort_by_key(place);
+            *report = Report::new(complete, report.speedups.take());
+            return Ok((GradeRequest { what, seed }, run));
+        }
         graded.extend(keys);
     }
+}
+
+/// The first of the `incomplete` tasks of a stage. If the stage does not compile, all are, so one
+/// that was not complete before comes first.
+fn to_go_on_with(incomplete: Vec<TaskReport>, known: &[Known]) -> Option<TaskReport> {
+    let was_complete = |task: &TaskReport| {
+        let of_task = known
+            .iter()
+            .find(|known| known.place.key == task.result.key);
+        of_task.is_some_and(Known::was_complete)
+    };
+    let mut tasks = incomplete.into_iter();
+    let first = tasks.next()?;
+    let is_broken = first.result.status == Status::DoesNotCompile && was_complete(&first);
+    let other = tasks.find(|task| is_broken && !was_complete(task));
+    Some(other.unwrap_or(first))
 }
 
 /// Writes `report.json`, the results of its tasks, whose code had these fingerprints, and the
@@ -314,5 +338,56 @@ impl GradedRun {
             printed: self.graded.printed.clone(),
             changed_given: given::changed(workspace)?,
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::course::sources::Place;
+    use crate::progress::results::TaskScore;
+    use crate::score::TaskResult;
+
+    /// The key of the task that a stage goes on with, whose tasks have these results; `scores` are
+    /// those of the reports before, of at most 5.
+    fn gone_on_with(status: Status, scores: [f64; 2]) -> String {
+        let keys = ["part1.task1", "part1.task2"];
+        let known = keys.iter().zip(scores).map(|(key, score)| Known {
+            place: Place {
+                key: (*key).into(),
+                title: String::new(),
+                file: None,
+                open: Vec::new(),
+                has_hole: false,
+            },
+            last: Some(TaskScore::of(score, 5.0)),
+            changed: true,
+        });
+        let reports = keys.map(|key| {
+            TaskReport::from(TaskResult {
+                key: key.into(),
+                title: String::new(),
+                score: 0.0,
+                max_score: 5.0,
+                robust_score: 0.0,
+                robust_max_score: 0.0,
+                status: status.clone(),
+                stage: "raygen".into(),
+                functions: Vec::new(),
+                cases: Vec::new(),
+            })
+        });
+        let task = to_go_on_with(reports.into(), &known.collect::<Vec<_>>());
+        task.expect("one is incomplete").result.key
+    }
+
+    #[test]
+    fn a_stage_that_does_not_compile_is_that_of_the_task_in_work() {
+        let broken = Status::DoesNotCompile;
+        assert_eq!(gone_on_with(broken.clone(), [5.0, 1.0]), "part1.task2");
+        assert_eq!(gone_on_with(broken.clone(), [1.0, 1.0]), "part1.task1");
+        assert_eq!(gone_on_with(broken, [5.0, 5.0]), "part1.task1");
+        // A wrong answer is that of its own task.
+        assert_eq!(gone_on_with(Status::Failed, [5.0, 1.0]), "part1.task1");
     }
 }

@@ -43,10 +43,10 @@ pub(super) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     let before = round::missed(&workspace);
     let exercises = round::chosen(all, &before, seed);
     let mut input = AnswerInput::of_stdin().ok_or_else(|| {
-        GraderError::new(format!(
-            "no answer: the standard input is no terminal and is empty. Run `cargo grader gym {what}` in a terminal, \
-             or pipe one letter a line"
-        ))
+        GraderError::new(
+            "no answer: the standard input is no terminal and is empty. Run this command in a terminal, or pipe one \
+             letter a line",
+        )
     })?;
     workspace.create_outputs()?;
     let file = workspace.outputs().join("gym.png");

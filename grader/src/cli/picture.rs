@@ -1,6 +1,7 @@
-//! What the code in the workspace renders: the first half of `grader look part1.task3`. The older
-//! command `grader picture` is this half alone.
+//! What the code in the workspace renders: the first half of `grader look part1.task3`. The command
+//! `grader picture` is this half alone, and draws scene files (`preview`).
 
+use super::subprogram;
 use crate::build::BuildRoot;
 use crate::course::{Course, Task};
 use crate::grade::picture::{self, Rendered};
@@ -10,7 +11,7 @@ use crate::report::terminal::Page;
 use crate::score::Status;
 use crate::workers::worker_set::WorkerSet;
 use base::program::Exit;
-use base::{GraderError, Workspace, out, outln};
+use base::{GraderError, Workspace, keys, out, outln};
 use clap::{Arg, ArgMatches, Command};
 use judge::plural;
 use pictures::Image;
@@ -22,18 +23,26 @@ use std::path::Path;
 /// The option of `grader look` with which it only draws the picture.
 pub(super) const NO_PAGE: &str = "no-page";
 
-/// The older name of `look --no-page`.
+/// The program that draws scene files.
+const PREVIEW: &str = "preview";
+
+/// This half alone.
 pub(super) const NAME: &str = "picture";
 
 pub(super) fn command() -> Command {
     Command::new(NAME)
-        .about("Renders the picture of a task: `grader look --no-page`")
-        .arg(task_argument())
+        .about("Renders the picture of a task, or a scene file of your own with your intersection tests")
+        .arg(task_argument().value_name("TASK|SCENE").help(
+            "The task, such as `part1.task3` [default: the next open task]; or a COLLADA, glTF, OBJ or PLY file",
+        ))
 }
+
+/// The name of the argument that names one task.
+pub(super) const TASK: &str = "task";
 
 /// The argument that names one task.
 pub fn task_argument() -> Arg {
-    Arg::new("task")
+    Arg::new(TASK)
         .value_name("TASK")
         .help("The task, such as `part1.task3` [default: the next open task]")
 }
@@ -44,7 +53,7 @@ pub fn task_of<'a>(
     workspace: &Workspace,
     course: &'a Course,
 ) -> Result<&'a Task, GraderError> {
-    match matches.get_one::<String>("task") {
+    match matches.get_one::<String>(TASK) {
         Some(key) => one_task(course, key),
         None => next_task::or_last(workspace, course),
     }
@@ -61,11 +70,29 @@ fn one_task<'a>(course: &'a Course, key: &str) -> Result<&'a Task, GraderError> 
 }
 
 pub(super) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
+    if let Some(scene) = matches
+        .get_one::<String>(TASK)
+        .filter(|what| is_scene(what))
+    {
+        // Before the program is built, which takes a minute the first time.
+        std::fs::File::open(scene).map_err(|e| GraderError::file("read", Path::new(scene), e))?;
+        return subprogram::run(PREVIEW, vec![scene.into()]);
+    }
     // A picture gives no points: that it differs is no failure.
     Ok(match show(matches)?.yours {
         Ok(_) => Exit::Passed,
         Err(_) => Exit::Failed,
     })
+}
+
+/// Whether the argument of the command is a scene file, and no task.
+fn is_scene(what: &str) -> bool {
+    let extension = Path::new(what).extension().and_then(|end| end.to_str());
+    let is_format = extension.is_some_and(|end| {
+        let mut formats = ["dae", "gltf", "glb", "obj", "ply"].iter();
+        formats.any(|format| format.eq_ignore_ascii_case(end))
+    });
+    is_format || Path::new(what).is_file()
 }
 
 /// Draws the picture for `grader look`. Returns whether the page comes next.
@@ -109,7 +136,8 @@ pub fn in_terminal(picture: &Image) -> Option<String> {
     let is_terminal = std::io::stdout().is_terminal();
     let columns = Page::of_stdout().width.min(COLUMNS);
     let variable = |name: &str| std::env::var(name).ok();
-    is_terminal.then(|| terminal::shown(picture, columns as u32, variable))?
+    is_terminal
+        .then(|| terminal::shown(picture, columns as u32, variable, keys::device_attributes))?
 }
 
 /// What the three pictures are, and what differs.
@@ -141,7 +169,7 @@ fn legend(task: &Task, rendered: &Rendered, colours: Option<Colours>) -> String 
 }
 
 /// Why there is no picture, and what to do.
-fn without_picture(status: &Status, task: &str) -> String {
+pub fn without_picture(status: &Status, task: &str) -> String {
     match status {
         Status::NotAttempted => {
             format!("{task} is not written yet: this is the picture that it makes.")
@@ -165,6 +193,16 @@ mod tests {
     use super::*;
     use crate::course::of_this_checkout;
     use pictures::difference::compare;
+
+    #[test]
+    fn scene_files_are_no_tasks() {
+        for scene in ["house.dae", "../a b/House.GLB", "x.obj", "Cargo.toml"] {
+            assert!(is_scene(scene), "{scene}");
+        }
+        for other in ["part1.task3", "part1", "house", "src"] {
+            assert!(!is_scene(other), "{other}");
+        }
+    }
 
     #[test]
     fn a_part_is_not_a_task() {

@@ -93,7 +93,7 @@ pub(super) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
 
 fn no_answer(key: &str, why: &str) -> GraderError {
     GraderError::new(format!(
-        "no answer: {why}. Run `cargo grader predict {key}` in a terminal, or pipe one answer a line, such as \
-         `printf 'a\\nb\\n' | cargo grader predict {key}`"
+        "no answer: {why}. Run this command in a terminal, or pipe one answer a line, such as \
+         `printf 'a\\nb\\n' | cargo grader practice {key} --only predict`"
     ))
 }

@@ -3,9 +3,9 @@
 //!
 //! A handout has no reference. A folder that `grader start` made knows the checkout beside it.
 
-use super::picture::{task_argument, task_of};
+use super::picture::{TASK, task_argument, task_of};
 use crate::book::checkout_of;
-use crate::course::{Course, sources};
+use crate::course::{Course, Task, sources};
 use crate::progress::next_task;
 use crate::report::wrap::columns;
 use base::program::Exit;
@@ -16,13 +16,15 @@ use std::path::Path;
 pub(super) fn command() -> Command {
     Command::new("solution")
         .about("Shows the course's code of a task beside yours, once you have all its core points")
-        .arg(task_argument().required(true))
+        .arg(
+            task_argument()
+                .help("The task, such as `part1.task3` [default: the last complete one]"),
+        )
 }
 
 pub(super) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     let workspace = Workspace::above(Path::new("."))?;
     let course = Course::read(&workspace)?;
-    let task = task_of(matches, &workspace, &course)?;
     let Some(checkout) = checkout_of(&workspace) else {
         return Err(GraderError::new(
             "this folder has no reference to show: it was not made by `grader start`, or the course's checkout is \
@@ -30,8 +32,17 @@ pub(super) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
         ));
     };
     let known = next_task::known(&workspace, &course)?;
-    let of_task = known.iter().find(|known| known.place.key == task.key);
-    if !of_task.is_some_and(next_task::Known::is_complete) {
+    let is_complete = |task: &&Task| {
+        let mut complete = known.iter().filter(|known| known.is_complete());
+        complete.any(|known| known.place.key == task.key)
+    };
+    let task = match matches.contains_id(TASK) {
+        true => task_of(matches, &workspace, &course)?,
+        false => course.tasks().filter(is_complete).last().ok_or_else(|| {
+            GraderError::new("no task is complete yet, and a solution is shown only then")
+        })?,
+    };
+    if !is_complete(&task) {
         return Err(GraderError::new(format!(
             "{0} is not complete yet: its last report must have all core points, for the present code. Run `cargo grader {0}`; `cargo grader hint {0}` names the likely mistake",
             task.key

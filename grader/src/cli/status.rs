@@ -116,8 +116,8 @@ fn state(known: &Known, is_given: bool) -> String {
     // A hole in a function that is not graded does not count.
     let written = match place.open.as_slice() {
         [] => "written",
-        [_] => "1 hole left",
-        _ => "holes left",
+        [_] => "1 gap left",
+        _ => "gaps left",
     };
     let points = match last {
         None if is_given => "given".to_owned(),
@@ -165,7 +165,7 @@ mod tests {
             lines[1].ends_with("written     3.5/20 before edit"),
             "{text}"
         );
-        assert!(lines[2].ends_with("holes left  not graded yet"), "{text}");
+        assert!(lines[2].ends_with("gaps left   not graded yet"), "{text}");
         assert!(
             text.contains("part1 23.5 of 40, part2 not graded yet"),
             "{text}"

@@ -23,7 +23,10 @@ pub fn case_of(task: &Task, text: Option<&str>) -> Option<CaseResult> {
     let share = earned.unwrap_or(0.0);
     let reductions = match status {
         Status::Passed => Vec::new(),
-        _ => vec![format!("{why}: `cargo grader examples {}`", task.key)],
+        _ => vec![format!(
+            "{why}: `cargo grader practice {} --only examples`",
+            task.key
+        )],
     };
     Some(CaseResult {
         name: entry.name,
@@ -96,7 +99,7 @@ mod tests {
         assert_eq!((score, status), (0.5, Status::Failed));
         assert_eq!(
             why,
-            ["1 of 7 situations touched: `cargo grader examples part1.task3`"]
+            ["1 of 7 situations touched: `cargo grader practice part1.task3 --only examples`"]
         );
         // Beyond two edges each, at an end of the range, behind the origin, not unit, on an edge.
         let others = [

@@ -122,17 +122,26 @@ fn answer_of(
     picture: &TaskPicture,
     worker: &Worker,
 ) -> Result<Result<PictureAnswer, Status>, GraderError> {
-    let mut run = runner::run(worker, &[picture.spec().case()])?;
-    let ending = run
-        .endings
-        .pop()
-        .ok_or_else(|| GraderError::new("the worker returned no picture"))?;
-    let ending = Ok(ending);
-    Ok(match grade::answered(picture.task, &ending, course)? {
-        Ok(Answer::Picture(answer)) => Ok(answer.clone()),
-        Ok(_) => Err(Status::Failed),
-        Err(status) => Err(status),
-    })
+    let answer = answers_of(course, std::slice::from_ref(picture), worker)?.pop();
+    answer.ok_or_else(|| GraderError::new("the worker returned no picture"))
+}
+
+/// What `worker` answers to the questions of `pictures`, or why it does not.
+pub fn answers_of(
+    course: &Course,
+    pictures: &[TaskPicture],
+    worker: &Worker,
+) -> Result<Vec<Result<PictureAnswer, Status>>, GraderError> {
+    let cases: Vec<_> = pictures.iter().map(|it| it.spec().case()).collect();
+    let endings = runner::run(worker, &cases)?.endings.into_iter().map(Ok);
+    let answers = pictures.iter().zip(endings).map(|(picture, ending)| {
+        Ok(match grade::answered(picture.task, &ending, course)? {
+            Ok(Answer::Picture(answer)) => Ok(answer.clone()),
+            Ok(_) => Err(Status::Failed),
+            Err(status) => Err(status),
+        })
+    });
+    answers.collect()
 }
 
 /// The file, among what the grader writes, of the last task's picture with light.

@@ -31,6 +31,12 @@ impl Known {
         let full = self.last.as_ref().is_some_and(TaskScore::is_complete);
         full && !self.changed
     }
+
+    /// Whether the task is written and was complete at its last report, perhaps before an edit.
+    pub fn was_complete(&self) -> bool {
+        let full = self.last.as_ref().is_some_and(TaskScore::is_complete);
+        full && self.place.open.is_empty()
+    }
 }
 
 /// What is known of all tasks of `course`, in order. Reads the stages' files and the stored
@@ -64,10 +70,8 @@ pub fn first_open<'a>(known: &'a [Known], but: &[&Task]) -> Option<&'a Place> {
     let position = |key: &str| known.iter().position(|task| task.place.key == key);
     let last = but.iter().filter_map(|task| position(&task.key)).max();
     let others = open(known).filter(|known| but.iter().all(|task| task.key != known.place.key));
-    let later = others.min_by_key(|known| {
-        let was_complete = known.last.as_ref().is_some_and(TaskScore::is_complete);
-        (was_complete, position(&known.place.key) < last)
-    });
+    let later =
+        others.min_by_key(|known| (known.was_complete(), position(&known.place.key) < last));
     later.map(|known| &known.place)
 }
 
@@ -135,6 +139,15 @@ mod tests {
         ] {
             assert_eq!(first(&[full(), open]).as_deref(), Some("b"));
         }
+    }
+
+    #[test]
+    fn a_task_whose_gaps_are_back_comes_before_what_nobody_began() {
+        let mut reset = known("b", 5.0, true);
+        reset.place.open = vec!["f".into()];
+        let all = [known("a", 5.0, true), reset, known("c", -1.0, false)];
+        let first = first_open(&all, &[]).map(|place| place.key.as_str());
+        assert_eq!(first, Some("b"));
     }
 
     #[test]

@@ -41,20 +41,15 @@ fn figures_are_drawn_by_the_code_and_each_is_shown() {
     assert_eq!(files.count(), drawn.len(), "a file that no code draws");
 }
 
-/// Parts 1 and 2 are for whoever begins: a chapter can be followed from its first lines.
+/// The chapter of each task can be followed from its first lines.
 #[test]
-fn chapters_of_the_first_parts_begin_with_a_short_path() {
+fn chapters_of_tasks_begin_with_a_short_path() {
     const MOST_WORDS: usize = 150;
-    let is_of_first = |chapter: &&Chapter| {
-        let path = chapter.path.to_string_lossy().into_owned();
-        ["part1/task", "part2/task"]
-            .iter()
-            .any(|start| path.starts_with(start))
-    };
     let all = chapters();
-    let first: Vec<&Chapter> = all.iter().filter(is_of_first).collect();
-    assert_eq!(first.len(), 7);
-    for chapter in first {
+    let is_of_task = |chapter: &&Chapter| book::paths::task_number(&chapter.path).is_some();
+    let of_tasks: Vec<&Chapter> = all.iter().filter(is_of_task).collect();
+    assert_eq!(of_tasks.len(), 17);
+    for chapter in of_tasks {
         let at = chapter.path.display();
         let lines = chapter
             .text

@@ -396,6 +396,8 @@ fn part5_task2() -> Vec<Claim> {
 /// Phrases with numbers that are inputs of a thought, settings of a picture that the text names, or
 /// results of one measurement.
 const GIVEN: &[(&str, &str)] = &[
+    ("accuracy.md", "against 8192 Sobol samples"),
+    ("accuracy.md", "320 x 240 pixels, 64 samples"),
     ("grading.md", "not a tolerance like 0.001"),
     ("grading.md", "on 1106 of 1106 calls"),
     // Of the report above it, which tests/course.rs compares with the README's.
@@ -428,6 +430,7 @@ const GIVEN: &[(&str, &str)] = &[
     ("part4/task3.md", "a largest channel of 1.25"),
     ("part4/task3.md", "survive with at most 95 %"),
     ("part5/task1.md", "Without the factor 1.96"),
+    ("part5/task1.md", "1.96 times the standard error"),
     (
         "part5/task1.md",
         "with a confidence of about 95 %, $$\\lvert \\mu - I \\rvert \\le 1.96 \\, s.$$",

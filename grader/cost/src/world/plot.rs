@@ -169,7 +169,7 @@ fn large(canvas: &Canvas, [width, height]: [f64; 2], title: &str, rows: &[&Row])
         ("f32", of(true)),
         ("f64", of(false)),
         (
-            "First Light",
+            "First Light's tree",
             rows.iter().find(|row| !row.is_of_a_library()),
         ),
     ];

@@ -81,6 +81,14 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
             on_faces(),
         ),
         case(
+            "edges_of_a_grid",
+            "The boxes of a tree over a mesh with integer coordinates: rays along their edges, and \
+             rays that slant in the plane of a face, through the box or beside it. The zeros of d \
+             have both signs. Pitfall: 0 * inf is NaN at one plane or two, and what becomes of it \
+             depends on which plane it is, and on the sign of the zero.",
+            on_a_grid(),
+        ),
+        case(
             "flat_box_in_its_plane",
             "Rays inside the plane of a flat box: faces belong to the box, so the ray hits.",
             flat_in_plane(),
@@ -471,6 +479,48 @@ fn on_faces() -> Vec<(Aabb, Ray)> {
                 probes.push((ROUND, Ray::new(on_plane + 5.0 * sign * Vec3::AXES[axis], d)));
                 let third = Vec3::AXES[3 - axis - other];
                 probes.push((ROUND, Ray::new(on_plane + 9.0 * third, d)));
+            }
+        }
+    }
+    probes
+}
+
+/// Boxes with integer coordinates, one of them flat. For each: rays along all edges from before the
+/// box, from on the edge and from behind; then rays in the planes of faces that slant towards the
+/// box, or pass it. All combinations of the zeros' signs.
+fn on_a_grid() -> Vec<(Aabb, Ray)> {
+    const ZEROS: [f64; 2] = [0.0, -0.0];
+    let mut probes = Vec::new();
+    for b in [ROUND, flattened(ROUND, 2)] {
+        for (axis, sign) in directions() {
+            let [other, third] = [1, 2].map(|turn| (axis + turn) % 3);
+            let along = sign * Vec3::AXES[axis];
+            for plane in [0.0, 1.0] {
+                let mut share = Vec3::splat(plane);
+                share[axis] = 0.5;
+                for [zero, last_zero] in [0, 1, 2, 3].map(|i| [ZEROS[i / 2], ZEROS[i % 2]]) {
+                    let mut d = along;
+                    (d[other], d[third]) = (zero, last_zero);
+                    for edge in [plane, 1.0 - plane] {
+                        share[third] = edge;
+                        let on_edge = point_of(&b, share);
+                        probes.extend(
+                            [-8.0, 0.0, 8.0].map(|t| (b, Ray::new(on_edge + t * along, d))),
+                        );
+                    }
+                }
+                for zero in ZEROS {
+                    share[third] = 0.5;
+                    let on_face = point_of(&b, share);
+                    let mut d = along;
+                    (d[other], d[third]) = (zero, 0.25);
+                    probes.extend([0.0, 8.0].map(|beside| {
+                        (
+                            b,
+                            Ray::new(on_face - 8.0 * d + beside * Vec3::AXES[third], d),
+                        )
+                    }));
+                }
             }
         }
     }

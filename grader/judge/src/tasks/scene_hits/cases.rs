@@ -39,6 +39,16 @@ pub(crate) fn cases() -> Vec<Spec> {
             down_the_grid(),
             false,
         ),
+        case(
+            "closed_terrain",
+            "A closed block with integer coordinates, and rays exactly through vertices, edges and \
+             diagonals of its upper side: down, and slanting in planes that contain faces of boxes. \
+             The zeros of d have both signs. Pitfall: 0 * inf is NaN in a box test, and a box that \
+             is lost to it takes all that is in it along.",
+            SceneSource::Triangles(closed_terrain().iter().map(wire_triangle).collect()),
+            at_the_terrain(),
+            false,
+        ),
     ]
 }
 
@@ -139,6 +149,56 @@ fn down_the_grid() -> Vec<Ray> {
         rays.push(Ray::new(Vec3::new(level, 0.5, 30.0), Vec3::NEG_Z));
     }
     rays
+}
+
+/// A closed block: integer heights over a grid above, a plane at 0 below.
+fn closed_terrain() -> Vec<Triangle> {
+    let height = |i: i32, j: i32| 1 + (7 * i * i + 5 * i * j + 3 * j) % 8;
+    let above = |i: i32, j: i32| Vec3::from([i, height(i, j), j].map(f64::from));
+    let below = |i: i32, j: i32| Vec3::from([i, 0, j].map(f64::from));
+    let quad = |a, b, c, d| [Triangle::flat(a, b, c), Triangle::flat(a, c, d)];
+    let ends = |k: i32| {
+        [
+            (k, 0, k + 1, 0),
+            (k + 1, SIDE, k, SIDE),
+            (SIDE, k, SIDE, k + 1),
+            (0, k + 1, 0, k),
+        ]
+    };
+    let sides = (0..SIDE)
+        .flat_map(ends)
+        .flat_map(|(i, j, k, l)| quad(below(i, j), below(k, l), above(k, l), above(i, j)));
+    let cells = (0..SIDE).flat_map(|j| (0..SIDE).map(move |i| (i, j)));
+    let faces = cells.flat_map(|(i, j)| {
+        let cell = [(i, j), (i, j + 1), (i + 1, j + 1), (i + 1, j)];
+        let [a, b, c, d] = cell.map(|(i, j)| above(i, j));
+        let [e, f, g, h] = cell.map(|(i, j)| below(i, j));
+        [quad(a, b, c, d), quad(h, g, f, e)].concat()
+    });
+    faces.chain(sides).collect()
+}
+
+/// Rays at all vertices and midpoints of edges and diagonals of [`closed_terrain`] that are not on
+/// its sides: down, and from below or slanting in one of the two planes of the grid through the
+/// point.
+fn at_the_terrain() -> Vec<Ray> {
+    let inner = 2..=2 * SIDE - 2;
+    let points = inner
+        .clone()
+        .flat_map(|i| inner.clone().map(move |j| (i, j)));
+    let rays = points.flat_map(|(i, j)| {
+        let (x, z) = (0.5 * f64::from(i), 0.5 * f64::from(j));
+        let zero = if (i / 2 + j / 2) % 2 == 0 { 0.0 } else { -0.0 };
+        let slope = if i % 4 < 2 { 1.0 } else { -1.0 };
+        let (y, d) = match (i + j) % 3 {
+            0 => (-4.0, Vec3::new(-zero, 2.0, zero)),
+            1 => (16.0, Vec3::new(zero, -4.0, slope)),
+            _ => (16.0, Vec3::new(slope, -4.0, zero)),
+        };
+        let down = Ray::new(Vec3::new(x, 16.0, z), Vec3::new(zero, -1.0, -zero));
+        [down, Ray::new(Vec3::new(x, y, z), d)]
+    });
+    rays.collect()
 }
 
 fn wire_triangle(t: &Triangle) -> [[f64; 3]; 6] {

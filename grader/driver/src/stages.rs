@@ -95,6 +95,18 @@ pub struct Direct {
     ) -> Spectrum,
 }
 
+/// `estimate_radiance`.
+type EstimateRadiance = fn(
+    &LitScene,
+    &Ray,
+    u32,
+    &mut PixelSampler,
+    &dyn Scattering,
+    &mut Trace<'_>,
+    &mut DirectLight<'_>,
+    &mut Roulette<'_>,
+) -> Spectrum;
+
 /// The functions of `global`.
 #[derive(Clone, Copy, Debug)]
 pub struct Global {
@@ -104,33 +116,27 @@ pub struct Global {
     pub mirror_sample: fn(Spectrum, Vec3) -> Option<BsdfSample>,
     pub refraction_sample: fn(Spectrum, f64, Vec3) -> Option<BsdfSample>,
     pub glass_sample: fn(Spectrum, Spectrum, f64, Vec3, f64) -> Option<BsdfSample>,
-    pub estimate_radiance: fn(
-        &LitScene,
-        &Ray,
-        u32,
-        &mut PixelSampler,
-        &dyn Scattering,
-        &mut Trace<'_>,
-        &mut DirectLight<'_>,
-        &mut Roulette<'_>,
-    ) -> Spectrum,
+    pub estimate_radiance: EstimateRadiance,
     pub play_roulette: fn(Spectrum, u32, f64) -> Option<Spectrum>,
 }
+
+/// `raytrace_pixel_adaptive`.
+type RaytracePixel = fn(
+    (u32, u32),
+    FilmSize,
+    Budget,
+    &mut PixelSampler,
+    &mut CameraRay<'_>,
+    &mut TraceRay<'_>,
+    &mut Rule<'_>,
+) -> PixelEstimate;
 
 /// The functions of `adaptive`.
 #[derive(Clone, Copy, Debug)]
 pub struct Adaptive {
     pub has_converged: fn(&Tally, f64) -> bool,
     pub has_surely_converged: fn(&Tally, f64, &mut Rule<'_>) -> bool,
-    pub raytrace_pixel_adaptive: fn(
-        (u32, u32),
-        FilmSize,
-        Budget,
-        &mut PixelSampler,
-        &mut CameraRay<'_>,
-        &mut TraceRay<'_>,
-        &mut Rule<'_>,
-    ) -> PixelEstimate,
+    pub raytrace_pixel_adaptive: RaytracePixel,
     pub rate_colour: fn(u32, u32) -> Spectrum,
 }
 

@@ -72,8 +72,11 @@ fn line_of(name: &str, task: &str, matches: &ArgMatches) -> Vec<String> {
         .collect()
 }
 
+/// What runs a command.
+type Run = fn(&ArgMatches) -> Result<Exit, GraderError>;
+
 /// The command of an exercise and what runs it.
-fn own_command(name: &str) -> (Command, fn(&ArgMatches) -> Result<Exit, GraderError>) {
+fn own_command(name: &str) -> (Command, Run) {
     match name {
         predict::NAME => (predict::command(), predict::run),
         gym::NAME => (gym::command(), gym::run),

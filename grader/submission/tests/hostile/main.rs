@@ -177,7 +177,10 @@ fn spoiled(class: &Class, case: &Case) -> Option<String> {
     let (report, scores) = (&graded.report, &graded.report.scores);
     println!("{}: {} of {}", case.name, scores.score, scores.max_score);
     let has_score = match case.score.as_deref() {
-        Some("less") => scores.score < scores.max_score,
+        // The seed draws which case is run first: it may be one of extra credit.
+        Some("less") => {
+            scores.score < scores.max_score || scores.robust_score < scores.robust_max_score
+        }
         Some("all") => scores.score == scores.max_score,
         _ => true,
     };

@@ -161,17 +161,45 @@ pub(crate) struct OfScenes<'a> {
 }
 
 /// The stage `name`, or a sentence that it is not there.
-pub(crate) fn linked<'a, S>(stage: &'a Option<S>, name: &str) -> Result<&'a S, String> {
+fn linked<'a, S>(stage: &'a Option<S>, name: &str) -> Result<&'a S, String> {
     let missing = || format!("this worker was built without the stage {name}");
     stage.as_ref().ok_or_else(missing)
 }
 
 impl Stages {
+    pub(crate) fn raygen(&self) -> Result<&Raygen, String> {
+        linked(&self.raygen, "raygen")
+    }
+
+    pub(crate) fn intersect(&self) -> Result<&Intersect, String> {
+        linked(&self.intersect, "intersect")
+    }
+
+    pub(crate) fn bbox(&self) -> Result<&Bbox, String> {
+        linked(&self.bbox, "bbox")
+    }
+
+    pub(crate) fn bvh(&self) -> Result<&Bvh, String> {
+        linked(&self.bvh, "bvh")
+    }
+
+    pub(crate) fn direct(&self) -> Result<&Direct, String> {
+        linked(&self.direct, "direct")
+    }
+
+    pub(crate) fn global(&self) -> Result<&Global, String> {
+        linked(&self.global, "global")
+    }
+
+    pub(crate) fn adaptive(&self) -> Result<&Adaptive, String> {
+        linked(&self.adaptive, "adaptive")
+    }
+
     pub(crate) fn of_scenes(&self) -> Result<OfScenes<'_>, String> {
         Ok(OfScenes {
-            intersect: linked(&self.intersect, "intersect")?,
-            bbox: linked(&self.bbox, "bbox")?,
-            bvh: linked(&self.bvh, "bvh")?,
+            intersect: self.intersect()?,
+            bbox: self.bbox()?,
+            bvh: self.bvh()?,
         })
     }
 }

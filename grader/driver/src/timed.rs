@@ -1,7 +1,7 @@
 //! Times one intersection test, in a loop with nothing else in it.
 
 use crate::convert;
-use crate::stages::{Stages, linked};
+use crate::stages::Stages;
 use std::hint::black_box;
 use std::time::Instant;
 use wire::work::{Shapes, TestTiming};
@@ -9,10 +9,9 @@ use wire::work::{Shapes, TestTiming};
 /// Times the test of the given shapes. For hits of `test_triangle` and `test_sphere` it also
 /// computes `o + t·d`, as the kernels do with which they are compared.
 pub(crate) fn test(stages: &Stages, timing: &TestTiming) -> Result<Vec<f64>, String> {
-    let intersect = || linked(&stages.intersect, "intersect");
     match &timing.shapes {
         Shapes::Triangles(triangles) => {
-            let test = intersect()?.test_triangle;
+            let test = stages.intersect()?.test_triangle;
             Ok(time(
                 triangles,
                 timing,
@@ -21,13 +20,13 @@ pub(crate) fn test(stages: &Stages, timing: &TestTiming) -> Result<Vec<f64>, Str
             ))
         }
         Shapes::Spheres(spheres) => {
-            let test = intersect()?.test_sphere;
+            let test = stages.intersect()?.test_sphere;
             Ok(time(spheres, timing, convert::sphere, |sphere, ray| {
                 test(sphere, ray).map(|t| (t, ray.at(t)))
             }))
         }
         Shapes::Boxes(boxes) => {
-            let test = linked(&stages.bbox, "bbox")?.intersect_bbox;
+            let test = stages.bbox()?.intersect_bbox;
             Ok(time(boxes, timing, convert::aabb, test))
         }
     }

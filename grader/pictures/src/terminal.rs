@@ -244,8 +244,8 @@ mod tests {
         assert!(in_terminal(&[62, 22]).contains('▀'));
     }
 
-    /// The pixels that a terminal draws of `sixels`, row by row, and the size that they give: a reader
-    /// of its own, by the manual.
+    /// The size that `sixels` give, and the pixels that a terminal draws of them, row by row. This
+    /// reader follows the manual and shares nothing with [`as_sixels`].
     fn drawn(sixels: &str) -> ([usize; 2], Vec<Option<[u8; 3]>>) {
         let body = sixels.strip_prefix("\x1bP0;1q").expect("it begins");
         let content = body.strip_suffix("\x1b\\\n").expect("it ends");

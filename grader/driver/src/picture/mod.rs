@@ -15,7 +15,7 @@ mod shapes;
 mod specular;
 mod traversal;
 
-use crate::stages::{Stages, linked};
+use crate::stages::Stages;
 use eye::Eye;
 use kit::Vec3;
 use wire::picture::NEAR_AND_FAR;
@@ -24,34 +24,29 @@ use wire::picture::{PictureAnswer, PictureWork, Subject};
 /// Renders a picture on the stage of its task.
 pub(crate) fn picture(stages: &Stages, work: &PictureWork) -> Result<PictureAnswer, String> {
     let size = work.size;
-    let raygen = || linked(&stages.raygen, "raygen");
-    let intersect = || linked(&stages.intersect, "intersect");
-    let bbox = || linked(&stages.bbox, "bbox");
-    let bvh = || linked(&stages.bvh, "bvh");
-    let direct = || linked(&stages.direct, "direct");
-    let global = || linked(&stages.global, "global");
-    let adaptive = || linked(&stages.adaptive, "adaptive");
     let panels = match &work.subject {
-        Subject::SampleLoop { samples } => raygen::sample_loop(raygen()?, size, samples),
-        Subject::CameraRays(camera) => raygen::camera_rays(raygen()?, size, camera),
+        Subject::SampleLoop { samples } => raygen::sample_loop(stages.raygen()?, size, samples),
+        Subject::CameraRays(camera) => raygen::camera_rays(stages.raygen()?, size, camera),
         Subject::Shapes {
             triangles,
             spheres,
             view,
             range,
-        } => shapes::closest(intersect()?, size, triangles, spheres, view, *range),
+        } => shapes::closest(stages.intersect()?, size, triangles, spheres, view, *range),
         Subject::Leaves {
             triangles,
             max_leaf_size,
-        } => leaves::leaves(bvh()?, size, triangles, *max_leaf_size),
-        Subject::Boxes { boxes, view, range } => boxes::boxes(bbox()?, size, boxes, view, *range),
+        } => leaves::leaves(stages.bvh()?, size, triangles, *max_leaf_size),
+        Subject::Boxes { boxes, view, range } => {
+            boxes::boxes(stages.bbox()?, size, boxes, view, *range)
+        }
         Subject::Traversal {
             scene,
             tree,
             view,
             hottest,
         } => traversal::closest(stages.of_scenes()?, size, scene, tree, view, *hottest)?,
-        Subject::Lambert => lambert::lambert(direct()?, size),
+        Subject::Lambert => lambert::lambert(stages.direct()?, size),
         Subject::Direct {
             world,
             view,
@@ -59,7 +54,7 @@ pub(crate) fn picture(stages: &Stages, work: &PictureWork) -> Result<PictureAnsw
             samples,
             scattering,
         } => direct::direct(
-            direct()?,
+            stages.direct()?,
             size,
             world,
             view,
@@ -67,7 +62,7 @@ pub(crate) fn picture(stages: &Stages, work: &PictureWork) -> Result<PictureAnsw
             *samples,
             *scattering,
         ),
-        Subject::Specular => specular::specular(global()?, size),
+        Subject::Specular => specular::specular(stages.global()?, size),
         Subject::Paths {
             world,
             view,
@@ -75,7 +70,7 @@ pub(crate) fn picture(stages: &Stages, work: &PictureWork) -> Result<PictureAnsw
             samples,
             scattering,
         } => paths::paths(
-            global()?,
+            stages.global()?,
             size,
             world,
             view,
@@ -83,7 +78,7 @@ pub(crate) fn picture(stages: &Stages, work: &PictureWork) -> Result<PictureAnsw
             *samples,
             *scattering,
         ),
-        Subject::Roulette { bounces } => roulette::roulette(global()?, size, bounces),
+        Subject::Roulette { bounces } => roulette::roulette(stages.global()?, size, bounces),
         Subject::Adaptive {
             world,
             view,
@@ -93,14 +88,14 @@ pub(crate) fn picture(stages: &Stages, work: &PictureWork) -> Result<PictureAnsw
             scattering,
         } => {
             let budget = adaptive::budget(*ns_aa, *batch, *tolerance);
-            adaptive::lamp(adaptive()?, size, world, view, budget, *scattering)
+            adaptive::lamp(stages.adaptive()?, size, world, view, budget, *scattering)
         }
         Subject::RareLight {
             ns_aa,
             batch,
             tolerance,
         } => adaptive::rare_light(
-            adaptive()?,
+            stages.adaptive()?,
             size,
             adaptive::budget(*ns_aa, *batch, *tolerance),
         ),

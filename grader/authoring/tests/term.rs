@@ -324,7 +324,10 @@ fn a_case_of_the_teacher_is_listed_with_its_points_and_in_handouts() {
         [""; 0]
     );
     let compiled = fs::read_to_string(workspace.root().join(own_cases::FILE)).expect("a file");
-    assert!(compiled.contains("name = \"near_the_end\""), "{compiled}");
+    assert!(
+        compiled.contains("part1.task3\tnear_the_end\t"),
+        "{compiled}"
+    );
     assert_ne!(compiled, own_cases::COMPILED);
     let handout = Handout::carve(&workspace, 1).expect("a handout");
     assert_eq!(

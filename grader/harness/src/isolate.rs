@@ -53,13 +53,28 @@ thread_local! {
 ///
 /// A hole of another task ends the case.
 pub fn attempt<T>(called: &str, function: impl FnOnce() -> T) -> Option<T> {
-    if HOLES.with_borrow(|(_, holes)| holes.iter().any(|hole| hole.called == called)) {
+    if is_hole(called) {
         return None;
     }
-    let payload = match catch_unwind(AssertUnwindSafe(function)) {
-        Ok(answer) => return Some(answer),
-        Err(payload) => payload,
-    };
+    match catch_unwind(AssertUnwindSafe(function)) {
+        Ok(answer) => Some(answer),
+        Err(payload) => {
+            note_hole(called, payload);
+            None
+        }
+    }
+}
+
+// What does not depend on the type of the answer is compiled once.
+
+/// Whether a call of the function `called` has run into a hole in this case.
+fn is_hole(called: &str) -> bool {
+    HOLES.with_borrow(|(_, holes)| holes.iter().any(|hole| hole.called == called))
+}
+
+/// Notes the hole that a call of the function `called` ended at, if that is one of the case's task.
+/// Otherwise unwinds with `payload`.
+fn note_hole(called: &str, payload: Box<dyn Any + Send>) {
     let of_task = HOLES.with_borrow_mut(|(task, holes)| {
         let hole = match payload.downcast_ref::<Hole>() {
             Some(hole) => (hole.task == task).then(|| hole.function.to_string())?,
@@ -71,9 +86,8 @@ pub fn attempt<T>(called: &str, function: impl FnOnce() -> T) -> Option<T> {
         });
         Some(())
     });
-    match of_task {
-        Some(()) => None,
-        None => resume_unwind(payload),
+    if of_task.is_none() {
+        resume_unwind(payload);
     }
 }
 
@@ -97,17 +111,29 @@ fn function_with_gap(called: &str) -> String {
 /// Makes a call for each of the `questions`, in the order that the case has, and returns the answers
 /// in the order of the questions.
 pub fn each_call<Q, A>(questions: &[Q], mut answer: impl FnMut(usize, &Q) -> A) -> Vec<A> {
-    let in_order = ORDER.with_borrow(|order| match order.len() == questions.len() {
-        true => order.iter().map(|&i| i as usize).collect(),
-        false => Vec::from_iter(0..questions.len()),
-    });
-    let answers = in_order.into_iter().map(|i| {
+    let mut places = order_of(questions.len());
+    let mut answers = Vec::with_capacity(places.len());
+    for &i in &places {
         call(i);
-        (i, answer(i, &questions[i]))
-    });
-    let mut answers: Vec<(usize, A)> = answers.collect();
-    answers.sort_by_key(|(i, _)| *i);
-    answers.into_iter().map(|(_, answer)| answer).collect()
+        answers.push(answer(i, &questions[i]));
+    }
+    // Back to the order of the questions, without the code that sorts each type of answer.
+    for at in 0..places.len() {
+        while places[at] != at {
+            let place = places[at];
+            answers.swap(at, place);
+            places.swap(at, place);
+        }
+    }
+    answers
+}
+
+/// The indices below `count`, in the order in which the case makes its calls.
+fn order_of(count: usize) -> Vec<usize> {
+    ORDER.with_borrow(|order| match order.len() == count {
+        true => order.iter().map(|&i| i as usize).collect(),
+        false => Vec::from_iter(0..count),
+    })
 }
 
 /// Records the start of call number `index` of the case, counted from 0.

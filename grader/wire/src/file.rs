@@ -9,7 +9,7 @@
 //! it does not know the key: what it writes into the channel is no frame. Nevertheless
 //! [`FrameReader`] expects anything.
 
-use crate::{Case, RecordFrame};
+use crate::{Case, RecordFrame, Work};
 use std::hash::{BuildHasher, Hasher, RandomState};
 use std::io::{self, Read, Write};
 
@@ -74,6 +74,16 @@ pub fn read_cases(input: &mut dyn Read) -> io::Result<(Key, Vec<Case>)> {
     }
     let cases = postcard::from_bytes(&cases).map_err(io::Error::other)?;
     Ok((Key(key), cases))
+}
+
+/// The bytes of a question, as a file keeps them.
+pub fn work_to_bytes(work: &Work) -> Vec<u8> {
+    postcard::to_stdvec(work).expect("a question is plain numbers and texts")
+}
+
+/// Reads what [`work_to_bytes`] wrote.
+pub fn work_from_bytes(bytes: &[u8]) -> io::Result<Work> {
+    postcard::from_bytes(bytes).map_err(io::Error::other)
 }
 
 /// Writes the frames of one worker.

@@ -44,8 +44,7 @@ pub fn apply(files: &mut Files, changes: &Changes) -> Result<Vec<Written>, Grade
         let (task, name) = name.split_once('/')?;
         Some(own_case::judged(task, name, case))
     });
-    let cases = own_cases::text(cases.collect());
-    let cases = cases.map_err(|e| GraderError::new(format!("cases: {e}")))?;
+    let cases = own_cases::text(&Vec::from_iter(cases));
     write(files, own_cases::FILE.into(), cases.into_bytes());
     for (task, mistakes) in &changes.mistakes {
         for (path, contents) in mistakes.applied(task, files)? {

@@ -108,12 +108,19 @@ type Panel = Vec<[f32; 3]>;
 
 /// A panel of `size` pixels: calls `colour` with the column and the row of each.
 fn panel(size: [u32; 2], mut colour: impl FnMut(u32, u32) -> [f64; 3]) -> Panel {
-    let pixels = (0..size[1]).flat_map(|y| (0..size[0]).map(move |x| (x, y)));
-    let each = pixels.enumerate().map(|(i, (x, y))| {
-        harness::call(i);
-        colour(x, y).map(|channel| channel as f32)
-    });
-    each.collect()
+    fill(size, &mut colour)
+}
+
+/// [`panel`], compiled once for all pictures.
+fn fill([width, height]: [u32; 2], colour: &mut dyn FnMut(u32, u32) -> [f64; 3]) -> Panel {
+    let mut panel = Panel::with_capacity(width as usize * height as usize);
+    for y in 0..height {
+        for x in 0..width {
+            harness::call(panel.len());
+            panel.push(colour(x, y).map(|channel| channel as f32));
+        }
+    }
+    panel
 }
 
 /// Two panels that are rendered together.

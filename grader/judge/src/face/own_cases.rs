@@ -1,30 +1,30 @@
 //! Cases that a teacher adds to tasks as data: a question of a kind of work that the task has.
 //!
-//! `grader course build` writes them to `own_cases.toml` in a term's copy of First Light, from
-//! where they are compiled in. The check of their kind judges them as it judges all others.
+//! `grader course build` writes them to `own_cases.tsv` in a term's copy of First Light, from where
+//! they are compiled in: a line for each with its task, name, sentence, and the bytes of its work in
+//! hexadecimal digits. Code that reads each kind of work as text would be a third of this crate. The check of their kind judges them as it judges all others.
 
 use crate::tasks;
 use crate::tools::Tier;
 use crate::tools::spec::{KNOWN_SEED, Spec, checked};
 use crate::tools::truth::expected::HitOrMiss;
-use serde::{Deserialize, Serialize};
 use std::mem::discriminant;
 use std::panic::{self, AssertUnwindSafe};
 use std::sync::LazyLock;
 use wire::Work;
+use wire::file::{work_from_bytes, work_to_bytes};
 
 /// The file of the cases, below the workspace's root folder.
-pub const FILE: &str = "grader/judge/src/face/own_cases.toml";
+pub const FILE: &str = "grader/judge/src/face/own_cases.tsv";
 
 /// What [`FILE`] had when the grader was compiled.
-pub const COMPILED: &str = include_str!("own_cases.toml");
+pub const COMPILED: &str = include_str!("own_cases.tsv");
 
 /// The most calls of one case.
 const MAX_CALLS: usize = 100_000;
 
 /// A case of a teacher.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct OwnCase {
     /// Key of the task.
     pub task: String,
@@ -36,36 +36,54 @@ pub struct OwnCase {
     pub work: Work,
 }
 
-/// All cases, as [`FILE`] has them.
-#[derive(Default, Serialize, Deserialize)]
-struct OwnCases {
-    #[serde(default)]
-    case: Vec<OwnCase>,
-}
-
-/// The text of [`FILE`] with these cases. The error says what TOML cannot hold.
-pub fn text(cases: Vec<OwnCase>) -> Result<String, String> {
+/// The text of [`FILE`] with these cases.
+pub fn text(cases: &[OwnCase]) -> String {
     let head = COMPILED.lines().take_while(|line| line.starts_with('#'));
     let mut text: String = head.map(|line| format!("{line}\n")).collect();
-    if !cases.is_empty() {
-        let cases = toml::to_string(&OwnCases { case: cases });
-        text += "\n";
-        text += &cases.map_err(|e| e.to_string())?;
+    for case in cases {
+        let [task, name, about] = [&case.task, &case.name, &case.about];
+        text += &format!("{task}\t{name}\t{about}\t");
+        for byte in work_to_bytes(&case.work) {
+            text += &format!("{byte:02x}");
+        }
+        text.push('\n');
     }
-    Ok(text)
+    text
+}
+
+/// The cases in a text that [`text`] wrote; `None` if it is another.
+fn read(text: &str) -> Option<Vec<OwnCase>> {
+    let lines = text.lines().filter(|line| !line.starts_with('#'));
+    let case = |line: &str| {
+        let mut fields = line.split('\t');
+        let mut field = || fields.next();
+        Some(OwnCase {
+            task: field()?.into(),
+            name: field()?.into(),
+            about: field()?.into(),
+            work: work_from_bytes(&bytes(field()?)?).ok()?,
+        })
+    };
+    lines.map(case).collect()
+}
+
+/// The bytes that these hexadecimal digits stand for.
+fn bytes(digits: &str) -> Option<Vec<u8>> {
+    let pairs = digits.as_bytes().chunks(2);
+    let byte = |pair| u8::from_str_radix(std::str::from_utf8(pair).ok()?, 16).ok();
+    pairs.map(byte).collect()
 }
 
 /// The cases of the tasks whose keys `is_wanted`. Their questions are moved as `seed` draws.
 pub(super) fn cases(seed: u64, is_wanted: impl Fn(&str) -> bool) -> Vec<Spec> {
-    static CASES: LazyLock<OwnCases> = LazyLock::new(|| {
-        let mut cases: OwnCases =
-            toml::from_str(COMPILED).expect("`grader course build` writes what it can read");
-        for case in &mut cases.case {
+    static CASES: LazyLock<Vec<OwnCase>> = LazyLock::new(|| {
+        let mut cases = read(COMPILED).expect("`grader course build` writes what it can read");
+        for case in &mut cases {
             case.about = marked(&case.about);
         }
         cases
     });
-    let wanted = CASES.case.iter().filter(|case| is_wanted(&case.task));
+    let wanted = CASES.iter().filter(|case| is_wanted(&case.task));
     wanted.map(|case| spec(case).moved_for(seed)).collect()
 }
 
@@ -101,7 +119,7 @@ pub fn problem(case: &OwnCase) -> Option<String> {
         return Some(format!("First Light has a case of this name in {task}"));
     }
     let about_length = checked(about).chars().count();
-    if !(10..=400).contains(&about_length) || about.contains('\n') {
+    if !(10..=400).contains(&about_length) || about.contains(['\n', '\t']) {
         return Some(
             "`about` has to say in one line of 10 to 400 characters what the case checks".into(),
         );
@@ -166,7 +184,7 @@ fn trial(work: &Work) -> Option<String> {
 mod tests {
     use super::*;
     use crate::cases;
-    use std::collections::BTreeMap;
+    use std::collections::BTreeSet;
     use wire::work::{Probe, Ray, TriangleWork};
 
     fn door() -> OwnCase {
@@ -191,45 +209,35 @@ mod tests {
     }
 
     #[test]
-    fn a_case_is_read_as_it_was_written() {
-        let text = text(vec![door()]).expect("TOML can hold it");
-        let read: OwnCases = toml::from_str(&text).expect("it is TOML");
-        assert_eq!(read.case, [door()]);
+    fn cases_of_every_kind_are_read_as_they_were_written() {
         assert_eq!(problem(&door()), None);
+        let mut kinds = BTreeSet::new();
+        let one_of_each = cases::all(0)
+            .into_iter()
+            .filter(|spec| kinds.insert(spec.work.kind()));
+        let mut written = vec![door()];
+        written.extend(one_of_each.map(|spec| OwnCase {
+            task: spec.task.into(),
+            name: "own".into(),
+            about: spec.about.into(),
+            work: spec.work,
+        }));
+        assert!(written.len() > 16);
+        let read = read(&text(&written)).expect("it is read");
+        // As text, in which NaN equals itself.
+        assert_eq!(format!("{read:?}"), format!("{written:?}"));
     }
 
     #[test]
-    fn questions_of_every_kind_can_be_written() {
-        let mut kinds = BTreeMap::new();
-        for spec in cases::all(0) {
-            let is_written = kinds.entry(spec.work.kind()).or_insert(false);
-            // TOML has no list with holes, such as the missing hits of a scripted world.
-            let question = spec.only_call(0).unwrap_or(spec);
-            let case = OwnCase {
-                task: question.task.into(),
-                name: "own".into(),
-                about: question.about.into(),
-                work: question.work,
-            };
-            if *is_written {
-                continue;
-            }
-            let Ok(text) = text(vec![case.clone()]) else {
-                continue;
-            };
-            let read: OwnCases = toml::from_str(&text).expect("it is TOML");
-            // As text, in which NaN equals itself.
-            assert_eq!(format!("{:?}", read.case[0]), format!("{case:?}"));
-            *is_written = true;
+    fn a_damaged_file_is_not_read() {
+        let whole = text(&[door()]);
+        for damaged in [
+            whole.trim_end().trim_end_matches(|c| c != '\t'),
+            &whole[..whole.len() - 3],
+            &whole.replace('\t', " "),
+        ] {
+            assert_eq!(read(damaged), None);
         }
-        let not_written: Vec<_> = kinds
-            .iter()
-            .filter(|(_, is_written)| !**is_written)
-            .collect();
-        assert!(
-            kinds.len() > 15 && not_written.is_empty(),
-            "{not_written:?}"
-        );
     }
 
     #[test]

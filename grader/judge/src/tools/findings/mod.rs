@@ -118,6 +118,20 @@ impl Findings {
         badness: f64,
         message: impl FnOnce() -> M,
     ) {
+        let mut message = Some(message);
+        let words = || message.take().map(|message| message().into());
+        self.count(aspect, call, class, badness, &mut { words });
+    }
+
+    /// [`Findings::judge_class`], compiled once for all messages. `words` returns one once.
+    fn count(
+        &mut self,
+        aspect: Aspect,
+        call: usize,
+        class: Option<Class>,
+        badness: f64,
+        words: &mut dyn FnMut() -> Option<Message>,
+    ) {
         let call = u32::try_from(call).unwrap_or(u32::MAX);
         let (function, counted_for) = (self.function, self.counted_for);
         let keeps_messages = self.wrong_answers.is_some();
@@ -132,8 +146,10 @@ impl Findings {
         }
         let named = counted_for.or(function);
         let Some(class) = class else {
-            if finding.is_the_same_so_far(named) {
-                finding.add_right_numbers(named, &message().into().compared);
+            if finding.is_the_same_so_far(named)
+                && let Some(message) = words()
+            {
+                finding.add_right_numbers(named, &message.compared);
             }
             return;
         };
@@ -159,7 +175,9 @@ impl Findings {
         if compared == Some(Ordering::Less) && !keeps_messages && !may_be_the_same {
             return;
         }
-        let message: Message = message().into();
+        let Some(message) = words() else {
+            return;
+        };
         if may_be_the_same {
             finding.add_numbers(named, &message.compared);
         }

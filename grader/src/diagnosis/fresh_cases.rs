@@ -3,6 +3,7 @@
 use crate::signature::Signature;
 use judge::cases::{self, Spec};
 use std::collections::BTreeSet;
+use wire::file::work_to_bytes;
 
 /// `grader mutants --bless` records the known mistakes with this seed.
 const RECORDED_SEED: u64 = 0;
@@ -21,9 +22,9 @@ impl FreshCases {
         let recorded = cases::of(task, RECORDED_SEED);
         let is_fresh = |spec: &&Spec| {
             let before = recorded.iter().find(|before| before.name == spec.name);
-            // As text, in which a NaN equals a NaN.
-            let text = |spec: &Spec| serde_json::to_vec(&spec.work).ok();
-            before.is_none_or(|before| text(before) != text(spec))
+            // As bytes, in which a NaN equals a NaN.
+            let bytes = |spec: &Spec| work_to_bytes(&spec.work);
+            before.is_none_or(|before| bytes(before) != bytes(spec))
         };
         let of_task = specs.iter().filter(|spec| spec.task == task);
         FreshCases(of_task.filter(is_fresh).map(|spec| spec.name).collect())

@@ -196,7 +196,7 @@ fn write_folder(out: &Path, files: &[ExportedFile]) -> Result<(), GraderError> {
     let complete = temp.path().join("export");
     for file in files {
         let path = complete.join(&file.path);
-        submission::file_tree::write(&path, &file.contents)?;
+        files::file_tree::write(&path, &file.contents)?;
         if file.is_executable {
             make_executable(&path)?;
         }

@@ -70,7 +70,7 @@ const COMMANDS: [(fn() -> Command, Run); 18] = [
 const SUBPROGRAMS: &[(&str, &str, &str)] = &[
     (
         "look",
-        "review",
+        "look",
         "Renders a task's picture with your code, and opens a page of what is wrong in the task",
     ),
     (
@@ -210,11 +210,11 @@ fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
         // A command is always the first argument.
         return subprogram::run(package, std::env::args_os().skip(1).collect());
     }
-    if course_systems::is_requested(matches) {
-        return subprogram::run("formats", std::env::args_os().skip(1).collect());
-    }
     if grade::is_for_submissions(matches) {
         return subprogram::run("submission", std::env::args_os().skip(1).collect());
+    }
+    if course_systems::is_requested(matches) {
+        return subprogram::run("formats", std::env::args_os().skip(1).collect());
     }
     if let Some(word) = matches.get_one::<String>("what")
         && let Some(meant) = help::command_like(word)

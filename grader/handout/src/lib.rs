@@ -334,7 +334,9 @@ impl Handout {
                 .collect();
             let is_used = |name: &str| {
                 let name = name.replace('-', "_");
-                code.iter().any(|text| text.contains(&name))
+                let is_part = |c: char| c == '_' || c.is_alphanumeric();
+                let mut words = code.iter().flat_map(|text| text.split(|c| !is_part(c)));
+                words.any(|word| word == name)
             };
             let text = text(path, contents.clone())?;
             let text = manifest::without_unused_dev_dependencies(&text, is_used);

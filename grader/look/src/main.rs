@@ -1,6 +1,6 @@
 //! The program behind `grader look`: writes a page for students and opens it.
 
-use base::program::{Exit, arguments_of, run_to_exit_code, subprogram_command};
+use base::program::{Exit, run_commands};
 use base::{GraderError, Workspace, browser, outln, write_whole};
 use clap::ArgMatches;
 use grader::build::BuildRoot;
@@ -14,11 +14,7 @@ use std::path::Path;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    let matches = arguments_of(subprogram_command([programs::look()]));
-    run_to_exit_code(|| match matches.subcommand() {
-        Some((_, matches)) => run(matches),
-        None => unreachable!("clap requires a command"),
-    })
+    run_commands([(programs::look(), run)])
 }
 
 fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {

@@ -2,31 +2,26 @@
 
 mod cli;
 
-use base::program::{arguments_of, run_to_exit_code, subprogram_command};
+use base::program::run_commands;
 use cli::{bless, review};
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    let commands = [review::command(), bless::command()];
-    let matches = arguments_of(subprogram_command(commands));
-    run_to_exit_code(|| match matches.subcommand() {
-        Some(("bless", matches)) => bless::run(matches),
-        Some((_, matches)) => review::run(matches),
-        None => unreachable!("clap requires a command"),
-    })
+    run_commands([
+        (review::command(), review::run),
+        (bless::command(), bless::run),
+    ])
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use base::program::{check_help, subprogram_command};
 
     #[test]
     fn the_stored_help_is_that_of_the_commands() {
         let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
-        base::program::check_help(
-            subprogram_command([review::command(), bless::command()]),
-            folder,
-        )
-        .unwrap();
+        let commands = [review::command(), bless::command()];
+        check_help(subprogram_command(commands), folder).unwrap();
     }
 }

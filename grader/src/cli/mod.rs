@@ -36,13 +36,10 @@ pub use options::{Format, seed_argument, seed_of};
 
 use crate::report::HintLevel;
 use base::GraderError;
-use base::program::{Exit, arguments_of, run_to_exit_code};
+use base::program::{Exit, Run, arguments_of, run_to_exit_code};
 use clap::{Arg, ArgMatches, Command, value_parser};
 use std::ffi::OsString;
 use std::process::ExitCode;
-
-/// What a command of this program does.
-type Run = fn(&ArgMatches) -> Result<Exit, GraderError>;
 
 /// The commands of this program, in the order of `--help`, where `help` is the last of all.
 const COMMANDS: [(fn() -> Command, Run); 18] = [

@@ -106,34 +106,38 @@ const MAY_DEPEND_ON: &[(&str, &[&str])] = &[
     ("plots", &["base", "pages"]),
     // It links indicatif, which `grader part1` does not compile.
     ("progress", &["base"]),
-    ("submission", &["base", "grader", "judge", "sandbox"]),
-    ("formats", &["base", "grader", "judge", "submission"]),
+    ("files", &["base"]),
+    ("formats", &["base", "grader", "judge"]),
     (
-        "export",
-        &["base", "grader", "handout", "judge", "submission"],
+        "submission",
+        &["base", "files", "formats", "grader", "judge", "sandbox"],
+    ),
+    ("export", &["base", "files", "grader", "handout", "judge"]),
+    (
+        "look",
+        &[
+            "base", "kit", "grader", "judge", "oracle", "pages", "pictures", "wire",
+        ],
     ),
     (
         "review",
         &[
             "base",
-            "kit",
             "grader",
             "judge",
-            "oracle",
+            "look",
             "pages",
             "pictures",
             "submission",
             "wire",
         ],
     ),
-    (
-        "handout",
-        &["base", "grader", "judge", "pictures", "submission"],
-    ),
+    ("handout", &["base", "files", "grader", "judge", "pictures"]),
     (
         "authoring",
         &[
             "base",
+            "files",
             "kit",
             "grader",
             "handout",
@@ -148,7 +152,7 @@ const MAY_DEPEND_ON: &[(&str, &[&str])] = &[
         "class",
         &[
             "base",
-            "formats",
+            "files",
             "grader",
             "judge",
             "pages",
@@ -304,7 +308,7 @@ fn a_students_first_build_stays_within_its_budget() {
 #[test]
 fn look_compiles_nothing_that_the_first_report_did_not() {
     let first = compiled(FIRST_BUILD);
-    let look = compiled(&[&["--package", "review", "--no-default-features"]]);
+    let look = compiled(&[&["--package", "look"]]);
     let more: Vec<&str> = of_registry(&look)
         .difference(&of_registry(&first))
         .copied()
@@ -327,6 +331,7 @@ fn no_command_of_the_grader_compiles_the_grader_again() {
         "export",
         "formats",
         "handout",
+        "look",
         "preview",
         "review",
         "submission",

@@ -36,6 +36,7 @@ fn triangle(ray: Ray, expected: Option<f64>, yours: Option<f64>) -> ShownRay {
 }
 
 fn text(call: ShownCall) -> String {
+    assert_eq!(claims::false_of_drawing(&call), [""; 0]);
     let lines = Sketch::of(&call).expect("it can be drawn").text(80);
     for line in &lines {
         assert!(line.chars().count() <= 80, "{line}");
@@ -44,111 +45,95 @@ fn text(call: ShownCall) -> String {
     lines.join("\n")
 }
 
-/// The line and the column of a sign.
-fn place(text: &str, sign: char) -> Option<[usize; 2]> {
-    let mut lines = text.lines().enumerate();
-    lines.find_map(|(line, text)| Some([line, text.find(sign)?]))
+/// Compares drawings with a snapshot. `look_for` says what its reader looks for.
+fn shows(name: &str, look_for: &str, calls: impl IntoIterator<Item = ShownCall>) {
+    let drawn: Vec<String> = calls.into_iter().map(text).collect();
+    let mut settings = insta::Settings::clone_current();
+    settings.set_description(look_for);
+    settings.set_omit_expression(true);
+    settings.set_prepend_module_to_snapshot(false);
+    settings.set_snapshot_path("screens");
+    let rule = format!("\n{}\n", "=".repeat(80));
+    settings.bind(|| insta::assert_snapshot!(name, drawn.join(&rule)));
+}
+
+/// A ray along z that starts below the point (`x`, `y`) of the triangle's plane.
+fn upwards(x: f64, y: f64) -> Ray {
+    Ray::new(Vec3::new(x, y, -1.0), Vec3::Z)
 }
 
 #[test]
-fn a_hit_outside_a_triangle_is_beside_it() {
-    let ray = Ray::new(Vec3::new(3.0, 3.0, -1.0), Vec3::Z);
-    let drawn = text(ShownCall::Ray(triangle(ray, None, Some(1.0))));
-    let x = place(&drawn, 'x').expect("the hit is drawn");
-    let p2 = drawn.lines().position(|line| line.contains("p2"));
-    let p0 = drawn.lines().position(|line| line.contains("p0"));
-    assert!(p2 < Some(x[0]) && Some(x[0]) < p0, "{drawn}");
-    assert!(drawn.contains("ray from the back; x yours"), "{drawn}");
+fn hits_of_a_triangle_are_drawn_where_they_are() {
+    let beside = triangle(upwards(3.0, 3.0), None, Some(1.0));
+    let at_the_origin = Ray::new(Vec3::new(1.0, 1.0, 0.0), Vec3::X);
+    let origin = triangle(at_the_origin, Some(0.0), None);
+    let both = triangle(upwards(1.0, 1.0), Some(1.0), Some(1.0));
+    shows(
+        "triangles",
+        "x beside the triangle, with the side; o at the ray's origin, which is no second answer; * for both answers in one place. Only what is drawn is explained",
+        [beside, origin, both].map(ShownCall::Ray),
+    );
 }
 
 #[test]
 fn a_range_that_ends_has_an_axis_with_both_hits() {
-    let ray = Ray {
+    let ended = Ray {
         max_t: 4.0,
-        ..Ray::new(Vec3::new(1.0, 1.0, -1.0), Vec3::Z)
+        ..upwards(1.0, 1.0)
     };
-    let drawn = text(ShownCall::Ray(triangle(ray, Some(1.0), Some(5.0))));
-    let axis = drawn.lines().find(|line| line.starts_with("  t "));
-    let axis = axis.expect("there is an axis");
-    let signs: String = axis.chars().filter(|c| "[o]x>".contains(*c)).collect();
-    assert!(signs.starts_with("[o]x>"), "{axis}");
-    let open = Ray::new(Vec3::new(1.0, 1.0, -1.0), Vec3::Z);
-    let plain = text(ShownCall::Ray(triangle(open, Some(1.0), None)));
-    assert!(!plain.contains("  t "), "{plain}");
+    let from_the_hit = Ray {
+        min_t: 1.0,
+        ..upwards(1.0, 1.0)
+    };
+    let calls = [
+        triangle(ended, Some(1.0), Some(5.0)),
+        triangle(from_the_hit, Some(1.0), Some(2.0)),
+        triangle(upwards(1.0, 1.0), Some(1.0), None),
+    ];
+    shows(
+        "ranges",
+        "the axis t with the range, the expected hit and the wrong one after its end; the signs of the second; none for the range without an end",
+        calls.map(ShownCall::Ray),
+    );
 }
 
 #[test]
 fn normals_that_differ_are_two_arrows() {
-    let ray = Ray::new(Vec3::new(1.0, 1.0, 1.0), -Vec3::Z);
-    let shown = ShownRay {
+    let shown = ShownCall::Ray(ShownRay {
         normals: Some([Vec3::Z, -Vec3::Z]),
-        ..triangle(ray, Some(1.0), Some(1.0))
-    };
-    let sketch = Sketch::of(&ShownCall::Ray(shown)).expect("it can be drawn");
-    let drawn = sketch.text(80).join("\n");
-    for part in ["expected normal", "your normal", "from its side"] {
-        assert!(drawn.contains(part), "{drawn}");
-    }
-    let svg = sketch.svg();
+        ..triangle(Ray::new(Vec3::ONE, -Vec3::Z), Some(1.0), Some(1.0))
+    });
+    let svg = Sketch::of(&shown).expect("it can be drawn").svg();
     assert!(svg.contains("class=\"expected\"") && svg.contains(">your normal</text>"));
+    shows(
+        "normals",
+        "two arrows, seen from the side, with their names",
+        [shown],
+    );
 }
 
 /// What the drawing says of a point is where the answer says that it is, not where its `t` is.
 #[test]
 fn a_wrong_point_is_marked_where_it_is() {
-    let ray = Ray::new(Vec3::new(1.0, 1.0, -1.0), Vec3::Z);
     let right = Vec3::new(1.0, 1.0, 0.0);
-    let drawn = |yours: Vec3| {
-        let shown = ShownRay {
-            points: Some([right, yours]),
-            ..triangle(ray, Some(1.0), Some(1.0))
-        };
-        let call = ShownCall::Ray(shown);
-        assert_eq!(claims::false_of_drawing(&call), [""; 0]);
-        text(call)
-    };
-    assert!(drawn(right).contains("* expected and yours"));
     // In the plane, and off it along the ray, where it is seen from the side.
-    for wrong in [Vec3::new(3.0, 1.0, 0.0), Vec3::new(1.0, 1.0, 1.5)] {
-        let drawn = drawn(wrong);
-        assert!(!drawn.contains('*'), "{drawn}");
-        let [o, x] = ['o', 'x'].map(|sign| place(&drawn, sign));
-        assert!(o.is_some() && x.is_some() && o != x, "{drawn}");
-    }
-}
-
-/// Two answers in one place have a sign of their own, an answer and the ray's origin have not, and
-/// only what is drawn is explained.
-#[test]
-fn an_answer_at_the_origin_is_no_second_answer() {
-    let ray = Ray::new(Vec3::new(1.0, 1.0, 0.0), Vec3::X);
-    let drawn = text(ShownCall::Ray(triangle(ray, Some(0.0), None)));
-    assert!(
-        !drawn.contains('*') && !drawn.contains("@ origin"),
-        "{drawn}"
-    );
-    assert!(
-        drawn.contains("o expected") && !drawn.contains("x yours"),
-        "{drawn}"
-    );
-    let near = Ray::new(Vec3::new(1.0, 1.0, -1.0), Vec3::Z);
-    let both = text(ShownCall::Ray(triangle(near, Some(1.0), Some(1.0))));
-    assert!(
-        both.contains("* expected and yours") && !both.contains("x yours"),
-        "{both}"
-    );
-    let bounded = Ray { min_t: 1.0, ..near };
-    let axis = text(ShownCall::Ray(triangle(bounded, Some(1.0), Some(2.0))));
-    assert!(
-        axis.contains("=  = range") || axis.contains(">  = range"),
-        "{axis}"
+    let yours = [right, Vec3::new(3.0, 1.0, 0.0), Vec3::new(1.0, 1.0, 1.5)];
+    let shown = yours.map(|yours| {
+        ShownCall::Ray(ShownRay {
+            points: Some([right, yours]),
+            ..triangle(upwards(1.0, 1.0), Some(1.0), Some(1.0))
+        })
+    });
+    shows(
+        "points",
+        "one place for both answers, then o and x apart, twice",
+        shown,
     );
 }
 
 #[test]
 fn a_sphere_and_a_box_show_where_the_ray_ends_and_begins() {
-    let ray = Ray::new(Vec3::new(0.0, 0.0, -3.0), Vec3::Z);
-    let sphere = text(ShownCall::Ray(ShownRay {
+    let sphere = ShownRay {
         scene: Scene {
             spheres: vec![Sphere {
                 center: Vec3::ZERO,
@@ -160,26 +145,26 @@ fn a_sphere_and_a_box_show_where_the_ray_ends_and_begins() {
         yours: vec![4.0],
         // The far point has another normal, which is not what is wrong.
         normals: Some([-Vec3::Z, Vec3::Z]),
-        ..ShownRay::new(ray)
-    }));
-    assert!(!sphere.contains("normal"), "{sphere}");
-    let [origin, near, far] = ['@', 'o', 'x'].map(|sign| place(&sphere, sign));
-    let [origin, near, far] = [origin, near, far].map(|at| at.expect("it is drawn")[1]);
-    assert!(origin < near && near < far, "{sphere}");
+        ..ShownRay::new(Ray::new(Vec3::new(0.0, 0.0, -3.0), Vec3::Z))
+    };
     // The ray misses in y, which is not its next axis.
-    let beside = text(ShownCall::Ray(ShownRay {
+    let beside = ShownRay {
         boxes: vec![Aabb {
             min: Vec3::ZERO,
             max: Vec3::ONE,
         }],
         yours: vec![1.0],
         ..ShownRay::new(Ray::new(Vec3::new(0.5, 2.0, -1.0), Vec3::Z))
-    }));
-    assert!(beside.contains("y to the right, z up"), "{beside}");
+    };
+    shows(
+        "spheres_and_boxes",
+        "origin, near point and far point from left to right, without normals; the box with y to the right, along which the ray misses",
+        [sphere, beside].map(ShownCall::Ray),
+    );
 }
 
 #[test]
-fn samples_where_they_should_be_are_not_drawn() {
+fn samples_and_directions_are_drawn_where_they_differ() {
     let pixel = |yours: [f64; 2]| {
         ShownCall::Pixel(ShownPixel {
             film: [2, 1],
@@ -189,9 +174,25 @@ fn samples_where_they_should_be_are_not_drawn() {
             yours: vec![yours],
         })
     };
+    let bounce = |wo, expected, yours| {
+        ShownCall::Bounce(ShownBounce {
+            wo,
+            expected,
+            yours,
+        })
+    };
     assert_eq!(Sketch::of(&pixel([0.75, 0.5])), None);
-    let drawn = text(pixel([0.5, 0.0]));
-    assert!(drawn.contains('o') && drawn.contains('x'), "{drawn}");
+    assert_eq!(Sketch::of(&bounce([f64::NAN; 3], None, None)), None);
+    let below = bounce(
+        [0.6, 0.0, 0.8],
+        Some([-0.6, 0.0, 0.8]),
+        Some([0.6, 0.0, -0.8]),
+    );
+    shows(
+        "samples_and_directions",
+        "o in the middle of the pixel, x in its corner; wo and the expected direction above the surface, yours below",
+        [pixel([0.5, 0.0]), below],
+    );
 }
 
 #[test]
@@ -200,21 +201,25 @@ fn a_tree_is_drawn_level_by_level_and_what_is_not_finite_is_left_out() {
         ends: [from, to],
         label: label.into(),
     };
-    let spans = |last: Span| {
+    let levels = [8.0, f64::NAN].map(|from| {
+        let (root, left, right) = (
+            span(0.0, 9.0, ""),
+            span(0.0, 1.0, "0"),
+            span(from, 9.0, "1"),
+        );
         ShownCall::Spans(ShownSpans {
             along: "x",
             about: "the boxes",
-            rows: vec![vec![span(0.0, 9.0, "")], vec![span(0.0, 1.0, "0"), last]],
+            rows: vec![vec![root], vec![left, right]],
             expected: None,
             yours: None,
         })
-    };
-    let drawn = text(spans(span(8.0, 9.0, "1")));
-    let lines: Vec<&str> = drawn.lines().collect();
-    assert!(lines[0].trim().starts_with('|') && lines[0].trim().ends_with('|'));
-    assert!(lines[1].contains('0') && lines[1].contains('1'), "{drawn}");
-    let without = text(spans(span(f64::NAN, 9.0, "1")));
-    assert!(!without.contains('1'), "{without}");
+    });
+    shows(
+        "levels_of_a_tree",
+        "the root from end to end, its children below it; then only the left one",
+        levels,
+    );
 }
 
 /// A drawing of its own can be read without a style sheet of ours, and says what its signs mean.
@@ -233,24 +238,6 @@ fn a_drawing_as_a_file_has_its_style_and_its_signs() {
         assert!(style.contains(&format!(".{name} {{")), "{name}: {style}");
     }
     assert!(drawing.caption.contains(". ") && drawing.caption.contains("○ expected"));
-}
-
-#[test]
-fn directions_are_drawn_from_their_surface() {
-    let drawn = text(ShownCall::Bounce(ShownBounce {
-        wo: [0.6, 0.0, 0.8],
-        expected: Some([-0.6, 0.0, 0.8]),
-        yours: Some([0.6, 0.0, -0.8]),
-    }));
-    let line = |word: &str| drawn.lines().position(|line| line.contains(word));
-    assert_eq!(line("wo"), line("expected"), "{drawn}");
-    assert!(line("wo") < line("yours"), "{drawn}");
-    let none = ShownBounce {
-        wo: [f64::NAN; 3],
-        expected: None,
-        yours: None,
-    };
-    assert_eq!(Sketch::of(&ShownCall::Bounce(none)), None);
 }
 
 /// The words of an SVG, each with the rectangle that its letters take: left, top, right, bottom.

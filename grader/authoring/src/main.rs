@@ -2,32 +2,35 @@
 
 mod cli;
 
-use base::program::{arguments_of, run_to_exit_code, subprogram_command};
+use base::program::{Run, run_commands};
 use clap::Command;
 use cli::{course, mutants};
 use std::process::ExitCode;
 
-fn command() -> Command {
-    subprogram_command([course::command(), mutants::command()])
+fn commands() -> [(Command, Run); 2] {
+    [
+        (course::command(), course::run),
+        (mutants::command(), mutants::run),
+    ]
 }
 
 fn main() -> ExitCode {
-    let matches = arguments_of(command());
-    run_to_exit_code(|| match matches.subcommand() {
-        Some(("course", matches)) => course::run(matches),
-        Some((_, matches)) => mutants::run(matches),
-        None => unreachable!("clap requires a command"),
-    })
+    run_commands(commands())
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use base::program::{check_help, subprogram_command};
+
+    fn command() -> Command {
+        subprogram_command(commands().map(|(command, _)| command))
+    }
 
     #[test]
     fn the_stored_help_is_that_of_the_commands() {
         let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
-        base::program::check_help(command(), folder).unwrap();
+        check_help(command(), folder).unwrap();
     }
 
     #[test]

@@ -2,10 +2,10 @@
 
 use crate::handouts::handout;
 use base::Workspace;
+use files::file_tree::{self, Files};
 use std::collections::BTreeSet;
 use std::ops::RangeInclusive;
 use std::path::Path;
-use submission::file_tree::{self, Files};
 
 fn workspace() -> Workspace {
     Workspace::above(Path::new(env!("CARGO_MANIFEST_DIR"))).expect("the grader is in the course")

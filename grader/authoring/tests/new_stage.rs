@@ -2,10 +2,10 @@
 //! that it names and no others, grades a new stage.
 
 use base::Workspace;
+use files::file_tree;
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use submission::file_tree;
 
 /// The new stage. It doubles numbers.
 const MANIFEST: &str = r#"[package]

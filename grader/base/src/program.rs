@@ -69,6 +69,23 @@ pub fn run_to_exit_code(work: impl FnOnce() -> Result<Exit, GraderError>) -> Exi
     }
 }
 
+/// What a command does.
+pub type Run = fn(&ArgMatches) -> Result<Exit, GraderError>;
+
+/// A program that implements some of the commands of `grader`: reads its arguments and runs the one
+/// that they name.
+pub fn run_commands<const N: usize>(commands: [(Command, Run); N]) -> ExitCode {
+    let (commands, runs): (Vec<Command>, Vec<Run>) = commands.into_iter().unzip();
+    let names: Vec<String> = commands.iter().map(|it| it.get_name().into()).collect();
+    let matches = arguments_of(subprogram_command(commands));
+    let named = matches.subcommand().and_then(|(name, rest)| {
+        let at = names.iter().position(|known| known == name)?;
+        Some((runs[at], rest))
+    });
+    let (run, rest) = named.expect("clap requires one of the commands");
+    run_to_exit_code(|| run(rest))
+}
+
 /// The command line of a program that implements some of the commands of `grader`.
 pub fn subprogram_command(commands: impl IntoIterator<Item = Command>) -> Command {
     Command::new("grader")

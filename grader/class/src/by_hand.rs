@@ -8,6 +8,8 @@
 //! A line names a submission, as `gradebook.csv` does, and is about all who handed it in; or a team;
 //! or a student, of a team only this one.
 
+use crate::gradebook::table::points_text as points;
+use crate::gradebook::table::text;
 use crate::out::{Out, read_regular};
 use crate::plan::Plan;
 use crate::roster::join::Join;
@@ -15,8 +17,6 @@ use crate::roster::{Roster, Student};
 use crate::row::{Row, Score, Status};
 use crate::sheet::Sheet;
 use base::GraderError;
-use formats::gradebook::points_text as points;
-use formats::gradebook::text;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::io::ErrorKind;

@@ -132,8 +132,8 @@ pub fn command() -> Command {
         .arg(folder("course").long("course").hide(true))
 }
 
-/// Parses the seed of a class. Fails for [`KNOWN_SEED`], whose questions students have, and for what
-/// is not a whole number.
+/// Parses the seed of a class. Fails for [`KNOWN_SEED`], whose questions students have, and for
+/// what is not a whole number.
 fn drawn_seed(value: &str) -> Result<u64, String> {
     match whole_number(value, 0, u64::MAX)? {
         KNOWN_SEED => Err(format!(

@@ -3,8 +3,8 @@
 mod points;
 pub(crate) mod report;
 
+pub use crate::gradebook::table::points_text as points;
 pub use crate::row::{Class, Details, Graded, Row, Score, Status, TaskOutcome};
-pub use formats::gradebook::points_text as points;
 pub use report::{Case, Diagnosis, Drawing, Finding, Simplest, StudentReport, Task};
 
 use crate::by_hand::{self, ByHand};

@@ -3,12 +3,12 @@
 use crate::hash::{self, Hasher};
 use base::GraderError;
 use base::Workspace;
+use files::file_tree;
+use files::members;
 use grader::course::Course;
 use judge::Tier;
 use std::collections::BTreeMap;
 use std::path::Path;
-use submission::file_tree;
-use submission::packages::members;
 
 /// The hashes of the parts of a course that scores depend on, by their names for people.
 pub type CourseHash = BTreeMap<String, String>;

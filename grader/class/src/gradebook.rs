@@ -1,8 +1,10 @@
-//! The table `gradebook.csv`: one line for each submission, in the form of [`formats::gradebook`].
+//! The table `gradebook.csv`: one line for each submission, in the form of [`table`].
+
+pub mod table;
 
 use crate::collect::{Class, Row};
 use base::GraderError;
-use formats::gradebook::{self, Line};
+use table::Line;
 
 /// Writes the table. `id` is the name of a submission's folder or archive.
 pub fn write(class: &Class) -> Result<String, GraderError> {
@@ -13,7 +15,7 @@ pub fn write(class: &Class) -> Result<String, GraderError> {
         .map(|task| task.key.as_str())
         .collect();
     let lines: Vec<Line> = class.rows.iter().map(|row| line(row, &tasks)).collect();
-    gradebook::write(&tasks, class.plan.max_score(), &lines)
+    table::write(&tasks, class.plan.max_score(), &lines)
 }
 
 /// The line of a submission.

@@ -3,13 +3,13 @@
 //! Points are what the code earned. The rule changes marks only, which [`crate::roster::table`]
 //! writes: it needs the roster, which says who may hand in later.
 
+use crate::gradebook::table::points_text as points;
 use crate::plan::{PlannedTerm, State};
 use crate::reading::intake::CommitTimes;
 use crate::roster::join::Join;
 use crate::roster::{Roster, Student};
 use crate::row::{Class, Row};
 use base::utc::Utc;
-use formats::gradebook::points_text as points;
 use grader::course::term::{LateRule, seconds_of_due};
 use std::collections::BTreeMap;
 use submission::Untrusted;

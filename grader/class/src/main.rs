@@ -1,6 +1,6 @@
 //! The program behind `grader class`.
 
-use base::program::{Exit, arguments_of, run_to_exit_code, subprogram_command};
+use base::program::{Exit, run_commands, run_to_exit_code};
 use class::reading::process;
 use std::process::ExitCode;
 
@@ -12,20 +12,16 @@ fn main() -> ExitCode {
     {
         return run_to_exit_code(|| process::run(arguments).map(|()| Exit::Passed));
     }
-    let matches = arguments_of(subprogram_command([class::cli::command()]));
-    run_to_exit_code(|| match matches.subcommand() {
-        Some((_, matches)) => class::cli::run(matches),
-        None => unreachable!("clap requires a command"),
-    })
+    run_commands([(class::cli::command(), class::cli::run)])
 }
 
 #[cfg(test)]
 mod tests {
-    use super::*;
+    use base::program::{check_help, subprogram_command};
 
     #[test]
     fn the_stored_help_is_that_of_the_commands() {
         let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
-        base::program::check_help(subprogram_command([class::cli::command()]), folder).unwrap();
+        check_help(subprogram_command([class::cli::command()]), folder).unwrap();
     }
 }

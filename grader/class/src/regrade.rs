@@ -3,9 +3,9 @@
 
 use crate::by_hand::{ByHand, given};
 use crate::collect::{Class, Row, points};
+use crate::gradebook::table::{self as gradebook, text};
 use crate::plan::{Plan, State};
 use base::GraderError;
-use formats::gradebook::{self, text};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use submission::Untrusted;

@@ -353,7 +353,7 @@ fn code_of_the_grader_in_a_stage_is_shown() {
     let workspace = Workspace::above(Path::new(env!("CARGO_MANIFEST_DIR"))).expect("a workspace");
     let graders = submission::code::of_the_grader(workspace.root()).expect("it can be read");
     let known = known(workspace.root(), "bvh").expect("it can be read");
-    let student = |name: &str, files: &submission::file_tree::Files| Student {
+    let student = |name: &str, files: &files::file_tree::Files| Student {
         name: name.into(),
         owner: None,
         stages: BTreeMap::from([("bvh".to_string(), Source::new(files, &known))]),
@@ -366,7 +366,7 @@ fn code_of_the_grader_in_a_stage_is_shown() {
         .replace("next", "todo");
     let pasted = BTreeMap::from([(PathBuf::from("lib.rs"), renamed.into_bytes())]);
     let reference =
-        submission::file_tree::Files::from_iter(["construct.rs", "traverse.rs"].map(|name| {
+        files::file_tree::Files::from_iter(["construct.rs", "traverse.rs"].map(|name| {
             let path = workspace.root().join("stages/bvh/src").join(name);
             (
                 PathBuf::from(name),

@@ -1,6 +1,6 @@
 //! `grader cost`: measures the time that accuracy costs.
 
-use base::program::{Exit, arguments_of, check_folders_of, run_to_exit_code, subprogram_command};
+use base::program::{Exit, check_folders_of, run_commands};
 use base::{GraderError, Workspace, out, outln};
 use clap::ArgMatches;
 use cost::page::{page, plot};
@@ -12,11 +12,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    let matches = arguments_of(subprogram_command([programs::cost()]));
-    run_to_exit_code(|| match matches.subcommand() {
-        Some((_, matches)) => run(matches),
-        None => unreachable!("clap requires a subcommand"),
-    })
+    run_commands([(programs::cost(), run)])
 }
 
 fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {

@@ -101,8 +101,8 @@ impl<'a> TraverseScript<'a> {
         }
     }
 
-    /// The interval of `ray` in the node whose box is `b`; `None` if it misses it, or if there is no
-    /// such node. Counts nothing.
+    /// The interval of `ray` in the node whose box is `b`; `None` if it misses it, or if there is
+    /// no such node. Counts nothing.
     pub fn interval(&self, b: &Aabb, ray: &Ray) -> Option<Interval> {
         let node = *self.node_of.get(&box_key(b))?;
         let span = match self.scripted.is_hidden {

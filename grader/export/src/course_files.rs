@@ -3,14 +3,14 @@
 //! They contain solutions. They are for containers that students cannot look into.
 
 use base::{GraderError, Workspace};
+use files::file_tree::{self, Files};
+use files::members::{self, Member};
+use files::{lock, manifest};
 use std::collections::BTreeSet;
 use std::path::Path;
-use submission::file_tree::{self, Files};
-use submission::packages::members::{self, Member};
-use submission::packages::{lock, manifest};
 
 /// The programs that a container runs. The package contains what they depend on.
-const PROGRAMS: [&str; 3] = ["formats", "worker", "sandbox"];
+const PROGRAMS: [&str; 3] = ["submission", "worker", "sandbox"];
 
 /// The files, by their paths in the workspace.
 pub fn of(workspace: &Workspace) -> Result<Files, GraderError> {

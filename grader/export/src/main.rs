@@ -1,6 +1,6 @@
 //! The program behind `grader export SYSTEM --part N --out PATH`.
 
-use base::program::{self, Exit, path_argument, subprogram_command, whole_number};
+use base::program::{Exit, path_argument, run_commands, whole_number};
 use base::{GraderError, Workspace, errln, folder_of, outln, write_whole};
 use clap::parser::ValueSource;
 use clap::{Arg, ArgAction, ArgMatches, Command};
@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 fn command() -> Command {
-    let export = Command::new("export")
+    Command::new("export")
         .about("For instructors: writes what a course system needs to grade a part")
         .arg(
             Arg::new("system")
@@ -94,8 +94,7 @@ fn command() -> Command {
                 .default_value("main")
                 .value_parser(reference)
                 .help("The branch or tag of that repository"),
-        );
-    subprogram_command([export])
+        )
 }
 
 /// Reads `OWNER/NAME`. It becomes part of scripts.
@@ -120,11 +119,7 @@ fn reference(value: &str) -> Result<String, String> {
 }
 
 fn main() -> ExitCode {
-    let matches = program::arguments_of(command());
-    program::run_to_exit_code(|| match matches.subcommand() {
-        Some((_, matches)) => run(matches),
-        None => unreachable!("clap requires a command"),
-    })
+    run_commands([(command(), run)])
 }
 
 fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
@@ -196,7 +191,7 @@ fn write_folder(out: &Path, files: &[ExportedFile]) -> Result<(), GraderError> {
     let complete = temp.path().join("export");
     for file in files {
         let path = complete.join(&file.path);
-        submission::file_tree::write(&path, &file.contents)?;
+        files::file_tree::write(&path, &file.contents)?;
         if file.is_executable {
             make_executable(&path)?;
         }
@@ -220,11 +215,12 @@ fn make_executable(_: &Path) -> Result<(), GraderError> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use base::program::{check_help, subprogram_command};
 
     #[test]
     fn the_stored_help_is_that_of_the_commands() {
         let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
-        base::program::check_help(command(), folder).unwrap();
+        check_help(subprogram_command([command()]), folder).unwrap();
     }
 
     #[test]

@@ -84,12 +84,12 @@ pub const FULL_IMAGE: Image = [
     (
         "prepare",
         "cargo build --release --locked {packages} \\\n \
-         && ./target/release/formats {what} --submission .{unsandboxed} --write prairielearn=/tmp/results.json",
+         && ./target/release/submission {what} --submission .{unsandboxed} --write prairielearn=/tmp/results.json",
     ),
     ("take_stages", ""),
     (
         "grade",
-        "./target/release/formats {what} --submission \"$submission\"",
+        "./target/release/submission {what} --submission \"$submission\"",
     ),
 ];
 

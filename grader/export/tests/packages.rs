@@ -197,7 +197,7 @@ fn the_zip_has_its_scripts_at_its_root_and_they_can_be_run() {
     for needed in [
         "course/stages/course.toml",
         "course/stages/bvh/src/lib.rs",
-        "course/grader/formats/src/main.rs",
+        "course/grader/submission/src/main.rs",
         "course/golden/signatures/part2.task1.bin",
     ] {
         assert!(names.iter().any(|name| name == needed), "no {needed}");
@@ -352,7 +352,7 @@ fn the_package_grades_a_submission_without_a_network() {
         .expect("it is exported");
     for file in &files {
         let path = root.join("source").join(&file.path);
-        submission::file_tree::write(&path, &file.contents).expect("it is written");
+        files::file_tree::write(&path, &file.contents).expect("it is written");
     }
     let script = |name: &str| {
         let status = Command::new("bash")
@@ -365,7 +365,7 @@ fn the_package_grades_a_submission_without_a_network() {
     assert_eq!(script("setup.sh"), Some(0));
     let hand_in = |name: &str, text: &str| {
         let path = root.join("submission/stages/intersect/src").join(name);
-        submission::file_tree::write(&path, text.as_bytes()).expect("it is written");
+        files::file_tree::write(&path, text.as_bytes()).expect("it is written");
     };
     let results = || -> serde_json::Value {
         let text = std::fs::read_to_string(root.join("results/results.json")).expect("results");

@@ -1,177 +1,54 @@
-//! The program behind `grader part1 --format FORMAT` and `grader part1 --write FORMAT=FILE`, for the
-//! formats of course systems.
+//! The program that writes the formats of course systems about the project that it is called in.
 
-mod grading;
-
-use base::program::{self, Exit};
-use base::{GraderError, errln, interrupt, out, write_whole};
-use clap::{Arg, ArgAction, ArgMatches, Command};
-use formats::classroom50::Assignment;
-use formats::settings::Visibility;
-use formats::{Format, Outcome, Settings};
-use grader::cli::course_systems;
-use grader::cli::grade::{arguments, submission_arguments};
-use grader::report::HintLevel;
-use std::path::PathBuf;
+use base::program::{arguments_of, run_to_exit_code};
+use base::{GraderError, Workspace};
+use formats::command::{command, notes, run};
+use formats::{Graded, Outcome, annotation};
+use grader::cli::grade::{hint, request};
+use grader::course::{Course, sources};
+use grader::grade::{self, GradeRequest};
+use grader::report::{self, HintLevel, Reveal};
+use grader::workers::printed;
+use std::path::Path;
 use std::process::ExitCode;
-use std::time::{SystemTime, UNIX_EPOCH};
-
-/// What the files say while grading runs: a grader that is killed leaves this behind.
-const UNFINISHED: &str = "Grading did not finish: the grader was stopped, or took more time or memory than the machine gives it.";
-
-fn command() -> Command {
-    arguments(Command::new("grader"), HintLevel::Findings)
-        .args(submission_arguments())
-        .args(course_systems::arguments())
-        .arg(
-            Arg::new("extra")
-                .long("extra")
-                .action(ArgAction::SetTrue)
-                .help("Also show what extra credit lost, once every core case passes"),
-        )
-        .about("Grades, and reports in the formats of course systems")
-        .after_help(program::EXIT_CODES)
-}
 
 fn main() -> ExitCode {
-    let matches = program::arguments_of(command());
-    program::run_to_exit_code(|| run(&matches))
-}
-
-/// A file to write.
-#[derive(Clone, Debug, PartialEq, Eq)]
-struct Target {
-    format: Format,
-    path: PathBuf,
-}
-
-impl Target {
-    /// Reads `FORMAT=FILE`.
-    fn parse(text: &str) -> Result<Target, GraderError> {
-        let names = || Format::ALL.map(Format::name).join(", ");
-        let parts = text.split_once('=').filter(|(_, path)| !path.is_empty());
-        let (name, path) = parts.ok_or_else(|| {
-            GraderError::new(format!(
-                "`--write {text}`: expected FORMAT=FILE, such as `--write junit=junit.xml`. The formats are {}",
-                names()
-            ))
-        })?;
-        let format = Format::named(name).ok_or_else(|| {
-            let instead = match name {
-                "csv" => ". `grader class` writes a gradebook, also of one submission",
-                _ => "",
+    let matches = arguments_of(command(HintLevel::Findings));
+    run_to_exit_code(|| {
+        run(&matches, || {
+            let reveal = Reveal {
+                hint: hint(&matches),
+                extra: matches.get_flag("extra"),
             };
-            GraderError::new(format!(
-                "`--write {text}`: there is no format {name:?}{instead}. The formats are {}",
-                names()
-            ))
-        })?;
-        Ok(Target {
-            format,
-            path: path.into(),
+            in_place(
+                &Workspace::above(Path::new("."))?,
+                &request(&matches)?,
+                reveal,
+            )
         })
-    }
+    })
 }
 
-fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
-    let targets: Vec<Target> = matches
-        .get_many::<String>("write")
-        .unwrap_or_default()
-        .map(|text| Target::parse(text))
-        .collect::<Result<_, _>>()?;
-    // `table` and `json` are not formats of course systems only: the report is printed in them.
-    let printed = matches
-        .get_one::<String>("format")
-        .map_or("table", String::as_str);
-    let settings = settings(matches);
-    let formats = targets.iter().map(|target| target.format);
-    for format in formats.chain(Format::named(printed)) {
-        format.check(&settings)?;
+fn in_place(
+    workspace: &Workspace,
+    request: &GradeRequest,
+    reveal: Reveal,
+) -> Result<Outcome, GraderError> {
+    let course = Course::read(workspace)?;
+    let graded = grade::in_place(workspace, request, false, true)?;
+    let mut files = Vec::new();
+    for stage in grade::stages(&course.select(&request.what)?) {
+        files.extend(sources::read(workspace.root(), stage)?);
     }
-    write_all(
-        &targets,
-        &Outcome::Infrastructure(UNFINISHED.into()),
-        &settings,
-    )?;
-    let mut outcome = grading::grade(matches);
-    if interrupt::was_interrupted() {
-        // Whatever failed last did so because it was ended.
-        outcome = Outcome::Infrastructure(UNFINISHED.into());
-    }
-    write_all(&targets, &outcome, &settings)?;
-    match (Format::named(printed), &outcome) {
-        (Some(format), _) => out!("{}", format.write(&outcome, &settings)?),
-        (None, Outcome::Graded(graded)) => out!("{}", grading::table(graded)),
-        (None, _) => {}
-    }
-    match outcome {
-        Outcome::Graded(graded) if graded.report.is_full() => Ok(Exit::Passed),
-        Outcome::Graded(_) => Ok(Exit::Failed),
-        Outcome::Refused { why, .. } => {
-            errln!("cannot be graded: {why}");
-            Ok(Exit::Failed)
-        }
-        Outcome::Infrastructure(why) => Err(GraderError::new(why)),
-    }
-}
-
-fn write_all(
-    targets: &[Target],
-    outcome: &Outcome,
-    settings: &Settings,
-) -> Result<(), GraderError> {
-    for Target { format, path } in targets {
-        write_whole(path, format.write(outcome, settings)?.as_bytes())?;
-    }
-    Ok(())
-}
-
-fn settings(matches: &ArgMatches) -> Settings {
-    let now = SystemTime::now().duration_since(UNIX_EPOCH);
-    let visibility = matches.get_one::<String>("visibility");
-    Settings {
-        add_extra: matches.get_flag("add-extra"),
-        visibility: visibility
-            .and_then(|name| Visibility::named(name))
-            .unwrap_or_default(),
-        assignment: Assignment::read(
-            |name| std::env::var(name).ok(),
-            now.map_or(0, |now| now.as_secs()),
-        ),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_command_line_is_valid_and_knows_every_format() {
-        command().debug_assert();
-        for format in Format::ALL {
-            let line = ["grader", "part1", "--format", format.name()];
-            assert!(command().try_get_matches_from(line).is_ok(), "{format:?}");
-        }
-        let visibilities = Visibility::ALL.map(Visibility::name);
-        assert_eq!(visibilities, course_systems::VISIBILITIES);
-    }
-
-    #[test]
-    fn a_file_has_a_format_and_a_path() {
-        let target = Target::parse("junit=a=b.xml").expect("it has both");
-        assert_eq!(target.format, Format::JUnit);
-        assert_eq!(target.path, PathBuf::from("a=b.xml"));
-        for (text, why) in [
-            ("junit.xml", "expected FORMAT=FILE"),
-            ("junit=", "expected FORMAT=FILE"),
-            (
-                "xunit=a.xml",
-                "no format \"xunit\". The formats are gradescope",
-            ),
-            ("csv=a.csv", "\"csv\". `grader class` writes a gradebook"),
-        ] {
-            let error = Target::parse(text).expect_err(text).to_string();
-            assert!(error.contains(why), "{error}");
-        }
-    }
+    let json = report::json(&graded.report)?;
+    base::write_whole(&workspace.root().join("report.json"), json.as_bytes())?;
+    let notes = notes([&*graded.compiler, &printed::format(&graded.printed)]);
+    Ok(Outcome::Graded(Box::new(Graded {
+        what: request.what.clone(),
+        annotations: annotation::all(&graded.report, &graded.compiler, &files, reveal),
+        report: graded.report,
+        json,
+        reveal,
+        notes,
+    })))
 }

@@ -1,7 +1,7 @@
 //! The files of a handout that set up editors: rust-analyzer runs `cargo grader check` when a file is
 //! saved, and tasks run the other commands.
 
-use submission::file_tree::Files;
+use files::file_tree::Files;
 
 /// Path in the handout, and contents.
 const FILES: [(&str, &str); 7] = [

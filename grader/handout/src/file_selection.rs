@@ -2,11 +2,11 @@
 
 use super::carve::Carver;
 use base::GraderError;
+use files::manifest;
+use files::members::{self, Member};
 use grader::course::Course;
 use std::collections::BTreeSet;
 use std::path::Path;
-use submission::packages::manifest;
-use submission::packages::members::{self, Member};
 
 /// The programs of a handout. It contains their crates and what these depend on, and no other
 /// crates.
@@ -17,9 +17,8 @@ const PROGRAMS: &[&str] = &[
     "viewer",
     "cost",
     "speedup",
-    "review",
+    "look",
     "preview",
-    "submission",
     "formats",
 ];
 

@@ -23,6 +23,9 @@ mod worked_examples;
 use base::{GraderError, Workspace, folder_of};
 use carve::Carver;
 use file_selection::FileSelection;
+use files::file_tree::{self, Files};
+use files::members;
+use files::{lock, manifest};
 use grader::book;
 use grader::course::given::{self, GivenFiles};
 use grader::course::packed;
@@ -32,12 +35,6 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
-use submission::file_tree::{self, Files};
-use submission::packages::members::{self, Member};
-use submission::packages::{lock, manifest};
-
-/// The crate whose sources contain the text of markers, but no solution.
-const MENTIONS_MARKERS: &str = "submission";
 
 /// A handout: the files of the course without the solutions of some parts.
 #[derive(Clone, Debug)]
@@ -220,8 +217,7 @@ impl Handout {
         root: &Path,
     ) -> Result<(), GraderError> {
         let is_rust = path.extension().is_some_and(|extension| extension == "rs");
-        let is_carved = |owner: &Member| owner.name != MENTIONS_MARKERS;
-        if !is_rust || !selection.owner(&path).is_some_and(is_carved) {
+        if !is_rust || selection.owner(&path).is_none() {
             self.files.insert(path, contents);
             return Ok(());
         }
@@ -338,7 +334,9 @@ impl Handout {
                 .collect();
             let is_used = |name: &str| {
                 let name = name.replace('-', "_");
-                code.iter().any(|text| text.contains(&name))
+                let is_part = |c: char| c == '_' || c.is_alphanumeric();
+                let mut words = code.iter().flat_map(|text| text.split(|c| !is_part(c)));
+                words.any(|word| word == name)
             };
             let text = text(path, contents.clone())?;
             let text = manifest::without_unused_dev_dependencies(&text, is_used);

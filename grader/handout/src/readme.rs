@@ -1,6 +1,7 @@
 //! Writes the README of a handout from the template `student.md`.
 
 use base::GraderError;
+use files::file_tree::Files;
 use grader::course::sources::{defines_function, holes};
 use grader::course::{Course, Part, Task, stages_of};
 use grader::grade::picture::file_stem;
@@ -8,7 +9,6 @@ use judge::Tier;
 use std::collections::BTreeSet;
 use std::fmt::Write;
 use std::path::Path;
-use submission::file_tree::Files;
 
 const TEMPLATE: &str = include_str!("student.md");
 

@@ -1,10 +1,10 @@
 //! `cargo test` in a handout: the worked examples of tasks that are not written yet are ignored, so
 //! that they do not end it before the tests of what is written.
 
+use files::file_tree::Files;
+use files::manifest;
 use grader::course::Task;
 use std::path::{Path, PathBuf};
-use submission::file_tree::Files;
-use submission::packages::manifest;
 
 /// The build script of the stages that students write. It sets `open_task` for each task with a
 /// gap.

@@ -1,26 +1,14 @@
 //! `grader review` shows the differences between the goldens and the answers of the current code on
 //! a page. `grader bless` accepts them.
 //!
-//! Start at [`Review::add`]: a worker answers the cases. [`case`] compares each answer with its
-//! golden, line by line and, if the case has a [`picture`], pixel by pixel; [`calls`] are those that
-//! differ, each with its cause. The exact oracle checks the answers independently of both.
-//! [`page`] writes the result as one self-contained HTML file; [`delta`], [`magnitude`] and
-//! [`box_walk`] say how much answers, colours and traversals differ. [`look`] is the page for
-//! students.
+//! Start at [`Review::add`]: a worker answers the cases. [`look::case`] compares each answer with its
+//! golden. The exact oracle checks the answers independently of both. [`page`] writes the result as
+//! one self-contained HTML file.
 
 pub mod bless;
-pub mod box_tests;
-pub mod box_walk;
-pub mod calls;
-pub mod case;
-pub mod delta;
-pub mod look;
-pub mod magnitude;
 pub mod page;
-pub mod picture;
 
 use base::{GraderError, Workspace};
-use case::{Case, State};
 use grader::course::consistency;
 use grader::course::{CaseEntry, Course, Task};
 use grader::diagnosis::{self, Diagnosis};
@@ -33,9 +21,9 @@ use grader::workers::worker_set::WorkerSet;
 use judge::Tier;
 use judge::cases::Spec;
 use judge::pictures;
+use look::case::{Case, State};
 use pages::picture::read_png;
 use std::collections::BTreeMap;
-#[cfg(feature = "submissions")]
 use submission::{clean_workspace::CleanWorkspace, read::Submission};
 
 /// The comparison of goldens and answers.
@@ -122,7 +110,6 @@ impl Review {
     }
 
     /// Reviews a student's stages, each together with the reference's other stages.
-    #[cfg(feature = "submissions")]
     pub fn of_submission(
         workspace: &Workspace,
         course: &Course,

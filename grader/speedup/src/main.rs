@@ -1,6 +1,6 @@
 //! `grader speedup`: the ladder from brute force to a wide tree.
 
-use base::program::{Exit, arguments_of, check_folders_of, run_to_exit_code, subprogram_command};
+use base::program::{Exit, check_folders_of, run_commands};
 use base::{GraderError, out, outln};
 use clap::ArgMatches;
 use grader::cli::{Format, programs, seed_of};
@@ -10,11 +10,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    let matches = arguments_of(subprogram_command([programs::speedup()]));
-    run_to_exit_code(|| match matches.subcommand() {
-        Some((_, matches)) => run(matches),
-        None => unreachable!("clap requires a subcommand"),
-    })
+    run_commands([(programs::speedup(), run)])
 }
 
 fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {

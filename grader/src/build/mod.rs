@@ -309,14 +309,6 @@ pub fn build_program(root: &Path, package: &str) -> Result<Result<PathBuf, Strin
     build_in(root, package, None, &[])
 }
 
-/// As [`build_program`], without the package's default features.
-pub fn build_small_program(
-    root: &Path,
-    package: &str,
-) -> Result<Result<PathBuf, String>, GraderError> {
-    build_in(root, package, None, &["--no-default-features"])
-}
-
 /// As [`build_program`], for a program that links the stages of the workspace.
 pub fn build_program_with_stages(
     root: &Path,

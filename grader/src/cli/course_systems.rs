@@ -40,7 +40,7 @@ pub fn arguments() -> [Arg; 3] {
 }
 
 /// Whether a report in one of these formats is asked for.
-pub(super) fn is_requested(matches: &ArgMatches) -> bool {
+pub fn is_requested(matches: &ArgMatches) -> bool {
     let format = matches.get_one::<String>("format");
     matches.contains_id("write") || format.is_some_and(|name| FORMATS.contains(&name.as_str()))
 }

@@ -36,13 +36,10 @@ pub use options::{Format, seed_argument, seed_of};
 
 use crate::report::HintLevel;
 use base::GraderError;
-use base::program::{Exit, arguments_of, run_to_exit_code};
+use base::program::{Exit, Run, arguments_of, run_to_exit_code};
 use clap::{Arg, ArgMatches, Command, value_parser};
 use std::ffi::OsString;
 use std::process::ExitCode;
-
-/// What a command of this program does.
-type Run = fn(&ArgMatches) -> Result<Exit, GraderError>;
 
 /// The commands of this program, in the order of `--help`, where `help` is the last of all.
 const COMMANDS: [(fn() -> Command, Run); 18] = [
@@ -70,7 +67,7 @@ const COMMANDS: [(fn() -> Command, Run); 18] = [
 const SUBPROGRAMS: &[(&str, &str, &str)] = &[
     (
         "look",
-        "review",
+        "look",
         "Renders a task's picture with your code, and opens a page of what is wrong in the task",
     ),
     (
@@ -210,11 +207,11 @@ fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
         // A command is always the first argument.
         return subprogram::run(package, std::env::args_os().skip(1).collect());
     }
-    if course_systems::is_requested(matches) {
-        return subprogram::run("formats", std::env::args_os().skip(1).collect());
-    }
     if grade::is_for_submissions(matches) {
         return subprogram::run("submission", std::env::args_os().skip(1).collect());
+    }
+    if course_systems::is_requested(matches) {
+        return subprogram::run("formats", std::env::args_os().skip(1).collect());
     }
     if let Some(word) = matches.get_one::<String>("what")
         && let Some(meant) = help::command_like(word)

@@ -10,8 +10,7 @@ use std::ffi::OsString;
 use std::path::Path;
 use std::process::Command;
 
-/// The commands whose programs are built in seconds. That of [`LOOK`] is `review` without the
-/// libraries of its other commands.
+/// The commands whose programs are built in seconds.
 const SMALL: [&str; 3] = [LOOK, "start", "handout"];
 
 /// Prints the help of the command that `arguments` name, if they ask for it, without building its
@@ -47,12 +46,9 @@ pub fn run(package: &str, arguments: Vec<OsString>) -> Result<Exit, GraderError>
     if print_help(&manifest, &arguments) {
         return Ok(Exit::Passed);
     }
-    let is_one_of = |names: &[&str]| {
-        let mut names = names.iter();
-        names.any(|name| arguments.first().is_some_and(|command| command == name))
-    };
     if !is_built(package) {
-        let how_long = match is_one_of(&SMALL) {
+        let is_first = |name| arguments.first().is_some_and(|command| command == name);
+        let how_long = match SMALL.iter().any(is_first) {
             true => "some ten seconds",
             false => "about a minute",
         };
@@ -61,11 +57,7 @@ pub fn run(package: &str, arguments: Vec<OsString>) -> Result<Exit, GraderError>
              time. After that it starts at once."
         );
     }
-    let build = match is_one_of(&[LOOK]) {
-        true => build::build_small_program,
-        false => build::build_program,
-    };
-    let program = build(workspace.root(), package)?
+    let program = build::build_program(workspace.root(), package)?
         .map_err(|_| GraderError::new(format!("the package {package} does not compile")))?;
     let mut command = Command::new(&program);
     command.args(arguments);

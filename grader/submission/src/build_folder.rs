@@ -2,10 +2,10 @@
 //! what was compiled before. Nothing that is built here reaches another submission.
 
 use crate::clean_workspace::{CleanWorkspace, mark_used};
-use crate::file_tree::{self, Files};
-use crate::untrusted::{Layout, shown};
 use base::GraderError;
 use base::interrupt::{self, TempFolder};
+use files::file_tree::{self, Files};
+use formats::{Layout, shown};
 use grader::build::BuildRoot;
 use grader::workers::awake::Awake;
 use grader::workers::launcher::Launcher;

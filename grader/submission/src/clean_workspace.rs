@@ -3,13 +3,13 @@
 
 use crate::build_folder::BuildFolder;
 use crate::containment::Containment;
-use crate::file_tree::{self, Files};
 use crate::jail::Jail;
-use crate::packages::members::{self, Member};
-use crate::packages::{lock, manifest};
 use crate::toolchain::Toolchain;
 use base::{GraderError, Workspace, interrupt};
 use base::{child_processes, errln};
+use files::file_tree::{self, Files};
+use files::members::{self, Member};
+use files::{lock, manifest};
 use grader::workers::awake::Awake;
 use grader::workers::launcher::Launcher;
 use std::ffi::OsStr;

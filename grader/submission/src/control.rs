@@ -2,8 +2,8 @@
 //! failed, so what went wrong with a submission is no score.
 
 use crate::clean_workspace::CleanWorkspace;
-use crate::file_tree::Files;
 use base::{GraderError, Workspace};
+use files::file_tree::Files;
 use grader::build::compile_errors;
 use grader::course::{Course, Task, sources};
 use grader::grade::{self, Graded};
@@ -97,9 +97,9 @@ fn failure(graded: &Graded) -> Option<String> {
 mod tests {
     use super::*;
     use crate::SubmissionReport;
-    use crate::file_tree;
     use crate::one::Options;
     use crate::read::Submission;
+    use files::file_tree;
     use grader::grade::GradeRequest;
     use std::cell::Cell;
 

@@ -1,7 +1,7 @@
 //! The correct versions of the course's stages, of which no check of submissions may complain.
 
-use crate::file_tree::Files;
 use base::Workspace;
+use files::file_tree::Files;
 use grader::course::{Course, sources};
 use std::path::{Path, PathBuf};
 

@@ -1,6 +1,6 @@
 //! Which of a submission's other files are as the student was given them.
 
-use crate::packages::manifest;
+use files::manifest;
 use grader::course::given::{self, GivenFiles};
 use std::path::{Path, PathBuf};
 
@@ -121,7 +121,7 @@ fn is_carved(theirs: &str, ours: &str) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::file_tree;
+    use files::file_tree;
 
     #[test]
     fn the_list_of_the_handout_says_what_was_changed() {

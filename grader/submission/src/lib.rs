@@ -21,23 +21,22 @@ pub mod containment;
 mod control;
 #[cfg(test)]
 mod correct_versions;
-pub mod file_tree;
 mod given;
 mod jail;
 mod not_graded;
 pub mod one;
-pub mod packages;
 pub mod read;
 pub mod scan;
 mod source_file;
 mod toolchain;
 mod untrusted;
 
-pub use untrusted::{Layout, Untrusted, shown};
+pub use formats::{Layout, shown};
+pub use untrusted::Untrusted;
 
-use crate::file_tree::Files;
 use base::{GraderError, Workspace};
 use clean_workspace::CleanWorkspace;
+use files::file_tree::Files;
 use grader::build::BuildLimit;
 use grader::course::{Course, Task};
 use grader::examples;

@@ -1,10 +1,13 @@
 //! The command `grader part2 --submission DIR`: grades what a student handed in.
 
+mod course_systems;
+
 use base::program::{self, Exit};
 use base::{GraderError, Workspace, out, outln};
-use clap::{ArgMatches, Command};
+use clap::ArgMatches;
 use grader::cli::Format;
-use grader::cli::grade::{arguments, hint, submission_arguments};
+use grader::cli::course_systems::is_requested;
+use grader::cli::grade::hint;
 use grader::course::Course;
 use grader::report::{self, HintLevel, Reveal, table};
 use std::fmt::Write;
@@ -16,12 +19,19 @@ use submission::one::Options;
 use submission::{Layout, SubmissionReport, read, shown};
 
 fn main() -> ExitCode {
-    let command = arguments(Command::new("grader"), HintLevel::Remedy)
-        .args(submission_arguments())
-        .about("Grades what students handed in, in a clean copy of the course")
-        .after_help(program::EXIT_CODES);
-    let matches = program::arguments_of(command);
-    program::run_to_exit_code(|| run(&matches))
+    let command = |hint| {
+        formats::command::command(hint)
+            .about("Grades what students handed in, in a clean copy of the course")
+    };
+    let matches = program::arguments_of(command(HintLevel::Remedy));
+    if !is_requested(&matches) {
+        return program::run_to_exit_code(|| run(&matches));
+    }
+    // Students read these files.
+    let matches = program::arguments_of(command(HintLevel::Findings));
+    program::run_to_exit_code(|| {
+        formats::command::run(&matches, || course_systems::grade(&matches))
+    })
 }
 
 /// How many ignored files are named. The others are only counted.
@@ -29,9 +39,14 @@ const IGNORED_NAMED: usize = 20;
 
 fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     let workspace = Workspace::above(Path::new("."))?;
+    grade_one(matches, &workspace, folder(matches)?)
+}
+
+/// The folder of the submission.
+fn folder(matches: &ArgMatches) -> Result<&Path, GraderError> {
     let folder = |name| matches.get_one::<PathBuf>(name);
     match (folder("submission"), folder("class")) {
-        (Some(folder), _) => grade_one(matches, &workspace, folder),
+        (Some(folder), _) => Ok(folder),
         (None, Some(folder)) => Err(moved(matches, folder)),
         (None, None) => Err(GraderError::new(
             "`--together` needs a submission: add `--submission DIR`",

@@ -1,11 +1,12 @@
 //! Reads what a student handed in: the source files of stages, and nothing else.
 
-use crate::file_tree::Files;
+use crate::Untrusted;
 use crate::given::Given;
 use crate::not_graded::NotGraded;
-use crate::untrusted::{Layout, Untrusted, shown};
 use crate::{scan, source_file};
 use base::GraderError;
+use files::file_tree::Files;
+use formats::{Layout, shown};
 use grader::course::{Course, Task, sources};
 use grader::examples;
 use serde::{Deserialize, Serialize};
@@ -369,8 +370,8 @@ fn reaches_out(stage: &str, files: &Files) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::file_tree;
     use crate::source_file::MAX_FILE_SIZE;
+    use files::file_tree;
     use std::path::PathBuf;
 
     const COURSE: &str = r#"

@@ -8,7 +8,7 @@ mod table;
 
 pub use table::table;
 
-use crate::file_tree::Files;
+use files::file_tree::Files;
 
 /// Returns a sentence for each place in the files of `stage` that has no business there.
 pub fn forbidden(stage: &str, files: &Files) -> Vec<String> {

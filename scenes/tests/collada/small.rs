@@ -1,5 +1,6 @@
 //! A small valid file. Each test changes it in one place.
 
+use scenes::diagnostic::Diagnostic;
 use scenes::{Loaded, SceneError};
 
 /// A square of two triangles, a sphere, a light and a camera.
@@ -77,4 +78,30 @@ pub(crate) fn edited(from: &str, to: &str) -> String {
 /// Reads the small file with `from` replaced by `to`.
 pub(crate) fn load_edited(from: &str, to: &str) -> Result<Loaded, SceneError> {
     scenes::parse("small.dae", &edited(from, to))
+}
+
+/// Compares diagnostics with a snapshot: of each the edit that it is about, its place, title, label and
+/// advice. `look_for` says what the reader of the snapshot looks for.
+pub(crate) fn shows<'a>(
+    name: &str,
+    look_for: &str,
+    each: impl Iterator<Item = (&'a str, &'a str, Diagnostic)>,
+) {
+    let text = each.map(|(from, to, found)| {
+        let (line, column) = found.line_and_column().expect("a place");
+        let parts = [found.expected(), found.what_to_do()];
+        let parts = parts.into_iter().flatten();
+        let more: String = parts.flat_map(|part| ["\n    ", part]).collect();
+        format!(
+            "`{from}` -> `{to}`\n  {line}:{column}: {}{more}\n",
+            found.title()
+        )
+    });
+    let text: String = text.collect();
+    let mut settings = insta::Settings::clone_current();
+    settings.set_description(look_for);
+    settings.set_omit_expression(true);
+    settings.set_prepend_module_to_snapshot(false);
+    settings.set_snapshot_path("diagnostics");
+    settings.bind(|| insta::assert_snapshot!(name, text));
 }

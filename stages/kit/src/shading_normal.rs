@@ -10,8 +10,8 @@
 //!   other ([`Sides`]): `f` is 0. Without this, light shines through it (Veach, "Non-symmetric
 //!   scattering in light transport algorithms", 1996).
 //!
-//! So where light grazes the surface, each triangle of a smooth mesh is dark or bright as a whole: the
-//! terminator, the edge of the part that faces away from a light, shows the facets. A factor
+//! So where light grazes the surface, each triangle of a smooth mesh is dark or bright as a whole:
+//! the terminator, the edge of the part that faces away from a light, shows the facets. A factor
 //! that depends on both normals softens it, if the user wants it ([`Sides::terminator`]).
 //!
 //! The renderer does this between the functions of the stages, which see hits and a

@@ -8,11 +8,11 @@ use crate::exact_sum::PixelSum;
 use kit::Spectrum;
 use std::cell::Cell;
 
-/// `radiance` of a sample, with indirect light of at most the luminance `limit` and the same colour.
+/// `radiance` of a sample, with indirect light of at most the luminance `limit` in the same colour.
 ///
 /// `direct` is the part that its first surface that is neither a mirror nor smooth glass has from
-/// the lights; `None` if there is no such surface, and all light is direct. What is removed is added
-/// to `removed`. Radiance that is not finite stays: it is a fault to be seen.
+/// the lights; `None` if there is no such surface, and all light is direct. What is removed is
+/// added to `removed`. Radiance that is not finite stays: it is a fault to be seen.
 #[inline]
 pub(crate) fn clamp_indirect(
     limit: f64,

@@ -178,8 +178,8 @@ impl<'a, T: RayTracer> PathIntegrator<'a, T> {
         // The last hit. `estimate_radiance` passes the material of a surface to its callbacks, but
         // neither texture coordinates nor normals, so they share this cell.
         let place = Cell::new(Place::PLAIN);
-        // The throughput, and the light of the first surface that scatters light. Mirrors and smooth
-        // glass before it emit nothing.
+        // The throughput, and the light of the first surface that scatters light. Mirrors and
+        // smooth glass before it emit nothing.
         let throughput = Cell::new(Spectrum::WHITE);
         let direct = Cell::new(None);
         let radiance = estimate_radiance(

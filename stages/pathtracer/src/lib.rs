@@ -4,11 +4,11 @@
 //! or a tree), [`normals`] and [`lit`] (from pixel to radiance), `integrator` and `packet` (scalar
 //! paths, and paths in packets of eight), [`empty_pixels`] (where there is nothing to hit),
 //! `materials` (scattering), `clamp` (fireflies), [`textures`], [`lens`] and [`environment_file`]
-//! (what flags add to a scene), `radiance_file` (picture files that are read), [`mod@darkness`] (why a picture is
-//! black), [`trial`] (whether the stages for a picture are written), [`rendered`] (a job and its
-//! result), [`layers`] (albedo, normal, depth), [`layer_file`] (any layers of a file), [`lobe`]
-//! (scattering at a point, for drawings), [`progressive`] (rendering that can be stopped and
-//! resumed) and [`passes`] (how many samples each pass takes), [`tone`],
+//! (what flags add to a scene), `radiance_file` (picture files that are read), [`mod@darkness`]
+//! (why a picture is black), [`trial`] (whether the stages for a picture are written), [`rendered`]
+//! (a job and its result), [`layers`] (albedo, normal, depth), [`layer_file`] (any layers of a
+//! file), [`lobe`] (scattering at a point, for drawings), [`progressive`] (rendering that can be
+//! stopped and resumed) and [`passes`] (how many samples each pass takes), [`tone`],
 //! [`rate_picture`](mod@rate_picture), [`output`] and [`part_file`] (picture files), [`exact_sum`],
 //! [`sums_file`] and [`merge`](mod@merge) (parts of a picture), [`mitsuba`] (export for another
 //! renderer). The program is in `src/bin/pathtracer`.

@@ -1,13 +1,13 @@
 //! Builds a handout and runs it as a student would.
 
 use base::{GraderError, Workspace, child_processes};
+use files::file_tree;
 use grader::course::Course;
 use handout::Handout;
 use judge::Tier;
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
-use submission::file_tree;
 
 /// The project of a handout and its target directory. All handouts use the same folders, so that
 /// cargo builds what they share only once.

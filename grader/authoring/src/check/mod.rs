@@ -114,7 +114,7 @@ fn check_text(
         .map(|removed| &removed.path)
         .collect();
     for path in solutions {
-        let reference = submission::file_tree::read(workspace.root(), path)?;
+        let reference = files::file_tree::read(workspace.root(), path)?;
         if handout.files.get(path) == Some(&reference) {
             problems.push(format!(
                 "{here}: {} is still the reference's file",

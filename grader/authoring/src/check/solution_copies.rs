@@ -192,9 +192,9 @@ fn without_comments(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use files::file_tree::Files;
     use handout::RemovedSolution;
     use std::collections::BTreeSet;
-    use submission::file_tree::Files;
 
     const SOLUTION: &str = "    let n = (p1 - p0).cross(p2 - p0); // the plane\n    let t = (p0 - o).dot(n) / d.dot(n);";
 

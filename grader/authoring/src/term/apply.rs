@@ -6,10 +6,10 @@ mod list;
 use super::own_case;
 use super::settings::Changes;
 use base::GraderError;
+use files::file_tree::Files;
 use grader::course::Course;
 use judge::own_cases;
 use std::path::{Path, PathBuf};
-use submission::file_tree::Files;
 
 /// The list of parts, tasks and points.
 const COURSE: &str = "stages/course.toml";

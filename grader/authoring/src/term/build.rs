@@ -4,10 +4,10 @@ use super::COPY;
 use super::apply::{Written, apply};
 use super::settings::Changes;
 use base::{GraderError, VERSION, Workspace, term};
+use files::file_tree::{self, Files};
 use std::collections::BTreeSet;
 use std::fmt::Write;
 use std::path::Path;
-use submission::file_tree::{self, Files};
 
 /// The folder in a copy with the files of First Light that the term changed, as they were.
 const ORIGINALS: &str = ".original";

@@ -2,11 +2,11 @@
 
 use super::build::build;
 use base::{GraderError, VERSION, Workspace};
+use files::file_tree;
 use grader::course::Course;
 use judge::Tier;
 use std::fmt::Write;
 use std::path::Path;
-use submission::file_tree;
 
 /// The files that do not depend on the course, with their paths.
 const FILES: [(&str, &str); 9] = [

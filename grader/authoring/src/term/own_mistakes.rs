@@ -9,6 +9,7 @@ use super::settings::Changes;
 use crate::mutants::corpus::{Corpus, Mutant};
 use crate::mutants::run;
 use base::{GraderError, VERSION, Workspace, term, write_whole};
+use files::file_tree::Files;
 use grader::course::packed::binary;
 use grader::course::{Course, Task};
 use grader::diagnosis::{self, Known, diagnose};
@@ -17,7 +18,6 @@ use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 use std::path::{Path, PathBuf};
-use submission::file_tree::Files;
 
 /// What stands behind the words of a mistake, so that reports tell it apart from First Light's.
 const MARK: &str = " (a mistake of this course)";

@@ -7,11 +7,11 @@ use super::settings::{Changes, FILE, KEPT, Kept};
 use super::{COPY, apply};
 use crate::diff::{self, Change};
 use base::{GraderError, VERSION, Workspace, write_whole};
+use files::file_tree::Files;
 use grader::course::{Course, Task};
 use std::collections::BTreeSet;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
-use submission::file_tree::Files;
 
 /// What an update would do.
 #[derive(Debug)]
@@ -200,7 +200,7 @@ fn lost(was: &Course, is: &Course) -> Vec<String> {
 /// Which chapters, and which given crates of the stages, differ.
 fn texts(old: &Workspace, new: &Files) -> Result<Vec<String>, GraderError> {
     let mut changed = BTreeSet::new();
-    let old_paths = submission::file_tree::workspace_paths(old.root())?;
+    let old_paths = files::file_tree::workspace_paths(old.root())?;
     let all = old_paths.iter().chain(new.keys());
     for path in all.filter(|path| path.starts_with("stages")) {
         let before = std::fs::read(old.root().join(path)).ok();

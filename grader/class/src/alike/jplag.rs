@@ -2,8 +2,8 @@
 //! JPlag (Karlsruhe Institute of Technology) compares syntax trees and has its own viewer.
 
 use base::{GraderError, write_whole};
+use files::file_tree::Files;
 use std::path::Path;
-use submission::file_tree::Files;
 
 /// Writes `files` of a stage, those of one student or those that all were given, below `folder`.
 pub fn write(folder: &Path, stage: &str, files: &Files) -> Result<(), GraderError> {

@@ -1,8 +1,8 @@
 //! The table `alike.csv`: all pairs that were found, one line each, without the passages.
 
 use super::pairs::{Found, Student};
+use crate::gradebook::table::text;
 use base::{GraderError, write_whole_by};
-use formats::gradebook::text;
 use std::path::Path;
 
 const HEADER: [&str; 6] = ["first", "second", "share", "expected", "passages", "tokens"];

@@ -19,10 +19,10 @@ use super::join::Join;
 use super::{Roster, Student};
 use crate::by_hand::{self, ByHand};
 use crate::collect::{Class, Row, points};
+use crate::gradebook::table::{self as gradebook, text};
 use crate::late::Lateness;
 use crate::plan::Plan;
 use base::GraderError;
-use formats::gradebook::{self, text};
 use submission::Untrusted;
 
 /// A system that imports marks.

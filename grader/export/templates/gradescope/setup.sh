@@ -27,7 +27,7 @@ export CARGO_NET_OFFLINE=true
 cargo build --release --locked {packages}
 check="$(mktemp -d)"
 code=0
-./target/release/formats {what} --submission "$course"{unsandboxed} --write "gradescope=$check/results.json" || code=$?
+./target/release/submission {what} --submission "$course"{unsandboxed} --write "gradescope=$check/results.json" || code=$?
 case "$code" in
     0) ;;
     1) echo "setup.sh: the reference solution does not get every core point of {what} here: the report is above" >&2 ;;

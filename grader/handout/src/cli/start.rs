@@ -14,11 +14,8 @@ use handout::{Handout, built, output_folder};
 use pictures::{Image, png};
 use std::path::{Path, PathBuf};
 
-/// The name of the command.
-pub(crate) const NAME: &str = "start";
-
 pub(crate) fn command() -> Command {
-    Command::new(NAME)
+    Command::new("start")
         .about("Makes your own folder: the course without solutions, built already, with the next step to take")
         .arg(
             Arg::new("folder")

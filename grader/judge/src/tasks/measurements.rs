@@ -3,9 +3,6 @@
 use crate::tools::Tier;
 use crate::tools::check::{CaseContext, Check, LARGE_LIMIT_MS, in_range, same_length};
 use crate::tools::findings::Findings;
-use crate::tools::shown::ShownCall;
-use crate::tools::snapshot::Content;
-use crate::tools::snapshot::Fields;
 use wire::answer::{TimingAnswer, VisitsAnswer};
 use wire::kind;
 use wire::work::{TestTiming, TimingWork, VisitsWork};
@@ -19,10 +16,6 @@ impl Check for kind::Timing {
         work.rays.len()
     }
 
-    fn only_call(_: &TimingWork, _: usize) -> Option<TimingWork> {
-        None
-    }
-
     fn fits(work: &TimingWork, answer: &TimingAnswer) -> Result<(), String> {
         for seconds in [&answer.build_s, &answer.tree_s, &answer.brute_s] {
             times_fit(work.rounds as usize, seconds)?;
@@ -31,28 +24,6 @@ impl Check for kind::Timing {
     }
 
     fn judge(_: &mut Findings, _: &CaseContext<'_>, _: Tier, _: &TimingWork, _: &TimingAnswer) {}
-
-    fn lines(_: &TimingWork, _: &TimingAnswer) -> Option<Content> {
-        None
-    }
-
-    fn input(_: &TimingWork, _: usize) -> Option<String> {
-        None
-    }
-
-    fn exact(_: &TimingWork, _: bool, _: &[u32]) -> Option<Vec<Fields>> {
-        None
-    }
-
-    fn shown(
-        _: &TimingWork,
-        _: Tier,
-        _: bool,
-        _: usize,
-        _: Option<&TimingAnswer>,
-    ) -> Option<ShownCall> {
-        None
-    }
 }
 
 impl Check for kind::TimeTest {
@@ -60,37 +31,11 @@ impl Check for kind::TimeTest {
         work.orders.len()
     }
 
-    fn only_call(_: &TestTiming, _: usize) -> Option<TestTiming> {
-        None
-    }
-
     fn fits(work: &TestTiming, seconds: &Vec<f64>) -> Result<(), String> {
         times_fit(work.orders.len(), seconds)
     }
 
     fn judge(_: &mut Findings, _: &CaseContext<'_>, _: Tier, _: &TestTiming, _: &Vec<f64>) {}
-
-    fn lines(_: &TestTiming, _: &Vec<f64>) -> Option<Content> {
-        None
-    }
-
-    fn input(_: &TestTiming, _: usize) -> Option<String> {
-        None
-    }
-
-    fn exact(_: &TestTiming, _: bool, _: &[u32]) -> Option<Vec<Fields>> {
-        None
-    }
-
-    fn shown(
-        _: &TestTiming,
-        _: Tier,
-        _: bool,
-        _: usize,
-        _: Option<&Vec<f64>>,
-    ) -> Option<ShownCall> {
-        None
-    }
 }
 
 impl Check for kind::Visits {
@@ -98,10 +43,6 @@ impl Check for kind::Visits {
 
     fn calls(work: &VisitsWork) -> usize {
         work.rays.len()
-    }
-
-    fn only_call(_: &VisitsWork, _: usize) -> Option<VisitsWork> {
-        None
     }
 
     fn fits(work: &VisitsWork, answer: &VisitsAnswer) -> Result<(), String> {
@@ -115,28 +56,6 @@ impl Check for kind::Visits {
     }
 
     fn judge(_: &mut Findings, _: &CaseContext<'_>, _: Tier, _: &VisitsWork, _: &VisitsAnswer) {}
-
-    fn lines(_: &VisitsWork, _: &VisitsAnswer) -> Option<Content> {
-        None
-    }
-
-    fn input(_: &VisitsWork, _: usize) -> Option<String> {
-        None
-    }
-
-    fn exact(_: &VisitsWork, _: bool, _: &[u32]) -> Option<Vec<Fields>> {
-        None
-    }
-
-    fn shown(
-        _: &VisitsWork,
-        _: Tier,
-        _: bool,
-        _: usize,
-        _: Option<&VisitsAnswer>,
-    ) -> Option<ShownCall> {
-        None
-    }
 }
 
 /// Checks that there is a valid time for each round.

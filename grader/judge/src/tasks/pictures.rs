@@ -3,9 +3,6 @@
 use crate::tools::Tier;
 use crate::tools::check::{CaseContext, Check, same_length};
 use crate::tools::findings::Findings;
-use crate::tools::shown::ShownCall;
-use crate::tools::snapshot::Content;
-use crate::tools::snapshot::Fields;
 use wire::kind;
 use wire::picture::{PictureAnswer, PictureWork};
 
@@ -14,10 +11,6 @@ impl Check for kind::Picture {
 
     fn calls(work: &PictureWork) -> usize {
         work.size[0] as usize * work.size[1] as usize
-    }
-
-    fn only_call(_: &PictureWork, _: usize) -> Option<PictureWork> {
-        None
     }
 
     fn fits(work: &PictureWork, answer: &PictureAnswer) -> Result<(), String> {
@@ -33,26 +26,4 @@ impl Check for kind::Picture {
     }
 
     fn judge(_: &mut Findings, _: &CaseContext<'_>, _: Tier, _: &PictureWork, _: &PictureAnswer) {}
-
-    fn lines(_: &PictureWork, _: &PictureAnswer) -> Option<Content> {
-        None
-    }
-
-    fn input(_: &PictureWork, _: usize) -> Option<String> {
-        None
-    }
-
-    fn exact(_: &PictureWork, _: bool, _: &[u32]) -> Option<Vec<Fields>> {
-        None
-    }
-
-    fn shown(
-        _: &PictureWork,
-        _: Tier,
-        _: bool,
-        _: usize,
-        _: Option<&PictureAnswer>,
-    ) -> Option<ShownCall> {
-        None
-    }
 }

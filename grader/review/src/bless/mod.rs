@@ -19,13 +19,12 @@ pub use selection::{Selected, select};
 
 use base::{GraderError, Workspace, write_whole};
 use grader::build::BuildRoot;
-use grader::course::{Course, Task, packed};
+use grader::course::{Course, Task};
 use grader::grade;
 use grader::grade::picture;
 use grader::report::table::status_text;
 use judge::cases::Spec;
 use judge::pictures;
-use judge::snapshot::{Snapshot, parse};
 use std::path::Path;
 
 /// Runs the cases that `keys` select (`all`, a part, a task, a case) and returns what would change.
@@ -96,16 +95,4 @@ pub fn accept(workspace: &Workspace, changes: &[Change]) -> Result<(), GraderErr
 
 fn read(path: &Path) -> Result<String, GraderError> {
     std::fs::read_to_string(path).map_err(|e| GraderError::file("read", path, e))
-}
-
-/// Reads the golden snapshot of a case.
-pub(crate) fn golden_snapshot(
-    workspace: &Workspace,
-    task: &str,
-    case: &str,
-) -> Result<Snapshot, GraderError> {
-    let path = workspace.snapshot(task, case);
-    let text = packed::read_snapshot(workspace, task, case)?
-        .ok_or_else(|| GraderError::file("read", &path, "it does not exist"))?;
-    parse(&text).map_err(|e| GraderError::file("understand", &path, e))
 }

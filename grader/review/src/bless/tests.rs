@@ -31,7 +31,7 @@ fn workspace(files: &[(&str, &str)]) -> (TempDir, Workspace) {
         ("scenes/dae/box.dae", "<COLLADA/>"),
     ];
     for (path, text) in needed.iter().chain(files) {
-        submission::file_tree::write(&folder.path().join(path), text.as_bytes())
+        files::file_tree::write(&folder.path().join(path), text.as_bytes())
             .expect("the file is written");
     }
     let workspace = Workspace::above(folder.path()).expect("it has a course.toml");

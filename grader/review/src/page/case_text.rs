@@ -1,7 +1,7 @@
 //! Describes the state of cases as text.
 
-use crate::case::{Case, State};
 use judge::whole::Counts;
+use look::case::{Case, State};
 use pages::html::escape;
 use std::fmt::Write;
 

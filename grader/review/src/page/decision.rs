@@ -1,5 +1,8 @@
 //! Accepting or refusing changes on the page: it writes the command and a line for the changelog.
 
+/// The script of the decisions.
+pub(super) const SCRIPT: &str = include_str!("decision.js");
+
 /// The buttons of a case. `is_refuted` cannot be accepted: `grader bless` would refuse it.
 pub(super) fn buttons(is_refuted: bool) -> String {
     let accept = match is_refuted {

@@ -1,31 +1,17 @@
 //! Writes the review as one HTML page.
 
-mod call;
 mod case_text;
 mod decision;
-pub(crate) mod pictures;
 mod rows;
-pub(crate) mod viewer;
-pub(crate) mod words;
+mod words;
 
-use super::case::{Case, State};
 use super::{Author, Review};
 use case_text::{count, differs, is_open, is_refuted, is_silent, meaning};
 use judge::plural;
-use pages::PALETTE;
+use look::case::{Case, State};
+use look::page::{pictures, whole};
 use pages::html::escape;
 use std::fmt::Write;
-
-const TEMPLATE: &str = include_str!("page.html");
-const STYLE: &str = include_str!("page.css");
-
-/// The scripts, in their order: each uses those before it.
-const SCRIPTS: [&str; 4] = [
-    include_str!("projection.js"),
-    include_str!("viewer.js"),
-    include_str!("pixels.js"),
-    include_str!("decision.js"),
-];
 
 /// The largest number of calls that the page lists, shared by the cases without pictures.
 const LISTED: usize = 160;
@@ -77,7 +63,12 @@ pub fn write(review: &Review, author: &Author) -> String {
         content.push_str(decision::SECTION);
     }
     let title = format!("Review: {}", summary(review));
-    whole("", &title, &header(review, author), &content)
+    whole(
+        ["", decision::SCRIPT],
+        &title,
+        &header(review, author),
+        &content,
+    )
 }
 
 /// A changed case; with `decide`, it can be accepted.
@@ -152,19 +143,6 @@ fn unchanged(review: &Review) -> String {
         }
     }
     text + "</details>\n"
-}
-
-/// A whole page: `title` is text, `header` and `content` are HTML. The rules of `own_style` come
-/// after those that all pages share.
-pub(crate) fn whole(own_style: &str, title: &str, header: &str, content: &str) -> String {
-    // Inserts our own texts first, because the text of an answer may contain a placeholder.
-    TEMPLATE
-        .replace("<!-- style -->", &format!("{PALETTE}{STYLE}{own_style}"))
-        .replace("<!-- script -->", &SCRIPTS.concat())
-        .replace("<!-- version -->", base::VERSION)
-        .replace("<!-- title -->", &escape(title))
-        .replace("<!-- header -->", header)
-        .replace("<!-- content -->", content)
 }
 
 /// The result of the review in one sentence.
@@ -260,23 +238,4 @@ fn overview(review: &Review) -> String {
         );
     }
     text + "</ul>\n"
-}
-
-#[cfg(test)]
-mod tests {
-    use super::STYLE;
-
-    /// The names golden, actual and exact in records have the class of captions of pictures.
-    #[test]
-    fn only_captions_of_pictures_are_hidden_where_names_of_values_are_shown() {
-        let hidden: Vec<&str> = STYLE
-            .lines()
-            .filter(|line| line.contains("{ display: none"))
-            .filter_map(|line| line.split('{').next())
-            .flat_map(|selectors| selectors.split(','))
-            .map(str::trim)
-            .collect();
-        assert!(hidden.contains(&".layer .who"), "{hidden:?}");
-        assert!(!hidden.contains(&".who"), "{hidden:?}");
-    }
 }

@@ -1,8 +1,8 @@
 //! The first calls of a case that differ.
 
-use super::call::call;
-use super::words::Words;
-use crate::case::{Case, State};
+use look::case::{Case, State};
+use look::page::call;
+use look::page::words::Words;
 use std::fmt::Write;
 
 /// Formats at most `count` calls that differ; the first one is open, the others are folded.

@@ -3,10 +3,10 @@
 use crate::{BOXES, FACES, FALSE_HIT, FALSE_MISS, LATER_EXIT, MESH};
 use grader::diagnosis::{Certainty, Diagnosis};
 use judge::findings::Aspect;
+use look::case::{Case, ROWS, State};
+use look::picture::{Pixels, RECORDS};
 use pictures::Image;
 use pictures::cause::Cause;
-use review::case::{Case, ROWS, State};
-use review::picture::{Pixels, RECORDS};
 use review::{Author, Review, page};
 use wire::answer::Hit;
 

@@ -86,21 +86,6 @@ fn talkative(key: &str) -> TaskReport {
     }
 }
 
-#[test]
-fn functions_that_no_case_judges_are_named_beside_the_points() {
-    let full = TaskReport {
-        not_judged: vec!["estimate_direct_lighting_mis".into()],
-        ..task("part3.task3", "Lights", 1.0, Vec::new())
-    };
-    let text = screen(
-        vec![full],
-        &context("part3.task3"),
-        reveal(HintLevel::Cases),
-    );
-    let says = "not judged: estimate_direct_lighting_mis of part3.task3";
-    assert!(text.contains(says), "{text}");
-}
-
 fn reveal(hint: HintLevel) -> Reveal {
     Reveal { hint, extra: false }
 }
@@ -152,6 +137,54 @@ fn any_report_is_one_screen_or_two_with_a_hint() {
     }
 }
 
+/// Compares screens with a snapshot. `look_for` says what its reader looks for.
+fn shows(name: &str, look_for: &str, screens: &[String]) {
+    let mut settings = insta::Settings::clone_current();
+    settings.set_description(look_for);
+    settings.set_omit_expression(true);
+    settings.set_prepend_module_to_snapshot(false);
+    settings.set_snapshot_path("../../../tests/screens");
+    let rule = format!("\n{}\n", "=".repeat(80));
+    settings.bind(|| insta::assert_snapshot!(name, screens.join(&rule)));
+}
+
+/// The screen of a report on one task.
+fn screen_of(report: TaskReport, hint: HintLevel) -> String {
+    let context = context(&report.result.key);
+    screen(vec![report], &context, reveal(hint))
+}
+
+fn triangles(score: f64, cases: Vec<CaseResult>) -> TaskReport {
+    task("part1.task3", "Intersecting triangles", score, cases)
+}
+
+#[test]
+fn what_no_case_judges_stands_beside_the_points() {
+    let mut free = case("growth", Tier::Robust, "");
+    free.status = Status::Passed;
+    free.findings[0].undecided = Some("the machine is busy");
+    let lost = case("a_case", Tier::Core, "your result: miss");
+    let not_judged = TaskReport {
+        not_judged: vec!["estimate_direct_lighting_mis".into()],
+        ..triangles(1.0, Vec::new())
+    };
+    let changed = Context {
+        changed_given: vec!["stages/kit/src/ray.rs".into()],
+        ..context("part1.task3")
+    };
+    let complete = vec![triangles(30.0, Vec::new())];
+    shows(
+        "beside_the_points",
+        "the function that no case judges; twice a case that costs nothing; a changed file, though all is complete",
+        &[
+            screen_of(not_judged, HintLevel::Cases),
+            screen_of(triangles(30.0, vec![free.clone()]), HintLevel::Cases),
+            screen_of(triangles(28.0, vec![lost, free]), HintLevel::Cases),
+            screen(complete, &changed, reveal(HintLevel::Cases)),
+        ],
+    );
+}
+
 #[test]
 fn the_screen_has_what_helps_most() {
     let ray = "o = (1.25, 0.123456789012345678, 2.0), d = (0.333333333333333333, 0.6666666666666666, 0.6666666666666666), t in [0.0, inf]";
@@ -160,57 +193,53 @@ fn the_screen_has_what_helps_most() {
     let wrong = TaskReport {
         regularities: vec![common("nothing is hit")],
         test_file: Some(PathBuf::from("target/first-light/part1_task3.rs")),
-        ..task(
-            "part1.task3",
-            "Intersecting triangles",
-            28.0,
-            vec![case("back_face", Tier::Core, message)],
-        )
+        ..triangles(28.0, vec![case("back_face", Tier::Core, message)])
     };
-    let whole = task(
-        "part1.task1",
-        "Filling in the sample loop",
-        30.0,
-        Vec::new(),
+    let whole = task("part1.task1", "The sample loop", 30.0, Vec::new());
+    let context = context("part1");
+    shows(
+        "what_helps_most",
+        "one line a task, then of the failed one: what is common, the worst call with four digits, the test to copy, the next level",
+        &[screen(
+            vec![whole, wrong],
+            &context,
+            reveal(HintLevel::Findings),
+        )],
     );
-    let text = screen(
-        vec![whole, wrong],
-        &context("part1"),
-        reveal(HintLevel::Findings),
-    );
-    for line in [
-        "part1.task1  Filling in the sample loop",
-        "complete\n",
-        "1 case fails\n",
-        "part1.task3: 1 case fails: back_face\n",
-        "  In common: wrong only where nothing is hit.\n",
-        "  back_face: hit or miss wrong on 1 of 1 calls\n",
-        "    test_triangle: your result: miss; expected: hit at t = 11.6\n",
-        "    Ray: o = (1.25, 0.1235, 2.0), d = (0.3333, 0.6667, 0.6667), t in [0.0, inf]\n",
-        "  As a test: cp target/first-light/part1_task3.rs stages/intersect/tests &&\n    cargo test -p intersect --test part1_task3\n",
-        "score 58 of 60; extra credit 6 of 30\n",
-        "`--hint 3` for more (the likely mistake)",
-        "explain part1.task3/back_face`\n",
-    ] {
-        assert!(text.contains(line), "no {line:?} in\n{text}");
-    }
 }
 
 #[test]
-fn a_half_written_task_without_wrong_answers_offers_no_hint() {
-    let mut right = case("front_face", Tier::Core, "");
-    right.status = Status::Passed;
-    let mut open = case("interpolated_normals", Tier::Core, "");
-    open.status = Status::NotAttempted;
-    let half = task(
-        "part1.task3",
-        "Intersecting triangles",
-        12.0,
-        vec![right, open],
+fn half_written_code_is_right_so_far() {
+    let right = CaseResult {
+        status: Status::Passed,
+        ..case("front_face", Tier::Core, "")
+    };
+    let open = CaseResult {
+        status: Status::NotAttempted,
+        ..case("interpolated_normals", Tier::Core, "")
+    };
+    let mut findings = Findings::default();
+    findings.judge(Aspect::HitOrMiss, 0, true, 0.0, String::new);
+    let share = FunctionShare {
+        function: "record_triangle".into(),
+        fraction: 0.0,
+        hole: Some("record_triangle".into()),
+    };
+    let half = CaseResult {
+        status: Status::Failed,
+        reductions: share.reduction().into_iter().collect(),
+        shares: vec![share],
+        ..CaseResult::failed("edge", findings.into_vec())
+    };
+    let wrong = case("middle", Tier::Core, "your result: miss");
+    shows(
+        "half_written",
+        "no hint is offered without wrong answers, and no case that waits for a function lacks the idea of the task",
+        &[
+            screen_of(triangles(12.0, vec![right, open]), HintLevel::Findings),
+            screen_of(triangles(1.0, vec![wrong, half]), HintLevel::Findings),
+        ],
     );
-    let text = screen(vec![half], &context("part1"), reveal(HintLevel::Findings));
-    assert!(text.contains("12/30  right so far\n"), "{text}");
-    assert!(!text.contains("--hint"), "{text}");
 }
 
 #[test]
@@ -221,19 +250,17 @@ fn where_only_whole_scenes_fail_the_other_tasks_come_first() {
     };
     let extra = case("rounded_boxes", Tier::Robust, "your result: miss");
     let own = case("back_face", Tier::Core, "your result: miss");
-    let says = |cases: Vec<CaseResult>| {
-        let report = task("part2.task3", "", 1.0, cases);
-        let text = screen(
-            vec![report],
-            &context("part2.task3"),
-            reveal(HintLevel::Findings),
-        );
-        text.replace("\n    ", " ")
-            .contains("if one of these tasks fails, mend it first")
-    };
-    assert!(says(vec![scene.clone(), extra.clone()]));
-    assert!(!says(vec![scene, own]));
-    assert!(!says(vec![extra]));
+    let failing = [
+        vec![scene.clone(), extra.clone()],
+        vec![scene, own],
+        vec![extra],
+    ];
+    let screens = failing.map(|cases| screen_of(triangles(1.0, cases), HintLevel::Findings));
+    shows(
+        "whole_scenes",
+        "only the first screen sends to the other tasks: its own core cases are right",
+        &screens,
+    );
 }
 
 #[test]
@@ -251,80 +278,44 @@ fn each_level_reveals_more() {
     let wrong = TaskReport {
         diagnosis: Some(found),
         regularities: vec![common("nothing is hit")],
-        ..task(
-            "part1.task3",
-            "",
+        ..triangles(
             1.0,
             vec![case("back_face", Tier::Core, "your result: miss")],
         )
     };
-    let shows = |hint, word: &str| {
-        screen(vec![wrong.clone()], &context("part1.task3"), reveal(hint)).contains(word)
-    };
-    let levels = |word: &str| HintLevel::ALL.map(|hint| shows(hint, word));
-    assert_eq!(
-        levels("back_face tests: Rays beside it."),
-        [true, false, true, true]
+    shows(
+        "levels",
+        "what the case tests; what is wrong, and in common; the likely mistake; where to look, and no further level. Never the pitfall",
+        &HintLevel::ALL.map(|hint| screen_of(wrong.clone(), hint)),
     );
-    assert_eq!(levels("Pitfall"), [false; 4]);
-    assert_eq!(levels("your result: miss"), [false, true, true, true]);
-    assert_eq!(levels("In common"), [false, true, true, true]);
-    assert_eq!(
-        levels("Likely: your answers equal"),
-        [false, false, true, true]
-    );
-    assert_eq!(
-        levels("Hint: look at the sign"),
-        [false, false, false, true]
-    );
-    assert_eq!(
-        levels("More in the book: cargo grader book part1.task3#mistakes"),
-        [false, false, false, true]
-    );
-    assert_eq!(levels("for more ("), [true, true, true, false]);
 }
 
 #[test]
 fn without_a_known_mistake_the_book_is_opened_where_it_helps() {
-    let shows = |tier, extra, word: &str| {
-        let lost = case("back_face", tier, "your result: miss");
-        let most = if tier == Tier::Core { 1.0 } else { 30.0 };
-        let wrong = task("part1.task3", "", most, vec![lost]);
-        let reveal = Reveal {
-            hint: HintLevel::Remedy,
-            extra,
-        };
-        screen(vec![wrong], &context("part1.task3"), reveal).contains(word)
+    let lost = |tier| case("back_face", tier, "your result: miss");
+    let extra = Reveal {
+        hint: HintLevel::Remedy,
+        extra: true,
     };
-    assert!(shows(Tier::Core, false, "part1.task3#the-contract"));
-    let limits = "part1.task3#where-the-formulas-break";
-    assert!(shows(Tier::Robust, true, limits));
-}
-
-#[test]
-fn what_cannot_be_judged_is_told_beside_the_score() {
-    let mut free = case("growth", Tier::Robust, "");
-    free.status = Status::Passed;
-    free.findings[0].undecided = Some("the machine is busy");
-    let lost = case("a_case", Tier::Core, "your result: miss");
-    for (score, cases) in [(30.0, vec![free.clone()]), (28.0, vec![lost, free])] {
-        let task = task("part2.task1", "Constructing the BVH", score, cases);
-        let text = screen(
-            vec![task],
-            &context("part2.task1"),
-            reveal(HintLevel::Cases),
-        );
-        let sentence = "part2.task1/growth costs nothing: the machine is busy\n";
-        assert!(text.contains(sentence), "{text}");
-    }
+    let robust = vec![triangles(30.0, vec![lost(Tier::Robust)])];
+    shows(
+        "in_the_book",
+        "the contract for core points, the limits of the formulas for extra credit",
+        &[
+            screen_of(triangles(1.0, vec![lost(Tier::Core)]), HintLevel::Remedy),
+            screen(robust, &context("part1.task3"), extra),
+        ],
+    );
 }
 
 #[test]
 fn full_marks_are_a_success() {
-    let lost = case("by_a_hair", Tier::Robust, "your result: miss");
     let full = TaskReport {
         picture: Some(PathBuf::from("target/first-light/ring.png")),
-        ..task("part1.task3", "Intersecting triangles", 30.0, vec![lost])
+        ..triangles(
+            30.0,
+            vec![case("by_a_hair", Tier::Robust, "your result: miss")],
+        )
     };
     let next = Place {
         key: "part2.task1".into(),
@@ -337,66 +328,43 @@ fn full_marks_are_a_success() {
         next: Some(next),
         ..context("part1")
     };
-    let text = screen(vec![full.clone()], &context, reveal(HintLevel::Remedy));
-    for line in [
-        "Part 1 is complete.\n",
-        "picture: target/first-light/ring.png\n",
-        "Next: part2.task1 Constructing the BVH, in stages/bvh/src/construct.rs",
-        "Its chapter: cargo grader book part2.task1\n",
-        "extra credit 3 of 15: `cargo grader part1 --extra`\n",
-        // Without a simple call, what the first failed case checks.
-        "  it asks for by_a_hair: Rays beside it. a supercalifragilistic",
-        "\n    your result: miss\n",
-    ] {
-        assert!(text.contains(line), "no {line:?} in\n{text}");
-    }
-    for word in ["no known mistake", "fails"] {
-        assert!(!text.contains(word), "{text}");
-    }
     // The simplest call that extra credit asks for is there to think about.
-    let mut inviting = full.clone();
-    inviting.simplest = Some(crate::diagnosis::simplest::SimplestCall {
-        case: "by_a_hair".into(),
-        aspect: Some(Aspect::HitOrMiss),
-        function: None,
-        input: "a triangle".into(),
-        result: "your result: miss; expected: hit at t = 1.0".into(),
-        test: None,
-        only: None,
-        wrong_where: Vec::new(),
-        shown: None,
-    });
-    let invited = screen(vec![inviting], &context, reveal(HintLevel::Remedy));
-    let invitation = "--extra`\n  it asks for by_a_hair: a triangle\n    your result: miss; expected: hit at t = 1\n";
-    assert!(invited.contains(invitation), "{invited}");
-    let extra = Reveal {
-        hint: HintLevel::Remedy,
-        extra: true,
+    let inviting = TaskReport {
+        simplest: Some(crate::diagnosis::simplest::SimplestCall {
+            case: "by_a_hair".into(),
+            aspect: Some(Aspect::HitOrMiss),
+            function: None,
+            input: "a triangle".into(),
+            result: "your result: miss; expected: hit at t = 1.0".into(),
+            test: None,
+            only: None,
+            wrong_where: Vec::new(),
+            shown: None,
+        }),
+        ..full.clone()
     };
-    let text = screen(vec![full], &context, extra);
-    assert!(
-        text.contains("1 case of extra credit fails: by_a_hair"),
-        "{text}"
+    let remedy = reveal(HintLevel::Remedy);
+    let extra = Reveal {
+        extra: true,
+        ..remedy
+    };
+    shows(
+        "full_marks",
+        "complete, the picture, the next task and its chapter, and what extra credit asks for: what the case checks, the simplest call, or what fails with --extra. Nothing of mistakes",
+        &[
+            screen(vec![full.clone()], &context, remedy),
+            screen(vec![inviting], &context, remedy),
+            screen(vec![full], &context, extra),
+        ],
     );
-    assert!(!text.contains("no known mistake"), "{text}");
 }
 
 #[test]
 fn an_attempted_task_comes_before_one_that_is_not() {
-    let mut open = task("part1.task1", "Filling in the sample loop", 0.0, Vec::new());
+    let mut open = task("part1.task1", "The sample loop", 0.0, Vec::new());
     open.result.status = Status::NotAttempted;
-    let wrong = task(
-        "part1.task2",
-        "",
-        3.0,
-        vec![case("pinhole", Tier::Core, "your result: 1")],
-    );
-    let tasks = vec![open.clone(), wrong];
-    let text = screen(tasks, &context("part1"), reveal(HintLevel::Findings));
-    assert!(
-        text.contains("part1.task2: 1 case fails: pinhole"),
-        "{text}"
-    );
+    let pinhole = case("pinhole", Tier::Core, "your result: 1");
+    let wrong = task("part1.task2", "", 3.0, vec![pinhole]);
     let place = Place {
         key: "part1.task1".into(),
         title: String::new(),
@@ -404,14 +372,18 @@ fn an_attempted_task_comes_before_one_that_is_not() {
         open: vec!["raytrace_pixel".into()],
         has_hole: true,
     };
-    let context = Context {
+    let with_place = Context {
         places: vec![place],
         ..context("part1")
     };
-    let text = screen(vec![open], &context, reveal(HintLevel::Findings));
-    assert!(
-        text.contains("Open stages/raygen/src/pixel.rs and write `raytrace_pixel`."),
-        "{text}"
+    let findings = reveal(HintLevel::Findings);
+    shows(
+        "not_attempted",
+        "first the failed case of the task that was begun; alone, the open one names its file and its function",
+        &[
+            screen(vec![open.clone(), wrong], &context("part1"), findings),
+            screen(vec![open], &with_place, findings),
+        ],
     );
 }
 
@@ -423,49 +395,27 @@ fn a_crash_says_how_and_a_stage_that_does_not_compile_shows_the_first_error() {
         ..Crash::from("panicked at lib.rs:3: too small")
     });
     crashed.findings.clear();
-    let crash = task("part1.task3", "", 3.0, vec![crashed]);
-    let text = screen(
-        vec![crash],
-        &context("part1.task3"),
-        reveal(HintLevel::Findings),
-    );
-    assert!(
-        text.contains("  back_face: panicked at lib.rs:3: too small (call 7"),
-        "{text}"
-    );
-    let mut broken = task("part1.task3", "", 0.0, Vec::new());
+    let mut broken = triangles(0.0, Vec::new());
     broken.result.status = Status::DoesNotCompile;
-    let context = Context {
+    let with_messages = Context {
         compiler: Some("warning: x\n\nerror: expected `;`\n --> a.rs:1\n\nerror: more\n".into()),
         ..context("part1.task3")
     };
-    let printed = screen(
-        vec![broken.clone()],
-        &self::context("part1.task3"),
-        reveal(HintLevel::Findings),
-    );
-    assert!(
-        printed.contains("does not compile: the compiler's messages are"),
-        "{printed}"
-    );
-    assert!(!printed.contains("--long"), "{printed}");
     // Of messages longer than a page the first is repeated below them.
     let long = Context {
         first_error: Some("a.rs:1:5: error: expected `;`".into()),
-        ..self::context("part1.task3")
+        ..context("part1.task3")
     };
-    let printed = screen(vec![broken.clone()], &long, reveal(HintLevel::Findings));
-    let repeated = "\n    above.\n  The first: a.rs:1:5: error: expected `;`\n";
-    assert!(printed.contains(repeated), "{printed}");
-    let text = screen(vec![broken], &context, reveal(HintLevel::Findings));
-    assert!(text.contains("stages/intersect does not compile"), "{text}");
-    assert!(
-        text.contains("  error: expected `;`\n   --> a.rs:1\n"),
-        "{text}"
-    );
-    assert!(
-        text.contains("and 1 other message of the compiler"),
-        "{text}"
+    let findings = reveal(HintLevel::Findings);
+    shows(
+        "crashes_and_errors",
+        "the panic and its call; of the stage: where the messages are, the first of many, and the first error itself with the number of the others",
+        &[
+            screen_of(triangles(3.0, vec![crashed]), HintLevel::Findings),
+            screen_of(broken.clone(), HintLevel::Findings),
+            screen(vec![broken.clone()], &long, findings),
+            screen(vec![broken], &with_messages, findings),
+        ],
     );
 }
 
@@ -477,9 +427,11 @@ fn parts_whose_tasks_are_alike_have_one_line_among_many() {
         task(&format!("part{part}.task{i}"), "", score, Vec::new())
     });
     let text = screen(tasks.collect(), &context("all"), reveal(HintLevel::Cases));
-    assert!(text.starts_with("part1  5 tasks"), "{text}");
-    assert!(text.contains("150/150  complete"), "{text}");
-    assert_eq!(text.matches("\npart2.task").count(), 5, "{text}");
+    shows(
+        "many_tasks",
+        "one line for Part 1, five for the tasks of Part 2",
+        &[text],
+    );
 }
 
 #[test]
@@ -522,92 +474,45 @@ fn missing_ideas_are_told_at_any_width() {
     let wrong = case("middle", Tier::Core, "your result: miss");
     let cases = vec![wrong, right("edge"), right("corner")];
     let report = Report::new(vec![task("part1.task1", "The loop", 2.75, cases)], None);
-    let lines = |width: usize| -> Vec<String> {
+    let screens = [120, 80].map(|width| {
         let page = Page {
             width,
             ..Page::default()
         };
-        let text = format_screen(
+        format_screen(
             &report,
             &context("part1"),
             reveal(HintLevel::Findings),
             page,
-        );
-        text.lines().map(str::to_owned).collect()
-    };
-    let wide = lines(120);
-    assert!(
-        wide[0].ends_with("  1 case fails, 2 more count a quarter"),
-        "{wide:?}"
+        )
+    });
+    shows(
+        "missing_ideas",
+        "two more count a quarter: in the first line where it fits, and in a sentence",
+        &screens,
     );
-    let narrow = lines(80);
-    assert!(narrow[0].ends_with("  1 case fails"), "{narrow:?}");
-    let told = format!("  2 other cases are right, and each {why}");
-    for lines in [wide, narrow] {
-        let text: Vec<&str> = lines.iter().map(|line| line.trim()).collect();
-        assert!(text.join(" ").contains(told.trim()), "{lines:?}");
-    }
-}
-
-#[test]
-fn a_right_case_with_an_unwritten_function_does_not_lack_the_idea() {
-    let mut findings = Findings::default();
-    findings.judge(Aspect::HitOrMiss, 0, true, 0.0, String::new);
-    let share = FunctionShare {
-        function: "record_triangle".into(),
-        fraction: 0.0,
-        hole: Some("record_triangle".into()),
-    };
-    let half = CaseResult {
-        status: Status::Failed,
-        reductions: share.reduction().into_iter().collect(),
-        shares: vec![share],
-        ..CaseResult::failed("edge", findings.into_vec())
-    };
-    let wrong = case("middle", Tier::Core, "your result: miss");
-    let half_written = task("part1.task3", "", 1.0, vec![wrong, half]);
-    let context = context("part1.task3");
-    let text = screen(vec![half_written], &context, reveal(HintLevel::Findings));
-    assert!(text.contains("  1 case fails\n"), "{text}");
-    assert!(!text.contains("other case is right"), "{text}");
 }
 
 #[test]
 fn a_cause_that_is_told_is_not_called_unknown() {
-    let says = |class: Class| {
-        let wrong = TaskReport {
-            regularities: vec![Regularity {
-                in_core: false,
-                shared: Shared::Manner {
-                    aspect: Aspect::T,
-                    class,
-                    has_exceptions: false,
-                    is_robust: false,
-                },
-            }],
-            ..task(
-                "part1.task3",
-                "",
-                1.0,
-                vec![case("front_face", Tier::Core, "your result: t = 2.32")],
-            )
-        };
-        let context = context("part1.task3");
-        let text = screen(vec![wrong], &context, reveal(HintLevel::Mistake));
-        text.contains("single known mistake explains")
+    let told = |class| TaskReport {
+        regularities: vec![Regularity {
+            in_core: false,
+            shared: Shared::Manner {
+                aspect: Aspect::T,
+                class,
+                has_exceptions: false,
+                is_robust: false,
+            },
+        }],
+        ..triangles(
+            1.0,
+            vec![case("front_face", Tier::Core, "your result: t = 2.32")],
+        )
     };
-    assert!(says(Class::Zero));
-    assert!(!says(Class::Rounded));
-}
-
-#[test]
-fn changed_given_files_are_told_even_if_all_is_complete() {
-    let complete = task("part1.task1", "A task", 30.0, Vec::new());
-    let context = Context {
-        changed_given: vec!["stages/kit/src/ray.rs".into()],
-        ..context("part1.task1")
-    };
-    let text = screen(vec![complete], &context, reveal(HintLevel::Cases));
-    let says = "Given file stages/kit/src/ray.rs differs from the handout.";
-    assert!(text.contains(says), "{text}");
+    shows(
+        "told_causes",
+        "that no single known mistake explains the answers stands in the first screen alone",
+        &[Class::Zero, Class::Rounded].map(|class| screen_of(told(class), HintLevel::Mistake)),
+    );
 }

@@ -7,8 +7,8 @@ pub mod passages;
 pub mod source;
 pub mod tokens;
 
-use crate::file_tree::Files;
 use base::GraderError;
+use files::file_tree::Files;
 use grader::course::sources;
 use passages::Known;
 use std::path::{Path, PathBuf};
@@ -39,7 +39,7 @@ pub fn given(root: &Path, stage: &str) -> Result<Files, GraderError> {
 }
 
 /// The folders with code that could be pasted into a stage: what judges, and the exact arithmetic.
-const GRADERS: [&str; 3] = ["grader/judge/src", "grader/oracle/src", "grader/review/src"];
+const GRADERS: [&str; 3] = ["grader/judge/src", "grader/oracle/src", "grader/look/src"];
 
 /// The code of the grader below `root`, as a handout has it.
 pub fn of_the_grader(root: &Path) -> Result<Files, GraderError> {

@@ -3,7 +3,7 @@
 use super::passages::{Known, Text};
 use super::tokens::{self, Token};
 use crate::Untrusted;
-use crate::file_tree::Files;
+use files::file_tree::Files;
 use std::ops::Range;
 
 /// The most characters of a passage that are shown, some hundred lines. A line may be as long as

@@ -2,7 +2,7 @@
 //! needs.
 
 use super::{Scanner, Token};
-use crate::file_tree::Files;
+use files::file_tree::Files;
 use std::collections::HashSet;
 
 /// More bytes of data than code of a stage needs: the correct versions have at most 540, most of

@@ -2,10 +2,10 @@
 //! misses, or returns what is least, with all others.
 
 use crate::corpus::{Case, Class, reference};
+use files::file_tree::Files;
 use judge::cases;
 use kit::Tally;
 use submission::SubmissionReport;
-use submission::file_tree::Files;
 use submission::one::random_seed;
 use wire::Work;
 use wire::adaptive::StopCall;

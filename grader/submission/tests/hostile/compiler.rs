@@ -5,12 +5,12 @@
 //! it compiles.
 
 use crate::corpus::{Class, reference};
+use files::file_tree::Files;
 use grader::build::{BuildLimit, BuildOutcome};
 use grader::workers::awake::Awake;
 use std::os::unix::fs::PermissionsExt;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
-use submission::file_tree::Files;
 use submission::one::Outcome;
 
 /// A way in which the compiler may end.

@@ -1,13 +1,13 @@
 //! Reads the corpus, and makes submissions of it.
 
 use base::Workspace;
+use files::file_tree::{self, Files};
 use grader::build::BuildOutcome;
 use grader::grade::GradeRequest;
 use grader::workers::awake::Awake;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use submission::containment::Containment;
-use submission::file_tree::{self, Files};
 use submission::one::{GradedSubmission, GradingCourse, NotGraded, Options, grade_one};
 
 /// A hostile submission: the reference's stage `intersect` with more code.

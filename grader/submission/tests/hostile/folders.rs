@@ -1,11 +1,11 @@
 //! Folders that are not what a submission should be. Reading them runs no code and always ends.
 
 use base::Workspace;
+use files::file_tree;
 use grader::course::Course;
 use std::fs::File;
 use std::path::Path;
 use std::process::Command;
-use submission::file_tree;
 use submission::read::Submission;
 
 /// The number of folders in this file.

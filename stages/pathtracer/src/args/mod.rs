@@ -100,8 +100,9 @@ pub struct Args {
     #[arg(long)]
     pub no_roulette: bool,
 
-    /// The largest luminance of a sample's indirect light: removes fireflies, and light. Indirect is
-    /// what reaches the first surface that is neither a mirror nor smooth glass from other surfaces
+    /// The largest luminance of a sample's indirect light: removes fireflies, and light. Indirect
+    /// is what reaches the first surface that is neither a mirror nor smooth glass from other
+    /// surfaces
     #[arg(long, value_name = "LUMINANCE", value_parser = positive)]
     pub clamp: Option<f64>,
 

@@ -4,11 +4,11 @@
 use super::text;
 use crate::check::book::{checkpoint, points_of_part, row_end};
 use base::GraderError;
+use files::file_tree::Files;
 use grader::course::chapter::chapter;
 use grader::course::consistency::total_points;
 use grader::course::{Course, Part, Task};
 use std::path::{Path, PathBuf};
-use submission::file_tree::Files;
 
 /// The chapter that opens the book.
 const FRONT: &str = "stages/book/src/introduction.md";

@@ -15,7 +15,6 @@ use crate::tools::moves::{LightMoves, Move, Symmetries};
 use crate::tools::plural;
 use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::Content;
-use crate::tools::snapshot::Fields;
 use wire::answer::PixelAnswer;
 use wire::kind;
 use wire::work::{PixelWork, PixelWorld, Xyz};
@@ -114,10 +113,6 @@ impl Check for kind::Pixels {
 
     fn circumstances(work: &PixelWork, call: usize) -> Option<Vec<&'static str>> {
         call::circumstances(work, call)
-    }
-
-    fn exact(_: &PixelWork, _: bool, _: &[u32]) -> Option<Vec<Fields>> {
-        None
     }
 
     fn shown(

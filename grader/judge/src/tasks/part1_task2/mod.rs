@@ -15,7 +15,6 @@ use crate::tools::findings::{Aspect, Findings};
 use crate::tools::moves::{AxisMoves, Move, Symmetries, most_if_ordinary};
 use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::Content;
-use crate::tools::snapshot::Fields;
 use wire::kind;
 use wire::work::{Camera, CameraWork, Ray, Xyz};
 
@@ -112,10 +111,6 @@ impl Check for kind::CameraRays {
 
     fn circumstances(work: &CameraWork, call: usize) -> Option<Vec<&'static str>> {
         call::circumstances(work, call)
-    }
-
-    fn exact(_: &CameraWork, _: bool, _: &[u32]) -> Option<Vec<Fields>> {
-        None
     }
 
     fn shown(

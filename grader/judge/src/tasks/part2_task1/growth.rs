@@ -19,9 +19,7 @@
 use crate::tools::Tier;
 use crate::tools::check::{CaseContext, Check};
 use crate::tools::findings::{Aspect, Class, Findings};
-use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::Content;
-use crate::tools::snapshot::Fields;
 use crate::tools::snapshot::{forms, number};
 use wire::answer::{BuildGrowthAnswer, BuildTime};
 use wire::kind;
@@ -58,11 +56,6 @@ impl Check for kind::BuildGrowth {
 
     fn calls(_: &BuildGrowthWork) -> usize {
         1
-    }
-
-    /// Times are compared with each other.
-    fn only_call(_: &BuildGrowthWork, _: usize) -> Option<BuildGrowthWork> {
-        None
     }
 
     fn fits(work: &BuildGrowthWork, answer: &BuildGrowthAnswer) -> Result<(), String> {
@@ -113,24 +106,6 @@ impl Check for kind::BuildGrowth {
             forms(size, nodes.clone(), nodes)
         });
         Some((Vec::new(), lines.collect()))
-    }
-
-    fn input(_: &BuildGrowthWork, _: usize) -> Option<String> {
-        None
-    }
-
-    fn exact(_: &BuildGrowthWork, _: bool, _: &[u32]) -> Option<Vec<Fields>> {
-        None
-    }
-
-    fn shown(
-        _: &BuildGrowthWork,
-        _: Tier,
-        _: bool,
-        _: usize,
-        _: Option<&BuildGrowthAnswer>,
-    ) -> Option<ShownCall> {
-        None
     }
 }
 

@@ -20,7 +20,6 @@ use crate::tools::plural;
 use crate::tools::recorded;
 use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::Content;
-use crate::tools::snapshot::Fields;
 use crate::tools::snapshot::number;
 use kit::Aabb;
 use wire::answer::BuildAnswer;
@@ -40,11 +39,6 @@ impl Check for kind::Build {
 
     fn calls(_: &BuildWork) -> usize {
         2
-    }
-
-    /// Both calls build the same tree.
-    fn only_call(_: &BuildWork, _: usize) -> Option<BuildWork> {
-        None
     }
 
     /// Any answer fits: the structure of the tree is judged.
@@ -124,10 +118,6 @@ impl Check for kind::Build {
             "{boxes}{listed}; max_leaf_size = {}",
             work.max_leaf_size
         ))
-    }
-
-    fn exact(_: &BuildWork, _: bool, _: &[u32]) -> Option<Vec<Fields>> {
-        None
     }
 
     fn shown(

@@ -27,11 +27,6 @@ impl Check for kind::Traverse {
         world.rays.len()
     }
 
-    /// The numbers of tests of all rays are judged together.
-    fn only_call(_: &ScriptedWorld, _: usize) -> Option<ScriptedWorld> {
-        None
-    }
-
     fn fits(world: &ScriptedWorld, answers: &Vec<TraverseAnswer>) -> Result<(), String> {
         one_each(Self::calls(world), answers)
     }
@@ -127,10 +122,6 @@ impl Check for kind::Traverse {
 
     fn circumstances(work: &ScriptedWorld, call: usize) -> Option<Vec<&'static str>> {
         call::circumstances(work, call)
-    }
-
-    fn exact(_: &ScriptedWorld, _: bool, _: &[u32]) -> Option<Vec<Fields>> {
-        None
     }
 
     fn shown(

@@ -16,7 +16,6 @@ use crate::tools::moves::{AxisMoves, LightMoves, Move, Symmetries};
 use crate::tools::plural;
 use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::Content;
-use crate::tools::snapshot::Fields;
 use crate::tools::snapshot::lines::each;
 use wire::direct::{LambertAnswer, LambertProbe};
 use wire::kind;
@@ -117,10 +116,6 @@ impl Check for kind::Lambert {
 
     fn circumstances(work: &Vec<LambertProbe>, call: usize) -> Option<Vec<&'static str>> {
         call::circumstances(work, call)
-    }
-
-    fn exact(_: &Vec<LambertProbe>, _: bool, _: &[u32]) -> Option<Vec<Fields>> {
-        None
     }
 
     fn shown(

@@ -16,7 +16,6 @@ use crate::tools::findings::{Aspect, Findings};
 use crate::tools::moves::{Move, Symmetries};
 use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::Content;
-use crate::tools::snapshot::Fields;
 use crate::tools::snapshot::lines::each;
 use wire::global::{SpecularAnswer, SpecularCall};
 use wire::kind;
@@ -101,10 +100,6 @@ impl Check for kind::Specular {
 
     fn circumstances(work: &Vec<SpecularCall>, call: usize) -> Option<Vec<&'static str>> {
         call::circumstances(work, call)
-    }
-
-    fn exact(_: &Vec<SpecularCall>, _: bool, _: &[u32]) -> Option<Vec<Fields>> {
-        None
     }
 
     fn shown(

@@ -16,7 +16,6 @@ use crate::tools::findings::{Aspect, Findings};
 use crate::tools::moves::{LightMoves, Move, Symmetries};
 use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::Content;
-use crate::tools::snapshot::Fields;
 use crate::tools::snapshot::lines::each;
 use wire::global::{PathAnswer, ScriptedPath};
 use wire::kind;
@@ -26,11 +25,6 @@ impl Check for kind::Paths {
 
     fn calls(paths: &Vec<ScriptedPath>) -> usize {
         paths.len()
-    }
-
-    /// Random numbers are made of the number of the call.
-    fn only_call(_: &Vec<ScriptedPath>, _: usize) -> Option<Vec<ScriptedPath>> {
-        None
     }
 
     fn fits(paths: &Vec<ScriptedPath>, answers: &Vec<PathAnswer>) -> Result<(), String> {
@@ -103,10 +97,6 @@ impl Check for kind::Paths {
 
     fn circumstances(work: &Vec<ScriptedPath>, call: usize) -> Option<Vec<&'static str>> {
         call::circumstances(work, call)
-    }
-
-    fn exact(_: &Vec<ScriptedPath>, _: bool, _: &[u32]) -> Option<Vec<Fields>> {
-        None
     }
 
     fn shown(

@@ -11,7 +11,6 @@ use crate::tools::call_text::point;
 use crate::tools::check::{CaseContext, Check, one_each};
 use crate::tools::findings::{Aspect, Findings};
 use crate::tools::moves::{Move, Symmetries};
-use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::Content;
 use crate::tools::snapshot::lines::each;
 use crate::tools::snapshot::{Fields, field, forms, number, vector};
@@ -24,11 +23,6 @@ impl Check for kind::Roulette {
 
     fn calls(work: &RouletteWork) -> usize {
         work.paths.len() * work.numbers.len()
-    }
-
-    /// The mean over all numbers is judged.
-    fn only_call(_: &RouletteWork, _: usize) -> Option<RouletteWork> {
-        None
     }
 
     fn fits(work: &RouletteWork, answers: &Vec<Option<Xyz>>) -> Result<(), String> {
@@ -108,20 +102,6 @@ impl Check for kind::Roulette {
             "throughput = {}, bounces = {bounces}, u = {u:?}",
             point(*throughput)
         ))
-    }
-
-    fn exact(_: &RouletteWork, _: bool, _: &[u32]) -> Option<Vec<Fields>> {
-        None
-    }
-
-    fn shown(
-        _: &RouletteWork,
-        _: Tier,
-        _: bool,
-        _: usize,
-        _: Option<&Vec<Option<Xyz>>>,
-    ) -> Option<ShownCall> {
-        None
     }
 
     fn repro(_: Tier, work: &RouletteWork, call: usize) -> Option<String> {

@@ -14,9 +14,7 @@ use crate::tools::check::{CaseContext, Check, one_each};
 use crate::tools::findings::{Aspect, Findings};
 use crate::tools::kinds::stopping;
 use crate::tools::moves::{LightMoves, Move, Symmetries};
-use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::Content;
-use crate::tools::snapshot::Fields;
 use crate::tools::snapshot::lines::each;
 use wire::adaptive::{AdaptiveAnswer, AdaptivePixel, StopAnswer, StopCall, StopRule};
 use wire::kind;
@@ -72,20 +70,6 @@ impl Check for kind::Stop {
 
     fn input(work: &Vec<StopCall>, call: usize) -> Option<String> {
         work.get(call).map(stopping::input)
-    }
-
-    fn exact(_: &Vec<StopCall>, _: bool, _: &[u32]) -> Option<Vec<Fields>> {
-        None
-    }
-
-    fn shown(
-        _: &Vec<StopCall>,
-        _: Tier,
-        _: bool,
-        _: usize,
-        _: Option<&Vec<StopAnswer>>,
-    ) -> Option<ShownCall> {
-        None
     }
 
     fn repro(_: Tier, questions: &Vec<StopCall>, call: usize) -> Option<String> {
@@ -197,20 +181,6 @@ impl Check for kind::AdaptivePixels {
                     ", samples in turn {colours}"
                 ))
         ))
-    }
-
-    fn exact(_: &Vec<AdaptivePixel>, _: bool, _: &[u32]) -> Option<Vec<Fields>> {
-        None
-    }
-
-    fn shown(
-        _: &Vec<AdaptivePixel>,
-        _: Tier,
-        _: bool,
-        _: usize,
-        _: Option<&Vec<AdaptiveAnswer>>,
-    ) -> Option<ShownCall> {
-        None
     }
 
     fn repro(_: Tier, questions: &Vec<AdaptivePixel>, call: usize) -> Option<String> {

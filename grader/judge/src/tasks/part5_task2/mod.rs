@@ -12,9 +12,7 @@ use crate::tools::check::{CaseContext, Check, one_each};
 use crate::tools::findings::{Aspect, Findings};
 use crate::tools::kinds::stopping;
 use crate::tools::moves::{Move, Symmetries};
-use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::Content;
-use crate::tools::snapshot::Fields;
 use crate::tools::snapshot::lines::each;
 use wire::adaptive::{StopAnswer, StopCall};
 use wire::kind;
@@ -80,20 +78,6 @@ impl Check for kind::SureStop {
 
     fn input(work: &Vec<StopCall>, call: usize) -> Option<String> {
         work.get(call).map(call::input)
-    }
-
-    fn exact(_: &Vec<StopCall>, _: bool, _: &[u32]) -> Option<Vec<Fields>> {
-        None
-    }
-
-    fn shown(
-        _: &Vec<StopCall>,
-        _: Tier,
-        _: bool,
-        _: usize,
-        _: Option<&Vec<StopAnswer>>,
-    ) -> Option<ShownCall> {
-        None
     }
 
     fn repro(_: Tier, questions: &Vec<StopCall>, call: usize) -> Option<String> {

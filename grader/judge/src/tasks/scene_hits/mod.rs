@@ -9,7 +9,6 @@ use crate::tools::call_text::ray_circumstances;
 use crate::tools::check::{CaseContext, Check, hits_fit};
 use crate::tools::findings::{Aspect, Findings};
 use crate::tools::moves::{Move, Symmetries, most_if_ordinary, ray_numbers};
-use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::Content;
 use crate::tools::snapshot::lines::{self, each, ray_at};
 use crate::tools::snapshot::{Fields, forms, number};
@@ -25,11 +24,6 @@ impl Check for kind::SceneHits {
 
     fn calls(work: &SceneWork) -> usize {
         work.rays.len()
-    }
-
-    /// The numbers of tests of all rays are judged together.
-    fn only_call(_: &SceneWork, _: usize) -> Option<SceneWork> {
-        None
     }
 
     fn fits(work: &SceneWork, answer: &HitsAnswer) -> Result<(), String> {
@@ -110,16 +104,6 @@ impl Check for kind::SceneHits {
 
     fn exact(work: &SceneWork, enclosed: bool, calls: &[u32]) -> Option<Vec<Fields>> {
         call::exact(work, enclosed, calls)
-    }
-
-    fn shown(
-        _: &SceneWork,
-        _: Tier,
-        _: bool,
-        _: usize,
-        _: Option<&HitsAnswer>,
-    ) -> Option<ShownCall> {
-        None
     }
 
     fn colours(answer: &HitsAnswer) -> Option<Vec<Xyz>> {

@@ -46,7 +46,9 @@ pub(crate) trait Check: Kind {
 
     /// The question with its call number `call` only, as call 0; `None` where calls depend on each
     /// other or on their number, or where there is no such call.
-    fn only_call(question: &Self::Question, call: usize) -> Option<Self::Question>;
+    fn only_call(_question: &Self::Question, _call: usize) -> Option<Self::Question> {
+        None
+    }
 
     /// The main answers: a case about one of them gives nothing if it is wrong. For cases about
     /// other aspects see `Spec::is_main`.
@@ -109,7 +111,9 @@ pub(crate) trait Check: Kind {
 
     /// The content of a snapshot of the answer; `None` for answers that differ on every run
     /// (times).
-    fn lines(question: &Self::Question, answer: &Self::Answer) -> Option<Content>;
+    fn lines(_question: &Self::Question, _answer: &Self::Answer) -> Option<Content> {
+        None
+    }
 
     /// The body of a Rust test for one call; `None` if the test would be long, or if more than one
     /// answer scores.
@@ -140,7 +144,9 @@ pub(crate) trait Check: Kind {
 
     /// The input of call number `call`, as text: for reports on calls that have no answer to show
     /// it with. `None` for work whose input is long, or where there is no such call.
-    fn input(question: &Self::Question, call: usize) -> Option<String>;
+    fn input(_question: &Self::Question, _call: usize) -> Option<String> {
+        None
+    }
 
     /// The circumstances of a call, of which mistakes often depend: each ends the sentence "wrong
     /// only where ...". `None` if nothing is known of them.
@@ -150,17 +156,21 @@ pub(crate) trait Check: Kind {
 
     /// The right hit or interval of each of `calls`, as the fields of a record, without fields for
     /// a miss. `None` for work that computes neither. `enclosed` is [`CaseContext::enclosed`].
-    fn exact(question: &Self::Question, enclosed: bool, calls: &[u32]) -> Option<Vec<Fields>>;
+    fn exact(_question: &Self::Question, _enclosed: bool, _calls: &[u32]) -> Option<Vec<Fields>> {
+        None
+    }
 
     /// One call with what is right and, if there is an answer, what the code returned. `None` for
     /// work that is shown in another way, or where there is no such call.
     fn shown(
-        question: &Self::Question,
-        tier: Tier,
-        enclosed: bool,
-        call: usize,
-        answer: Option<&Self::Answer>,
-    ) -> Option<ShownCall>;
+        _question: &Self::Question,
+        _tier: Tier,
+        _enclosed: bool,
+        _call: usize,
+        _answer: Option<&Self::Answer>,
+    ) -> Option<ShownCall> {
+        None
+    }
 
     /// The inputs of all calls, in a sentence without its full stop.
     fn overview(question: &Self::Question) -> String {

@@ -21,7 +21,6 @@ use crate::tools::findings::{Aspect, Findings};
 use crate::tools::moves::{LightMoves, Move, Symmetries};
 use crate::tools::shown::ShownCall;
 use crate::tools::snapshot::Content;
-use crate::tools::snapshot::Fields;
 use crate::tools::snapshot::lines::each;
 use crate::tools::snapshot::{field, forms, number, vector};
 use wire::direct::{DirectAnswer, DirectWork, RecordedRay};
@@ -32,11 +31,6 @@ impl Check for kind::Direct {
 
     fn calls(work: &DirectWork) -> usize {
         work.points.len()
-    }
-
-    /// Random numbers are made of the number of the call.
-    fn only_call(_: &DirectWork, _: usize) -> Option<DirectWork> {
-        None
     }
 
     fn fits(work: &DirectWork, answers: &Vec<DirectAnswer>) -> Result<(), String> {
@@ -126,10 +120,6 @@ impl Check for kind::Direct {
 
     fn input(work: &DirectWork, call: usize) -> Option<String> {
         call::input(work, call)
-    }
-
-    fn exact(_: &DirectWork, _: bool, _: &[u32]) -> Option<Vec<Fields>> {
-        None
     }
 
     fn shown(

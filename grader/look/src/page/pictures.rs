@@ -1,6 +1,6 @@
 //! The pictures of cases, and the data of their pixels for the page's script.
 
-use super::call::call;
+use super::call;
 use super::viewer::viewer;
 use super::words::Words;
 use crate::box_walk::Step;
@@ -13,7 +13,7 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 
 /// Formats the pictures of a case, with an inspector of their pixels.
-pub(crate) fn panels(case: &Case, picture: &Picture, words: &Words) -> String {
+pub fn panels(case: &Case, picture: &Picture, words: &Words) -> String {
     let Picture {
         golden,
         actual,

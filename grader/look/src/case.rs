@@ -3,9 +3,9 @@
 use super::box_tests;
 use super::calls::{Nearer, Row, differing, nearer, rows};
 use super::picture::{self, Picture, Pixels};
-use crate::bless;
 use ::pictures::cause::Cause;
 use base::{GraderError, Workspace};
+use grader::course::packed;
 use grader::workers::runner::Worker;
 use judge::Tier;
 use judge::cases::Spec;
@@ -90,7 +90,7 @@ impl Case {
         answer: &Answer,
         together: &Result<Worker, String>,
     ) -> Result<Case, GraderError> {
-        let golden = bless::golden_snapshot(workspace, spec.task, spec.name)?;
+        let golden = golden_snapshot(workspace, spec.task, spec.name)?;
         let stored = snapshot::write(&spec.work, answer).map(|text| snapshot::parse(&text));
         let (Some(Ok(actual)), Some(full)) = (stored, snapshot::full(&spec.work, answer)) else {
             return Ok(Case::silent(spec, "its answers make no snapshot"));
@@ -185,6 +185,18 @@ impl Case {
     pub fn path(&self) -> String {
         format!("{}/{}", self.task, self.name)
     }
+}
+
+/// Reads the golden snapshot of a case.
+pub fn golden_snapshot(
+    workspace: &Workspace,
+    task: &str,
+    case: &str,
+) -> Result<Snapshot, GraderError> {
+    let path = workspace.snapshot(task, case);
+    let text = packed::read_snapshot(workspace, task, case)?
+        .ok_or_else(|| GraderError::file("read", &path, "it does not exist"))?;
+    snapshot::parse(&text).map_err(|e| GraderError::file("understand", &path, e))
 }
 
 /// The golden picture and the one that `answer` makes; `None` for a case without pictures.

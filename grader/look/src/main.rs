@@ -1,17 +1,23 @@
-//! The command `grader look`: writes a page for students and opens it.
+//! The program behind `grader look`: writes a page for students and opens it.
 
-use base::program::Exit;
+use base::program::{Exit, run_commands};
 use base::{GraderError, Workspace, browser, outln, write_whole};
 use clap::ArgMatches;
 use grader::build::BuildRoot;
 use grader::cli::picture::task_of;
+use grader::cli::programs;
 use grader::course::Course;
 use grader::grade;
 use grader::grade::picture::file_stem;
-use review::look::{Look, page};
+use look::{Look, student_page};
 use std::path::Path;
+use std::process::ExitCode;
 
-pub(crate) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
+fn main() -> ExitCode {
+    run_commands([(programs::look(), run)])
+}
+
+fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     let workspace = Workspace::above(Path::new("."))?;
     let course = Course::read(&workspace)?;
     let task = task_of(matches, &workspace, &course)?;
@@ -19,8 +25,8 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     let workers = grade::workers(&BuildRoot::of(&workspace), &[task], &specs, false)?;
     let look = Look::of(&workspace, &course, task, &specs, &workers)?;
     let out = workspace.for_students(&format!("{}.html", file_stem(&task.key)))?;
-    write_whole(&out, page::write(&look).as_bytes())?;
-    outln!("{}: {}", task.key, page::summary(&look));
+    write_whole(&out, student_page::write(&look).as_bytes())?;
+    outln!("{}: {}", task.key, student_page::summary(&look));
     outln!("page: {}", workspace.relative(&out).display());
     if !matches.get_flag("no-open") && !browser::open(&out) {
         outln!("(found no browser here: open the page yourself)");

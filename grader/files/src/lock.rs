@@ -1,7 +1,7 @@
 //! Updates the lock file of a workspace from which crates were removed.
 
-use super::manifest;
 use crate::file_tree::{self, Files};
+use crate::manifest;
 use base::child_processes;
 use base::{GraderError, interrupt};
 use std::path::Path;

@@ -10,7 +10,7 @@ use pages::html::escape;
 use std::fmt::Write;
 
 /// Formats a call below its heading, which is text.
-pub(super) fn call(row: &Row, heading: &str, verdict: &Verdict, words: &Words) -> String {
+pub fn call(row: &Row, heading: &str, verdict: &Verdict, words: &Words) -> String {
     let [r, g, b] = row.cause.colour();
     let mut text = format!(
         "<section class=\"call\"><h4><span class=\"chip\" style=\"background:rgb({r},{g},{b})\"></span>{}</h4>\n{}",

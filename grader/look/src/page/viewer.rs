@@ -8,7 +8,7 @@ use std::fmt::Write;
 
 /// Formats the viewer. `difference` is the picture of the causes, `legend` the HTML below it. If
 /// the sizes differ, the pictures are only shown beside each other.
-pub(crate) fn viewer(
+pub fn viewer(
     golden: &Image,
     actual: &Image,
     difference: Option<&Image>,

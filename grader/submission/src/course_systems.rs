@@ -1,21 +1,17 @@
-//! Grades the workspace or a submission, for a report in any format.
+//! Grades a submission for a report in the format of a course system.
 
+use crate::folder;
 use base::{GraderError, Workspace};
 use clap::ArgMatches;
-use formats::annotation;
-use formats::{Graded, Outcome};
-use grader::build::compile_errors;
-use grader::cli::grade::{hint, request};
-use grader::course::sources::{self, SourceFile, with_slashes};
-use grader::course::{Course, Task};
-use grader::grade::{self, GradeRequest};
-use grader::report::{self, Reveal, table};
-use grader::workers::printed;
+use formats::{Graded, Outcome, annotation, command};
+use grader::cli::grade::hint;
+use grader::course::Task;
+use grader::course::sources::{SourceFile, with_slashes};
+use grader::grade;
+use grader::report::{self, Reveal};
 use judge::Tier;
-use std::any::Any;
 use std::fmt::Write;
-use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use submission::SubmissionReport;
 use submission::arguments::{containment, draws_seed, seeded_request};
 use submission::one::{GradingCourse, NotGraded, Options, grade_one};
@@ -24,78 +20,23 @@ use submission::read::Submission;
 /// How many ignored files are named.
 const IGNORED_NAMED: usize = 20;
 
-/// Grades what `matches` ask for. A panic of the grader is a failure of the grader.
-pub(crate) fn grade(matches: &ArgMatches) -> Outcome {
-    let outcome = catch_unwind(AssertUnwindSafe(|| attempt(matches)));
-    let failed = |why: GraderError| Outcome::Infrastructure(why.to_string());
-    match outcome {
-        Ok(outcome) => outcome.unwrap_or_else(failed),
-        Err(panic) => Outcome::Infrastructure(format!("the grader panicked: {}", message(&*panic))),
-    }
-}
-
-fn attempt(matches: &ArgMatches) -> Result<Outcome, GraderError> {
+/// Grades what `matches` name.
+pub(crate) fn grade(matches: &ArgMatches) -> Result<Outcome, GraderError> {
     let reveal = Reveal {
         hint: hint(matches),
         extra: matches.get_flag("extra"),
     };
     let workspace = Workspace::above(Path::new("."))?;
-    match matches.get_one::<PathBuf>("submission") {
-        Some(folder) => {
-            let options = Options {
-                pictures: false,
-                request: seeded_request(matches)?,
-                together: matches.get_flag("together"),
-            };
-            let seed = options.request.seed;
-            let course = GradingCourse::open(&workspace, containment(matches, &workspace)?)?;
-            let graded = submission(&workspace, &course, options, reveal, folder)?;
-            Ok(with_seed(graded, draws_seed(matches).then_some(seed)))
-        }
-        None if matches.contains_id("class") => Err(GraderError::new(
-            "a class has formats of its own: grade it with `grader class`",
-        )),
-        None => in_place(&workspace, &request(matches)?, reveal),
-    }
-}
-
-fn message(panic: &(dyn Any + Send)) -> &str {
-    let text = panic.downcast_ref::<&str>().copied();
-    text.or_else(|| panic.downcast_ref::<String>().map(String::as_str))
-        .unwrap_or("no message")
-}
-
-/// The report for people.
-pub(crate) fn table(graded: &Graded) -> String {
-    let table = table::format_report(&graded.report, graded.reveal);
-    match graded.notes.is_empty() {
-        true => table,
-        false => format!("{}\n{table}", graded.notes),
-    }
-}
-
-fn in_place(
-    workspace: &Workspace,
-    request: &GradeRequest,
-    reveal: Reveal,
-) -> Result<Outcome, GraderError> {
-    let course = Course::read(workspace)?;
-    let graded = grade::in_place(workspace, request, false, true)?;
-    let mut files = Vec::new();
-    for stage in grade::stages(&course.select(&request.what)?) {
-        files.extend(sources::read(workspace.root(), stage)?);
-    }
-    let json = report::json(&graded.report)?;
-    base::write_whole(&workspace.root().join("report.json"), json.as_bytes())?;
-    let notes = join([&*graded.compiler, &printed::format(&graded.printed)]);
-    Ok(Outcome::Graded(Box::new(Graded {
-        what: request.what.clone(),
-        annotations: annotation::all(&graded.report, &graded.compiler, &files, reveal),
-        report: graded.report,
-        json,
-        reveal,
-        notes,
-    })))
+    let folder = folder(matches)?;
+    let options = Options {
+        pictures: false,
+        request: seeded_request(matches)?,
+        together: matches.get_flag("together"),
+    };
+    let seed = options.request.seed;
+    let course = GradingCourse::open(&workspace, containment(matches, &workspace)?)?;
+    let graded = submission(&workspace, &course, options, reveal, folder)?;
+    Ok(with_seed(graded, draws_seed(matches).then_some(seed)))
 }
 
 fn submission(
@@ -177,18 +118,7 @@ fn notes(report: &SubmissionReport) -> String {
             named.join(", ")
         );
     }
-    join([&*text, &report.compiler, &report.printed])
-}
-
-/// The texts that are not empty, with a blank line between them.
-fn join<const N: usize>(texts: [&str; N]) -> String {
-    let texts = texts.map(compile_errors::plain);
-    let texts: Vec<&str> = texts.iter().map(|text| text.trim_end()).collect();
-    let texts: Vec<&str> = texts.into_iter().filter(|text| !text.is_empty()).collect();
-    match texts.is_empty() {
-        true => String::new(),
-        false => format!("{}\n", texts.join("\n\n")),
-    }
+    command::notes([&*text, &report.compiler, &report.printed])
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 //!
 //! Works line by line, so that the other lines keep their order and comments.
 
-use super::members::Member;
+use crate::members::Member;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 

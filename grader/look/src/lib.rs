@@ -1,10 +1,23 @@
 //! `grader look`: a page for students, with what is wrong in one task, and where.
 //!
-//! [`Look::of`] runs the cases of the task and compares its pictures, [`page`] formats them,
+//! [`Look::of`] runs the cases of the task and compares its pictures, [`student_page`] formats them,
 //! `lit_point` draws the rays of an estimate of light; a [`Sketch`] draws every other call.
+//!
+//! `grader review` uses the rest, too. [`case`] compares an answer with its golden, line by line and,
+//! if the case has a [`picture`], pixel by pixel; [`calls`] are those that differ, each with its cause.
+//! [`delta`], [`magnitude`] and [`box_walk`] say how much answers, colours and traversals differ.
+//! [`page`] is what the pages of both consist of.
 
+pub mod box_tests;
+pub mod box_walk;
+pub mod calls;
+pub mod case;
+pub mod delta;
 mod lit_point;
+pub mod magnitude;
 pub mod page;
+pub mod picture;
+pub mod student_page;
 
 use crate::case::Case;
 use base::{GraderError, Workspace};
@@ -12,7 +25,7 @@ use grader::course::{Course, Task};
 use grader::diagnosis::simplest::{self, SimplestCall};
 use grader::diagnosis::{self, Diagnosis};
 use grader::grade;
-use grader::grade::picture::{self, Rendered};
+use grader::grade::picture::{self as task_picture, Rendered};
 use grader::score::{CaseResult, Status, TaskResult};
 use grader::sketch::Sketch;
 use grader::workers::worker_set::WorkerSet;
@@ -105,7 +118,7 @@ impl Look {
         Ok(Look {
             diagnosis,
             simplest,
-            picture: picture::render(workspace, course, task, workers)?,
+            picture: task_picture::render(workspace, course, task, workers)?,
             failed,
             result,
         })
@@ -125,6 +138,6 @@ fn worst_call(case: &CaseResult, spec: &Spec, answer: &Answer) -> Option<String>
     match spec.shown(Tier::Core, call as usize, Some(answer))? {
         // From above, so that all rays are apart.
         ShownCall::LitPoint(point) => Some(lit_point::draw(&point)),
-        call => Sketch::of(&call).map(|sketch| page::drawing(&sketch)),
+        call => Sketch::of(&call).map(|sketch| student_page::drawing(&sketch)),
     }
 }

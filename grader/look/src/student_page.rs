@@ -1,10 +1,10 @@
 //! Writes what a student sees of a task as one HTML page.
 
-use super::{FailedCase, Look};
 use crate::page::pictures::panels;
 use crate::page::viewer::viewer;
 use crate::page::whole;
 use crate::page::words::LOOK;
+use crate::{FailedCase, Look};
 use grader::diagnosis::simplest::SimplestCall;
 use grader::grade::picture::Rendered;
 use grader::report::message;
@@ -53,7 +53,7 @@ pub fn write(look: &Look) -> String {
     }
     content.push_str(&passed(look));
     let title = format!("{} · First Light", look.result.key);
-    whole(OWN_STYLE, &title, &header(look), &content)
+    whole([OWN_STYLE, ""], &title, &header(look), &content)
 }
 
 /// The score in one sentence.

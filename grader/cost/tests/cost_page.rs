@@ -69,6 +69,7 @@ fn row(name: &str, precision: Precision, ratio: f64, leaks: f64, wrong: f64) -> 
         time_with_fma: (name != "yours").then(|| timing(9.0, ratio.min(1.2))),
         operations: None,
         leaks_per_million: Some(leaks),
+        grid: None,
         by_ray_family: vec![
             accuracy(RayFamily::Ordinary, relative, 0.0),
             accuracy(RayFamily::Edge, 3.0 * relative, wrong),

@@ -47,13 +47,14 @@ const NOT_JUDGED: &str = "not_judged.txt";
 
 /// What students do not need: the README's pictures and their scenes, tests of given code, and
 /// scripts for large pictures.
-const LEFT_OUT: [&str; 8] = [
+const LEFT_OUT: [&str; 9] = [
     "scenes/pictures",
     "scenes/tests",
     "scenes/dae/dusk.dae",
     "scenes/dae/gallery.dae",
     "scenes/dae/materials.dae",
     "scenes/dae/sphereflake.dae",
+    "scenes/dae/stones_sun.dae",
     "scenes/dae/window_room.dae",
     "stages/pathtracer/cluster",
 ];

@@ -17,8 +17,8 @@ use lanes::Scalar;
 
 /// Returns the same tree with different tests, the exact one first. In f32, pbrt-v4 uses a pair
 /// like Ize's and Woop's tests, Embree's robust mode one like Ize's and Plücker coordinates, and
-/// most others use slabs with Möller and Trumbore's test. Naive slabs are right for ordinary rays: a
-/// box is lost to 0/0 where a ray lies in the plane of a face.
+/// most others use slabs with Möller and Trumbore's test. Naive slabs lose a box to 0/0
+/// where a ray lies in the plane of a face.
 pub(crate) fn trees<'a>(bvh: &'a Bvh, triangles: &[kit::Triangle]) -> Vec<RoundedTree<'a>> {
     vec![
         tree::<f64, Ize, Woop>(16, bvh, triangles),

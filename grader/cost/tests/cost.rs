@@ -283,7 +283,10 @@ fn traversal_needs_slack_to_equal_brute_force() {
         rows.partition(|row| row.box_test == "naive slabs");
     assert!(safe.iter().all(|row| row.grid_lost == 0), "{safe:?}");
     assert!(naive[0].grid_lost_per_million() > 100_000.0, "{naive:?}");
-    assert_eq!(naive[0].worst_per_million(), naive[0].grid_lost_per_million());
+    assert_eq!(
+        naive[0].worst_per_million(),
+        naive[0].grid_lost_per_million()
+    );
     assert_eq!(others.count(), 2, "the trees by median and SAH");
     let single = lost("Woop", "Ize, 2 ulp", Precision::F32);
     assert!(single > 0.0);

@@ -143,7 +143,7 @@ fn exactness(box_test: &str, precision: Precision, ratio: f64, lost: usize) -> E
         missed: lost / 2,
         wrong: lost - lost / 2,
         grid_rays: 3_000,
-        grid_lost: lost / 3,
+        grid_lost: lost / 10,
     }
 }
 
@@ -414,6 +414,14 @@ fn headings_say_what_was_found() {
         &html(&tie),
         "Exact hits cost no time: the fastest tree that loses hits, 3,100 in a million, is not faster"
     ));
+    // It may lose them at the integer terrain alone.
+    let trees = tie.bvh.as_mut().expect("trees");
+    let lossy = &mut trees.by_precision[1];
+    (lossy.missed, lossy.wrong, lossy.grid_lost) = (0, 0, 300);
+    assert!(heading(
+        &html(&tie),
+        "Exact hits cost no time: the fastest tree that loses hits, 100,000 in a million, is not faster"
+    ));
     let leaking = html(&report(rows(5.0, 2000.0), None));
     assert!(heading(&leaking, "Every known test leaks"));
 }
@@ -488,7 +496,7 @@ fn exactness_is_drawn_at_its_speed_and_its_losses() {
     // One decade lies between the two that lose hits, less between the lesser one and zero.
     let decade = (slower.1 - faster.1) / (330.0_f64 / 31.0).log10();
     assert!(exact.1 - slower.1 < decade && decade > 500.0, "{points:?}");
-    let losses = "16,500 missed in a million, 16,500 wrong in a million";
+    let losses = "16,500 missed in a million, 16,500 wrong in a million, 11,000 lost on a grid";
     assert!(faster.2.ends_with(losses), "{points:?}");
 }
 

@@ -157,11 +157,11 @@ impl Student {
             Err(missing) => return Ok(Err(missing)),
         };
         let answers = Triangle::answers(&answer).ok_or_else(unexpected_answer)?;
-        let mut answers = answers.iter();
-        let hits = grid.rays.iter().map(|(_, near)| {
-            let answers = answers.by_ref().take(near.len());
-            answers.flatten().count()
-        });
+        let mut each = answers.iter();
+        let hits = grid
+            .rays
+            .iter()
+            .map(|(_, near)| each.by_ref().take(near.len()).flatten().count());
         Ok(Ok(GridCounts::of(&hits.collect::<Vec<usize>>())))
     }
 

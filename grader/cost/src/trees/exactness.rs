@@ -141,10 +141,11 @@ pub(super) struct Grid {
 impl Grid {
     pub(super) fn new(seed: u64) -> Grid {
         let ClosedMesh { triangles, rays } = ClosedMesh::grid(seed);
-        let rays = rays.into_iter();
-        let rays = rays.map(|(ray, _)| (ray, brute_force(&triangles, &ray)));
+        let hits = rays
+            .iter()
+            .map(|(ray, _)| (*ray, brute_force(&triangles, ray)));
         Grid {
-            rays: rays.collect(),
+            rays: hits.collect(),
             triangles,
         }
     }

@@ -17,13 +17,14 @@ fn load(name: &str) -> Scene {
 }
 
 /// File name and the numbers of triangles, spheres, lights, materials.
-const EXPECTED: [(&str, [usize; 4]); 12] = [
+const EXPECTED: [(&str, [usize; 4]); 13] = [
     ("cornell_mirror_glass", [12, 2, 1, 6]),
     ("cornell_spheres", [12, 2, 1, 6]),
     ("cornell_whale", [162, 0, 1, 6]),
     ("dusk", [60, 6, 0, 6]),
     ("gallery", [24, 1, 0, 10]),
     ("gems", [260, 0, 2, 8]),
+    ("integer_terrain", [128, 0, 2, 1]),
     ("materials", [2, 41, 3, 13]),
     ("sphereflake", [2, 825, 3, 7]),
     ("spheres", [0, 22, 2, 9]),
@@ -103,6 +104,18 @@ fn whale_is_symmetric() {
             .sum()
     };
     assert!((area(&left) - area(&right)).abs() < 1e-12);
+}
+
+/// So the rays of the camera, which is above an integer, meet edges and diagonals exactly.
+#[test]
+fn the_terrain_has_integer_coordinates() {
+    let scene = load("integer_terrain");
+    let mut corners = scene.triangles.iter().flat_map(|t| [t.p0, t.p1, t.p2]);
+    assert!(corners.all(|p| p.fract() == Vec3::ZERO));
+    let camera = scene.camera.expect("a camera");
+    assert_eq!(camera.pos, Vec3::new(0.0, 24.0, 0.0));
+    let axes = [camera.c2w.x_axis, camera.c2w.y_axis, camera.c2w.z_axis];
+    assert!(axes.iter().all(|axis| axis.abs().element_sum() == 1.0));
 }
 
 #[test]

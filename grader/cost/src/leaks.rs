@@ -3,12 +3,15 @@
 //!
 //! A ray from inside must hit, so the oracle is not needed. A leak is a property of adjacent
 //! triangles: each may return a hit or a miss for a ray through a common edge, but at least one of
-//! them must return a hit.
+//! them must return a hit. On a terrain with integer coordinates, rays go exactly through vertices,
+//! edges and diagonals, and the hits of all its triangles are counted, too.
 
 use super::rays::{Target, stored_ray};
+use super::report::GridCounts;
+use super::world::{Random, may_contain, terrain};
 use judge::cases::probes::{ProbeRng, at, through};
 use kernels::{HitF64, Kernel, Precision};
-use kit::{Primitive, Ray, Triangle};
+use kit::{Primitive, Ray, Triangle, Vec3};
 use meshes::{MeshKind, generate};
 use oracle::{KernelClass, may_touch};
 
@@ -20,6 +23,10 @@ const TRIANGLES: usize = 600;
 
 /// Largest coordinate of a ray's origin: inside both meshes.
 const INNER: f64 = 0.1;
+
+/// Squares of the integer terrain along each axis, and rays at it.
+const GRID: usize = 32;
+const GRID_RAYS: usize = 3_000;
 
 /// Meshes and rays, rounded to a precision.
 pub(crate) struct ClosedMeshes {
@@ -45,7 +52,10 @@ impl ClosedMeshes {
                     .map(|_| stored_ray(&outward(&exact, &mut dice), precision))
                     .collect();
                 let triangles = exact.iter().map(|tri| tri.stored(precision)).collect();
-                ClosedMesh::new(triangles, rays)
+                // Kernels in f32 need the wide bound.
+                ClosedMesh::new(triangles, rays, |tri, ray| {
+                    may_touch(&Primitive::Triangle(tri), ray, KernelClass::Textbook)
+                })
             })
             .into();
         ClosedMeshes { precision, meshes }
@@ -65,24 +75,8 @@ impl ClosedMeshes {
     /// Returns the number of rays per million that leave without a hit.
     pub(crate) fn leaks(&self, kernel: &Kernel<Triangle, HitF64>) -> f64 {
         let leaks = self.meshes.iter().map(|mesh| {
-            let triangles: Vec<Triangle> = mesh
-                .triangles
-                .iter()
-                // From inside every ray sees a back face, which a culling kernel misses on purpose.
-                .map(|tri| {
-                    if kernel.info.culls {
-                        flipped(tri)
-                    } else {
-                        *tri
-                    }
-                })
-                .collect();
-            let hits = |ray: &Ray, near: &[u32]| {
-                let mut near = near.iter();
-                near.any(|i| kernel.answer(&triangles[*i as usize], ray).is_some())
-            };
-            let rays = mesh.rays.iter();
-            rays.filter(|(ray, near)| !hits(ray, near)).count()
+            let hits = mesh.hits(kernel).into_iter();
+            hits.filter(|hits| *hits == 0).count()
         });
         self.per_million(leaks.sum())
     }
@@ -95,18 +89,79 @@ impl ClosedMeshes {
 }
 
 impl ClosedMesh {
-    fn new(triangles: Vec<Triangle>, rays: Vec<Ray>) -> ClosedMesh {
+    /// An integer terrain, a closed block, and rays from inside it, straight up: exactly at
+    /// vertices, edges and diagonals. Nothing is rounded, and planes of bounding boxes contain the
+    /// rays, whose zeros have both signs.
+    pub(crate) fn grid(seed: u64) -> ClosedMesh {
+        let triangles = terrain(&mut Random(seed), GRID).flat_triangles();
+        let mut dice = ProbeRng::new("cost grid", seed);
+        let rays = (0..GRID_RAYS).map(|i| {
+            let off = [[0.0, 0.0], [0.5, 0.0], [0.5, 0.5]][i % 3];
+            let [x, y] = off.map(|off| 1.0 + dice.below(GRID - 2) as f64 + off);
+            let [dx, dy] = [0; 2].map(|_| dice.one_of(&[0.0, -0.0]));
+            Ray::new(Vec3::new(x, y, 0.5), Vec3::new(dx, dy, 1.0))
+        });
+        // Other triangles are at least half a square away.
+        let near = |tri: &Triangle, ray: &Ray| may_contain(&tri.bounds(), ray);
+        ClosedMesh::new(triangles, rays.collect(), near)
+    }
+
+    fn new(
+        triangles: Vec<Triangle>,
+        rays: Vec<Ray>,
+        is_near: impl Fn(&Triangle, &Ray) -> bool,
+    ) -> ClosedMesh {
         let near = |ray: &Ray| {
             let numbered = (0..).zip(&triangles);
-            numbered
-                // Kernels in f32 need the wide bound.
-                .filter(|(_, tri)| may_touch(&Primitive::Triangle(tri), ray, KernelClass::Textbook))
-                .map(|(i, _)| i)
-                .collect()
+            let near = numbered.filter(|(_, tri)| is_near(tri, ray));
+            near.map(|(i, _)| i).collect()
         };
         ClosedMesh {
             rays: rays.into_iter().map(|ray| (ray, near(&ray))).collect(),
             triangles,
+        }
+    }
+
+    /// The number of triangles that each ray hits.
+    pub(crate) fn hits(&self, kernel: &Kernel<Triangle, HitF64>) -> Vec<usize> {
+        let triangle = |i: &u32| {
+            let tri = &self.triangles[*i as usize];
+            // From inside every ray sees a back face, which a culling kernel misses on purpose.
+            match kernel.info.culls {
+                true => flipped(tri),
+                false => *tri,
+            }
+        };
+        let count = |(ray, near): &(Ray, Vec<u32>)| {
+            let triangles = near.iter().map(triangle);
+            let hits = triangles.filter_map(|tri| kernel.answer(&tri, ray));
+            hits.count()
+        };
+        self.rays.iter().map(count).collect()
+    }
+
+    /// Each ray with each triangle that it may hit.
+    pub(crate) fn pairs(&self) -> Vec<(Triangle, Ray)> {
+        let rays = self.rays.iter();
+        let pairs = rays.flat_map(|(ray, near)| {
+            let triangles = near.iter().map(|i| self.triangles[*i as usize]);
+            triangles.map(|tri| (tri, *ray))
+        });
+        pairs.collect()
+    }
+}
+
+impl GridCounts {
+    /// From the number of triangles that each ray hits: each crosses the surface once.
+    pub(crate) fn of(hits: &[usize]) -> GridCounts {
+        let per_million = |is: fn(&usize) -> bool| {
+            let count = hits.iter().filter(|hits| is(hits)).count();
+            1e6 * count as f64 / hits.len().max(1) as f64
+        };
+        GridCounts {
+            rays: hits.len(),
+            lost_per_million: per_million(|hits| *hits == 0),
+            miscounted_per_million: per_million(|hits| *hits != 1),
         }
     }
 }

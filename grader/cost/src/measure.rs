@@ -1,6 +1,6 @@
 //! One run of `grader cost`.
 
-use super::leaks::ClosedMeshes;
+use super::leaks::{ClosedMesh, ClosedMeshes};
 use super::report::{CostReport, Shape};
 use super::student::Student;
 use super::{machine, measure_kernels, picture, trees, world};
@@ -109,7 +109,8 @@ pub fn measure(
                     .map(|precision| ClosedMeshes::new(request.seed, size.leak_rays, precision));
                 let triangles = kernels::triangles();
                 let mut family = measure_kernels::family(workspace, triangles, request.seed, size)?;
-                measure_kernels::add_leaks(&mut family, workspace, &closed)?;
+                let grid = ClosedMesh::grid(request.seed);
+                measure_kernels::add_leaks(&mut family, workspace, &closed, &grid)?;
                 family
             }
             Shape::Sphere => measure_kernels::family::<Sphere, _>(

@@ -2,11 +2,11 @@
 
 use super::accuracy::TestSet;
 use super::leak_view::MeshView;
-use super::leaks::ClosedMeshes;
+use super::leaks::{ClosedMesh, ClosedMeshes};
 use super::measure::SampleCounts;
 use super::rays;
 use super::report::{
-    self, Accuracy, KernelFamily, KernelRow, Operations, RayColumn, RayFamily, Timing,
+    self, Accuracy, GridCounts, KernelFamily, KernelRow, Operations, RayColumn, RayFamily, Timing,
 };
 use super::student::{Student, StudentShape};
 use super::timing::{Contender, MissingReason, Rounds, SystemClock, TIMED_PASSES};
@@ -58,6 +58,7 @@ pub(super) fn family<S: StudentShape, W: Into<Answer> + Send + Sync + 'static>(
             time_with_fma: times.with_fma.get(i).copied(),
             operations: Some(operations(kernel, &batches)),
             leaks_per_million: None,
+            grid: None,
             by_ray_family,
         })
         .collect();
@@ -73,6 +74,7 @@ pub(super) fn family<S: StudentShape, W: Into<Answer> + Send + Sync + 'static>(
             time_with_fma: None,
             operations: None,
             leaks_per_million: None,
+            grid: None,
             by_ray_family,
         });
     }
@@ -245,29 +247,33 @@ fn operations<S: StudentShape, W: 'static>(
     }
 }
 
-/// Adds the leaks of the triangle tests.
+/// Adds the leaks of the triangle tests, and what they make of rays at an integer terrain.
 pub(super) fn add_leaks(
     family: &mut KernelFamily,
     workspace: Option<&Workspace>,
     closed: &[ClosedMeshes; 2],
+    grid: &ClosedMesh,
 ) -> Result<(), GraderError> {
     let kernels: Vec<Kernel<Triangle, HitF64>> = kernels::triangles();
-    let leaks: Vec<Option<f64>> = kernels
+    let counts: Vec<(Option<f64>, GridCounts)> = kernels
         .par_iter()
         .map(|kernel| {
             let mut closed = closed.iter();
             let closed = closed.find(|closed| closed.is_for(kernel.precision));
-            closed.map(|closed| closed.leaks(kernel))
+            let leaks = closed.map(|closed| closed.leaks(kernel));
+            (leaks, GridCounts::of(&grid.hits(kernel)))
         })
         .collect();
-    for (row, leaks) in family.rows.iter_mut().zip(leaks) {
+    for (row, (leaks, grid)) in family.rows.iter_mut().zip(counts) {
         row.leaks_per_million = leaks;
+        row.grid = Some(grid);
     }
     if let Some(row) = family.rows.iter_mut().find(|row| row.student)
         && let Ok(student) = Student::build::<Triangle>(workspace)?
         && let Ok(leaks) = student.leaks(&closed[0])?
     {
         row.leaks_per_million = Some(leaks);
+        row.grid = student.grid(grid)?.ok();
         if let Some(view) = MeshView::traced() {
             family.student_leaks = student.leaking_pixels(view)?.ok();
         }

@@ -126,6 +126,8 @@ pub struct KernelRow {
     /// Rays from inside closed meshes, aimed at edges and vertices, that leave without a hit.
     /// Triangles only.
     pub leaks_per_million: Option<f64>,
+    /// Rays exactly at vertices, edges and diagonals of an integer terrain. Triangles only.
+    pub grid: Option<GridCounts>,
     /// Accuracy on each family of rays.
     pub by_ray_family: Vec<Accuracy>,
 }
@@ -150,6 +152,18 @@ impl KernelRow {
             .collect();
         bits.mean()
     }
+}
+
+/// What a test makes of rays from inside a closed terrain with integer coordinates, each exactly
+/// through a vertex, an edge or a diagonal: each crosses the surface once.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct GridCounts {
+    /// Number of rays.
+    pub rays: usize,
+    /// Rays that leave without a hit.
+    pub lost_per_million: f64,
+    /// Rays that do not hit exactly one triangle: a count of them, as parity needs it, is wrong.
+    pub miscounted_per_million: f64,
 }
 
 /// Mean number of operations of one test. Subtractions count as additions; negation and `abs` are

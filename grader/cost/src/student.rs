@@ -3,9 +3,9 @@
 
 use super::accuracy::TestSet;
 use super::leak_view::{FARTHEST, MeshView};
-use super::leaks::ClosedMeshes;
+use super::leaks::{ClosedMesh, ClosedMeshes};
 use super::quartiles::Quartiles;
-use super::report::Accuracy;
+use super::report::{Accuracy, GridCounts};
 use super::timing::{MissingReason, TurnResult};
 use super::truth::{Answer, OracleShape};
 use base::{GraderError, Workspace};
@@ -145,6 +145,24 @@ impl Student {
             }
         }
         Ok(Ok(closed.per_million(leaks)))
+    }
+
+    /// Counts the triangles of the integer terrain that each of its rays hits.
+    pub(crate) fn grid(
+        &self,
+        grid: &ClosedMesh,
+    ) -> Result<Result<GridCounts, MissingReason>, GraderError> {
+        let answer = match self.run(Triangle::work(&grid.pairs()))? {
+            Ok(answer) => answer,
+            Err(missing) => return Ok(Err(missing)),
+        };
+        let answers = Triangle::answers(&answer).ok_or_else(unexpected_answer)?;
+        let mut each = answers.iter();
+        let hits = grid
+            .rays
+            .iter()
+            .map(|(_, near)| each.by_ref().take(near.len()).flatten().count());
+        Ok(Ok(GridCounts::of(&hits.collect::<Vec<usize>>())))
     }
 
     /// Returns the pixels of the picture of leaks whose rays pass through the mesh.

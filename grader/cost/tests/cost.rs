@@ -96,6 +96,20 @@ fn watertight_triangle_tests_have_no_leaks_and_others_do() {
     assert_eq!(leaks("filter, exact fallback", Precision::F64), 0.0);
 }
 
+/// Small integers are exact in each precision, but not a stored transformation of the triangle. A
+/// test that accepts all triangles of an edge finds the hit, and a count of them is wrong.
+#[test]
+fn rays_exactly_at_edges_are_found_and_counted_by_each_triangle() {
+    for row in &family(Shape::Triangle).rows {
+        let grid = row.grid.expect("triangle tests are asked");
+        let (lost, miscounted) = (grid.lost_per_million, grid.miscounted_per_million);
+        match row.name.as_str() {
+            "Baldwin-Weber" => assert!(lost > 20_000.0 && miscounted < 800_000.0, "{row:?}"),
+            _ => assert_eq!((lost, miscounted), (0.0, 1e6), "{row:?}"),
+        }
+    }
+}
+
 #[test]
 fn triangle_tests_are_wrong_where_they_are_known_to_be() {
     let family = family(Shape::Triangle);
@@ -263,8 +277,16 @@ fn traversal_needs_slack_to_equal_brute_force() {
         .iter()
         .filter(|row| row.split != "midpoint");
     assert!(others.clone().all(|row| row.lost_per_million() == 0.0));
-    let loses_on_grid = |row: &&ExactnessRow| row.grid_lost > 0;
-    assert!(!others.clone().any(|row| loses_on_grid(&row)));
+    // Zeros of the direction have both signs: naive slabs lose boxes to 0/0.
+    let rows = trees.by_precision.iter();
+    let (naive, safe): (Vec<&ExactnessRow>, _) =
+        rows.partition(|row| row.box_test == "naive slabs");
+    assert!(safe.iter().all(|row| row.grid_lost == 0), "{safe:?}");
+    assert!(naive[0].grid_lost_per_million() > 100_000.0, "{naive:?}");
+    assert_eq!(
+        naive[0].worst_per_million(),
+        naive[0].grid_lost_per_million()
+    );
     assert_eq!(others.count(), 2, "the trees by median and SAH");
     let single = lost("Woop", "Ize, 2 ulp", Precision::F32);
     assert!(single > 0.0);

@@ -44,16 +44,18 @@ const NOT_MOVED: &str = "golden/not_moved.txt";
 /// The list, in the folder of each task, of what the oracle does not judge: for `grader bless`.
 const NOT_JUDGED: &str = "not_judged.txt";
 
-/// What students do not need: the README's pictures and their scenes, tests of given code, and
-/// scripts for large pictures.
-const LEFT_OUT: [&str; 8] = [
+/// What students do not need: the README's pictures and their scenes, tests of given code,
+/// scripts for large pictures, and what has other libraries answer.
+const LEFT_OUT: [&str; 10] = [
     "scenes/pictures",
     "scenes/tests",
     "scenes/dae/dusk.dae",
     "scenes/dae/gallery.dae",
     "scenes/dae/materials.dae",
     "scenes/dae/sphereflake.dae",
+    "scenes/dae/stones_sun.dae",
     "scenes/dae/window_room.dae",
+    "grader/world",
     "stages/pathtracer/cluster",
 ];
 

@@ -3,6 +3,7 @@
 
 use crate::bbox::BoxTest;
 use crate::bbox::ize::Ize;
+use crate::bbox::kay_kajiya::KayKajiya;
 use crate::bbox::williams::Williams;
 use crate::shapes::{Aabb, Ray, Shape, Triangle};
 use crate::traversal::walk;
@@ -16,7 +17,8 @@ use lanes::Scalar;
 
 /// Returns the same tree with different tests, the exact one first. In f32, pbrt-v4 uses a pair
 /// like Ize's and Woop's tests, Embree's robust mode one like Ize's and Plücker coordinates, and
-/// most others use slabs with Möller and Trumbore's test.
+/// most others use slabs with Möller and Trumbore's test. Naive slabs lose a box to 0/0
+/// where a ray lies in the plane of a face.
 pub(crate) fn trees<'a>(bvh: &'a Bvh, triangles: &[kit::Triangle]) -> Vec<RoundedTree<'a>> {
     vec![
         tree::<f64, Ize, Woop>(16, bvh, triangles),
@@ -26,6 +28,7 @@ pub(crate) fn trees<'a>(bvh: &'a Bvh, triangles: &[kit::Triangle]) -> Vec<Rounde
         tree::<f32, Ize, Plucker>(16, bvh, triangles),
         tree::<f32, Williams, Woop>(0, bvh, triangles),
         tree::<f32, Williams, MollerTrumbore>(0, bvh, triangles),
+        tree::<f64, KayKajiya, Woop>(16, bvh, triangles),
     ]
 }
 

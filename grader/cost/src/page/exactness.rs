@@ -35,7 +35,8 @@ pub(crate) fn figure(trees: &TreeReport) -> Option<Figure> {
     let drawing = for_both_widths(BROAD, NARROW, LABEL, |canvas, size, _| {
         draw(canvas, size, "lost hits against speed", &trees.by_precision)
     });
-    let rays = trees.by_precision.first().map_or(0, |row| row.rays);
+    let first = trees.by_precision.first();
+    let (rays, grid_rays) = first.map_or((0, 0), |row| (row.rays, row.grid_rays));
     let figure = Figure {
         finding,
         drawing,
@@ -45,13 +46,15 @@ pub(crate) fn figure(trees: &TreeReport) -> Option<Figure> {
             .into(),
         notes: format!(
             "The trees are over the {} mesh of {} triangles. Speed is that of camera rays on one thread. Hits are lost \
-             of {} rays that are aimed at random triangles from all directions, every other one at an edge. A hit is missed if the ray \
+             of {} rays that are aimed at random triangles from all directions, every other one at an edge, or of {} rays \
+             exactly at vertices, edges and diagonals of an integer terrain; the plot shows the worse of both. A hit is missed if the ray \
              passes through the surface, and wrong if there is none, or if it is too near. The first tree is exact: it finds the hits of \
              brute force. In f32, pbrt uses a pair like Ize's and Woop's tests, Embree's robust mode one like Ize's and Plücker \
              coordinates, and most others slabs with Möller and Trumbore's test; these are the tests alone, in the same traversal.",
             trees.mesh,
             grouped(trees.triangles as f64),
-            grouped(rays as f64)
+            grouped(rays as f64),
+            grouped(grid_rays as f64)
         ),
         ..Figure::default()
     };
@@ -76,6 +79,7 @@ fn columns() -> Columns<'static, ExactnessRow> {
     .and("wrong in a million", |row| {
         grouped(in_a_million(row.wrong, row.rays))
     })
+    .and("lost on a grid", |row| grouped(row.grid_lost_per_million()))
 }
 
 /// Returns the plot alone, with the finding as its title, as an SVG file; `None` if nothing was
@@ -111,14 +115,14 @@ fn finding(rows: &[ExactnessRow]) -> Option<String> {
         let rows = rows
             .iter()
             .filter(|row| row.split == first.split)
-            .filter(|row| (row.lost_per_million() > 0.0) == loses);
+            .filter(|row| row.loses() == loses);
         rows.min_by(|a, b| a.time.ratio.median.total_cmp(&b.time.ratio.median))
     };
     let (exact, lossy) = (fastest(false), fastest(true));
     let Some(lossy) = lossy else {
         return exact.map(|_| "No tree loses a hit".into());
     };
-    let lost = grouped(lossy.lost_per_million());
+    let lost = grouped(lossy.worst_per_million());
     let name = format!("{} in {}", lossy.triangle_test, lossy.precision.name());
     let Some(exact) = exact else {
         return Some(format!(
@@ -145,7 +149,7 @@ fn finding(rows: &[ExactnessRow]) -> Option<String> {
 fn draw(canvas: &Canvas, size: [f64; 2], title: &str, rows: &[ExactnessRow]) {
     let rates = rows.iter().map(rate).flat_map(|r| [r.lower, r.upper]);
     let x = Axis::around("millions of rays per second", rates, figures);
-    let lost = rows.iter().map(ExactnessRow::lost_per_million);
+    let lost = rows.iter().map(ExactnessRow::worst_per_million);
     let y = Axis::log_and_zero("lost hits in a million rays", lost, grouped);
     let plot = Plot::new(canvas, title, (0.0, 0.0), [size[0], size[1] - KEY], x, y);
     let is_first = |row: &ExactnessRow| rows.first().is_some_and(|first| row.split == first.split);
@@ -166,7 +170,7 @@ fn draw(canvas: &Canvas, size: [f64; 2], title: &str, rows: &[ExactnessRow]) {
         Point {
             style,
             area: AREA,
-            at: (median, row.lost_per_million()),
+            at: (median, row.worst_per_million()),
             bar: Some([lower, upper]),
             name: match is_first(row) {
                 true => format!("{test}\nboxes: {}", row.box_test),

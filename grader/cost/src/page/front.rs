@@ -61,6 +61,7 @@ mod tests {
             time_with_fma: None,
             operations: None,
             leaks_per_million: None,
+            grid: None,
             by_ray_family: vec![Accuracy {
                 family: RayFamily::Ordinary,
                 rays: 1,

@@ -1,13 +1,13 @@
 //! What exactness costs a tree: time, missed and false hits of the same tree with the tests and the
 //! precision that others use.
 
+use crate::leaks::ClosedMesh;
 use crate::measure_kernels::precision;
 use crate::report::Precision;
 use crate::timing::Timing;
-use crate::world::{Random, terrain};
 use judge::cases::probes::{ProbeRng, through};
 use kernels::{ClosestHit, RoundedTree, brute_force};
-use kit::{Ray, Triangle, Vec3};
+use kit::{Ray, Triangle};
 use serde::{Deserialize, Serialize};
 
 /// Results for one tree, with one pair of tests in one precision.
@@ -54,6 +54,17 @@ impl ExactnessRow {
             grid_rays: 0,
             grid_lost: 0,
         }
+    }
+
+    /// Whether a ray has another hit than the exact one: at the mesh, or at the integer terrain.
+    pub fn loses(&self) -> bool {
+        self.missed + self.wrong + self.grid_lost > 0
+    }
+
+    /// Rays with another hit than the exact one, in a million: at the mesh or at the integer terrain,
+    /// where more are lost.
+    pub fn worst_per_million(&self) -> f64 {
+        self.lost_per_million().max(self.grid_lost_per_million())
     }
 
     /// Rays with another hit than the exact one, in a million.
@@ -120,13 +131,8 @@ pub(super) fn count(
     }
 }
 
-/// Squares of the integer terrain along each axis, and rays at it.
-const GRID: usize = 32;
-const GRID_RAYS: usize = 3_000;
-
-/// A terrain with integer coordinates, and vertical rays exactly at its vertices, edges and
-/// diagonals. Nothing is rounded, and planes of bounding boxes contain the rays: 0 times infinity
-/// is NaN in a test that multiplies by the reciprocal of the direction.
+/// The integer terrain of [`ClosedMesh::grid`] with the hits of its rays. A box test computes 0/0 or
+/// 0 times infinity for them.
 pub(super) struct Grid {
     pub(super) triangles: Vec<Triangle>,
     rays: Vec<(Ray, ClosestHit)>,
@@ -134,19 +140,14 @@ pub(super) struct Grid {
 
 impl Grid {
     pub(super) fn new(seed: u64) -> Grid {
-        let triangles = terrain(&mut Random(seed), GRID).flat_triangles();
-        let mut dice = ProbeRng::new("cost grid", seed);
-        let rays = (0..GRID_RAYS).map(|i| {
-            let mut inner = || 1.0 + dice.below(GRID - 2) as f64;
-            let off = [[0.0, 0.0], [0.5, 0.0], [0.5, 0.5]][i % 3];
-            let ray = Ray::new(
-                Vec3::new(inner() + off[0], inner() + off[1], 64.0),
-                Vec3::NEG_Z,
-            );
-            (ray, brute_force(&triangles, &ray))
-        });
-        let rays = rays.collect();
-        Grid { triangles, rays }
+        let ClosedMesh { triangles, rays } = ClosedMesh::grid(seed);
+        let hits = rays
+            .iter()
+            .map(|(ray, _)| (*ray, brute_force(&triangles, ray)));
+        Grid {
+            rays: hits.collect(),
+            triangles,
+        }
     }
 
     /// Counts the lost hits of `closest`, a traversal of a tree over the terrain.

@@ -25,6 +25,7 @@ pub use libraries::{judge, stored, write_cases};
 pub(crate) use random::Random;
 pub use row::{Cell, Row};
 pub(crate) use shape::terrain;
+pub(crate) use truth::may_contain;
 
 use crate::precision::Precision;
 use base::GraderError;

@@ -21,6 +21,9 @@ const NARROW: f64 = 300.0;
 /// Font size of the names beside markers.
 const NAME: f64 = 9.0;
 
+/// The axis of the heights.
+const WRONG: &str = "wrong in a million";
+
 /// The columns of the small plots.
 const PANELS: [&str; 4] = ["round_edge", "needle_vertex", "grid_vertex", "small"];
 
@@ -99,7 +102,7 @@ fn finding(rows: &[&Row]) -> Option<String> {
     let right = others().filter(|row| row.is_right()).count();
     let most = others().filter_map(|row| row.worst()).reduce(f64::max)?;
     Some(format!(
-        "Of {} interfaces of ray casters, {right} answer every hard case; the worst loses {} of a million rays in one",
+        "Of {} interfaces of ray casters, {right} are right in every hard case; the worst is wrong for {} of a million rays in one",
         others().count(),
         grouped(most)
     ))
@@ -121,12 +124,13 @@ fn style_of(row: &Row) -> SeriesStyle {
     }
 }
 
-/// A plot at `corner`; `wrong` returns the height of a row.
+/// A plot at `corner`; `wrong` returns the height of a row, whose axis is `name_of_y`.
 fn panel<'a>(
     canvas: &'a Canvas,
     title: &str,
     (corner, size): (Position, [f64; 2]),
     rows: &[&Row],
+    name_of_y: &str,
     wrong: impl Fn(&Row) -> Option<f64>,
 ) -> (Plot<'a>, Vec<Point>) {
     let points: Vec<Point> = rows
@@ -148,17 +152,18 @@ fn panel<'a>(
     let x = Axis::log(
         "millions of rays per second",
         points.iter().map(|point| point.at.0),
-        figures,
+        // All ticks are powers of ten.
+        |speed| speed.to_string(),
     );
     // The same heights in all plots.
     let heights = points.iter().map(|point| point.at.1).chain([10.0, 1e6]);
-    let y = Axis::log_and_zero("wrong in a million", heights, grouped);
+    let y = Axis::log_and_zero(name_of_y, heights, grouped);
     (Plot::new(canvas, title, corner, size, x, y), points)
 }
 
 fn large(canvas: &Canvas, [width, height]: [f64; 2], title: &str, rows: &[&Row]) {
     let place = ((0.0, 0.0), [width, height - KEY]);
-    let (plot, points) = panel(canvas, title, place, rows, Row::worst);
+    let (plot, points) = panel(canvas, title, place, rows, WRONG, Row::worst);
     scatter::draw(canvas, &plot, Labels::new(plot.inner()), &points);
     let of = |is_single: bool| {
         let is_other =
@@ -185,7 +190,8 @@ fn small(canvas: &Canvas, rows: &[&Row]) {
         let column = COLUMNS.iter().find(|column| column.name == name);
         let title = column.map_or(name, |column| column.title);
         let place = ((i as f64 * width, LARGE), [width, SMALL]);
-        let (plot, points) = panel(canvas, title, place, rows, |row| row.value(name));
+        // The ticks are close together here, and the large plot names the axis.
+        let (plot, points) = panel(canvas, title, place, rows, "", |row| row.value(name));
         for point in points {
             plot.marker(point.style, point.at, 24.0);
         }

@@ -36,7 +36,7 @@ pub(super) fn answers(case: &Case) -> Answers {
 
 /// Whether the ray stays between the planes of the box that are parallel to it: most rays of the
 /// hard cases are parallel to an axis. Nothing is rounded.
-fn may_contain(bounds: &Aabb, ray: &Ray) -> bool {
+pub(crate) fn may_contain(bounds: &Aabb, ray: &Ray) -> bool {
     let is_between = |axis| bounds.min[axis] <= ray.o[axis] && ray.o[axis] <= bounds.max[axis];
     (0..3).all(|axis| ray.d[axis] != 0.0 || is_between(axis))
 }

@@ -8,7 +8,7 @@ use crate::kernel::KernelInfo;
 use crate::shapes::{Aabb, Ray};
 use lanes::Scalar;
 
-pub(super) struct KayKajiya;
+pub(crate) struct KayKajiya;
 
 impl BoxTest for KayKajiya {
     const INFO: KernelInfo = KernelInfo {

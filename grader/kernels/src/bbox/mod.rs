@@ -1,7 +1,7 @@
 //! Ray/box tests: the interval of the ray between the last entry and the first exit of three slabs.
 
 pub(crate) mod ize;
-mod kay_kajiya;
+pub(crate) mod kay_kajiya;
 mod nan_safe;
 mod test;
 pub(crate) mod williams;

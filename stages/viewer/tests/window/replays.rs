@@ -35,6 +35,32 @@ fn replays_agree_with_the_picture_and_with_the_oracle() {
     }
 }
 
+/// The rays of the middle row and column are in planes of the grid, and the others meet diagonals:
+/// boxes contain them in a face, and a component of the direction is 0.
+#[test]
+fn rays_along_edges_and_diagonals_agree_with_the_oracle() {
+    const SIZE: u32 = 21;
+    let mut session = session("-r 21 21 -s 1", "integer_terrain.dae");
+    session.update(Instant::now());
+    session.apply(Command::Render);
+    session.update(Instant::now());
+    let mut hits = 0;
+    for i in 0..SIZE {
+        for (x, y) in [(i, SIZE / 2), (SIZE / 2, i), (i, i)] {
+            session.apply(Command::Inspect(x, y));
+            session.update(Instant::now());
+            let inspected = session.inspector.inspected().expect("a replay");
+            assert_eq!(inspected.agrees(), Some(true), "{x} {y}");
+            assert_eq!(inspected.truth.first_wrong, None, "{x} {y}");
+            let record = &inspected.replay.samples[0].rays[0];
+            let d = record.ray.d.abs();
+            assert!(d.x == 0.0 || d.z == 0.0 || d.x == d.z, "{x} {y}: {d}");
+            hits += usize::from(matches!(record.outcome, Outcome::Hit(_)));
+        }
+    }
+    assert!(hits > 50, "{hits}");
+}
+
 /// After two passes the pixel is the mean of both, and so is the replay.
 #[test]
 fn replays_agree_after_more_samples() {

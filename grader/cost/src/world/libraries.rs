@@ -54,7 +54,8 @@ fn truth_file(cases: &Path, column: &str) -> PathBuf {
 ///
 /// # Errors
 ///
-/// If a file cannot be read, or is not what an adapter writes.
+/// If a file cannot be read, or is not what an adapter writes: it has no answer or more than the case
+/// has rays, is of no column, or is beside an error for the same column.
 pub fn judge(cases: &Path, answers: &Path) -> Result<Vec<Row>, GraderError> {
     let mut folders = Vec::new();
     for entry in fs::read_dir(answers).map_err(|e| at(answers, &e))? {
@@ -83,22 +84,34 @@ fn row_of(folder: &Path, truths: &[Answers]) -> io::Result<Row> {
     let key = |key: &str| {
         let mut lines = about.lines().filter_map(|line| line.split_once('\t'));
         let line = lines.find(|(name, _)| *name == key);
-        line.map(|(_, value)| value.to_string())
+        line.map(|(_, value)| as_cell(value))
             .ok_or_else(|| io::Error::other(format!("about.tsv has no line `{key}`")))
     };
     let [library, version, interface, precision] = KEYS.map(key);
     let precision = row::precision_of(&precision?).ok_or_else(|| {
         io::Error::other("about.tsv: the precision is neither f32, f64 nor f32 in f64")
     })?;
+    check_names(folder)?;
     let mut rays = 0;
     let mut cells = Vec::new();
     for (column, truth) in COLUMNS.iter().zip(truths) {
         let file = folder.join(column.name);
         let (error, answer) = (file.with_extension("error"), file.with_extension("answer"));
         cells.push(if error.is_file() {
-            Cell::Error(fs::read_to_string(error)?.trim().replace('\t', " "))
+            if answer.is_file() {
+                let both = "is beside answers to the same rays: remove the older file";
+                return Err(io::Error::other(format!("{}: {both}", error.display())));
+            }
+            Cell::Error(as_cell(&fs::read_to_string(error)?))
         } else if answer.is_file() {
             let answers = Answers::read(&answer)?;
+            let (found, most) = (answers.rays.len(), truth.rays.len());
+            if !(1..=most).contains(&found) {
+                let answer = answer.display();
+                return Err(io::Error::other(format!(
+                    "{answer}: {found} answers, and the case has {most} rays: expected 1 to {most}"
+                )));
+            }
             rays = rays.max(answers.rays.len());
             value(truth, &answers, column.measure, precision).map_or(Cell::None, Cell::Value)
         } else {
@@ -118,6 +131,29 @@ fn row_of(folder: &Path, truths: &[Answers]) -> io::Result<Row> {
     })
 }
 
+/// The first line of a text, without what would end a cell of the table.
+fn as_cell(text: &str) -> String {
+    let line = text.trim().lines().next().unwrap_or_default();
+    line.replace('\t', " ")
+}
+
+/// Every answer and error is of a column, or of the case that is timed.
+fn check_names(folder: &Path) -> io::Result<()> {
+    for entry in fs::read_dir(folder)? {
+        let path = entry?.path();
+        let is_answer = path
+            .extension()
+            .is_some_and(|e| e == "answer" || e == "error");
+        let is_of = |name: &str| path.file_stem().is_some_and(|stem| stem == name);
+        let is_known = is_of("speed") || COLUMNS.iter().any(|column| is_of(column.name));
+        if is_answer && !is_known {
+            let path = path.display();
+            return Err(io::Error::other(format!("{path}: no case has this name")));
+        }
+    }
+    Ok(())
+}
+
 /// The median of the speeds in all rounds, the folder itself and `round*` beside it, in millions of
 /// rays a second.
 fn million_rays(folder: &Path, name: &OsStr) -> io::Result<Option<f64>> {
@@ -128,8 +164,77 @@ fn million_rays(folder: &Path, name: &OsStr) -> io::Result<Option<f64>> {
     let mut speeds = Vec::new();
     for file in files.iter().filter(|file| file.is_file()) {
         let answers = Answers::read(file)?;
-        speeds.push(1e-6 * answers.rays.len() as f64 / answers.seconds);
+        let seconds = answers.seconds;
+        if !(seconds > 0.0 && seconds.is_finite()) {
+            return Err(io::Error::other(format!(
+                "{}: {seconds} s of processor time: expected more than 0",
+                file.display()
+            )));
+        }
+        speeds.push(1e-6 * answers.rays.len() as f64 / seconds);
     }
     speeds.sort_by(f64::total_cmp);
     Ok(speeds.get(speeds.len() / 2).copied())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::world::RayAnswer;
+
+    /// What is wrong with one answer in each column after `change` of the folder of the row.
+    fn problem(change: impl Fn(&Path)) -> String {
+        let folder = tempfile::tempdir().expect("a folder");
+        let (cases, row) = (folder.path().join("cases"), folder.path().join("answers/a"));
+        fs::create_dir_all(&row).expect("it is writable");
+        write_cases(&cases, 1, 2).expect("it is writable");
+        let about = "library\tA\nversion\t1\ninterface\tf\tg\nprecision\tf64\n";
+        fs::write(row.join("about.tsv"), about).expect("it is writable");
+        for column in &COLUMNS {
+            write(&row, column.name, 1, 1.0);
+        }
+        write(&row, "speed", 4, 1.0);
+        change(&row);
+        match judge(&cases, row.parent().expect("it has one")) {
+            Ok(rows) => {
+                let read = row::from_tsv(&row::to_tsv(&rows));
+                format!("{:?}", read.map(|rows| rows[0].cells[0].clone()))
+            }
+            Err(error) => error.to_string(),
+        }
+    }
+
+    fn write(row: &Path, column: &str, count: usize, seconds: f64) {
+        let rays = vec![RayAnswer::closest(None); count];
+        let file = row.join(column).with_extension("answer");
+        let answers = Answers { seconds, rays };
+        answers.write(&file).expect("it is writable");
+    }
+
+    #[test]
+    fn what_no_adapter_writes_is_refused() {
+        assert_eq!(problem(|_| ()), "Ok(Value(1000000.0))");
+        type Change = fn(&Path);
+        let error = |row: &Path| row.join("round_edge.error");
+        let cases: [(Change, &str); 6] = [
+            (|row| write(row, "round_edge", 0, 1.0), "0 answers"),
+            (|row| write(row, "round_edge", 3, 1.0), "expected 1 to 2"),
+            (|row| write(row, "round_edges", 1, 1.0), "no case has this"),
+            (|row| write(row, "speed", 4, 0.0), "expected more than 0"),
+            (|row| write(row, "speed", 4, f64::NAN), "more than 0"),
+            (
+                |row| fs::write(row.join("round_edge.error"), "E: no\n").expect("writable"),
+                "remove the older file",
+            ),
+        ];
+        for (change, expected) in cases {
+            let found = problem(change);
+            assert!(found.contains(expected), "{found}");
+        }
+        let told = problem(|row| {
+            fs::remove_file(row.join("round_edge.answer")).expect("it exists");
+            fs::write(error(row), "E: a\tb\nat line 2\n").expect("it is writable");
+        });
+        assert_eq!(told, "Ok(Error(\"E: a b\"))");
+    }
 }

@@ -135,7 +135,7 @@ pub(super) fn verdict(row: &Row, all: &[Row]) -> (String, Vec<String>) {
             let names: Vec<&str> = right.map(|row| &*row.name).collect();
             format!(
                 "Your code has no wrong answer in {cases} cases of {rays} rays. Of {interfaces} interfaces of libraries \
-                 {} can say so: {}.",
+                 {} have none either, some of them in fewer rays: {}.",
                 names.len(),
                 names.join(", ")
             )
@@ -195,7 +195,7 @@ mod tests {
         let (sentence, wrong) = verdict_on(&report(|_, _| false));
         assert_eq!(
             sentence,
-            "Your code has no wrong answer in 19 cases of 12 rays. Of 3 interfaces of libraries 1 can say so: blender."
+            "Your code has no wrong answer in 19 cases of 12 rays. Of 3 interfaces of libraries 1 have none either, some of them in fewer rays: blender."
         );
         assert_eq!(wrong, [""; 0]);
     }

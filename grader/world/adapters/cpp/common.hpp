@@ -29,7 +29,7 @@ void run(char** arguments, const std::string& row, const std::string& about, Bui
     const fs::path out = fs::path(arguments[2]) / row;
     fs::create_directories(out);
     std::ofstream(out / "about.tsv") << about;
-    const char* only = std::getenv("COLUMNS");
+    const char* only = std::getenv("RAY_COLUMNS");
     for (const auto& entry : fs::directory_iterator(arguments[1])) {
         const std::string column = entry.path().stem();
         if (entry.path().extension() != ".case" || (only && column != only)) continue;

@@ -33,7 +33,7 @@ export function run(row, about, build, trace, { most = 1e9, columns = () => true
   fs.mkdirSync(out, { recursive: true });
   const lines = Object.entries(about).map(([key, value]) => `${key}\t${value}\n`);
   fs.writeFileSync(path.join(out, "about.tsv"), lines.join(""));
-  const only = process.env.COLUMNS?.split(",");
+  const only = process.env.RAY_COLUMNS?.split(",");
   for (const file of fs.readdirSync(cases).filter((name) => name.endsWith(".case")).sort()) {
     const column = path.basename(file, ".case");
     if ((only && !only.includes(column)) || !columns(column)) continue;

@@ -29,7 +29,7 @@ def run(row, library, version, interface, precision, build, trace, most=10**9, c
     os.makedirs(out, exist_ok=True)
     with open(os.path.join(out, "about.tsv"), "w") as about:
         about.write(f"library\t{library}\nversion\t{version}\ninterface\t{interface}\nprecision\t{precision}\n")
-    only = os.environ.get("COLUMNS")
+    only = os.environ.get("RAY_COLUMNS")
     for name in sorted(os.listdir(cases)):
         column, end = os.path.splitext(name)
         if end != ".case" or (only and column not in only.split(",")) or not columns(column):

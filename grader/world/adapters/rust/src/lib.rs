@@ -44,7 +44,7 @@ pub fn run<S>(
     let About(library, version, interface, precision) = about;
     let about = format!("library\t{library}\nversion\t{version}\ninterface\t{interface}\nprecision\t{precision}\n");
     fs::write(out.join("about.tsv"), about).expect("OUT can be written");
-    let only = env::var("COLUMNS").ok();
+    let only = env::var("RAY_COLUMNS").ok();
     for entry in fs::read_dir(cases).expect("CASES can be read").flatten() {
         let path = entry.path();
         let column = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();

@@ -28,7 +28,7 @@ impl Drop for SingleKeys {
 /// attributes (DA1). None, if there is no terminal, it does not answer in a moment, or somebody
 /// types already, whose keys would be read with the answer.
 pub fn device_attributes() -> &'static [u32] {
-    /// Asked once a program, because a terminal that does not answer makes it wait.
+    /// Asked once in each run: a terminal that does not answer makes the program wait.
     static ATTRIBUTES: LazyLock<Vec<u32>> = LazyLock::new(|| {
         let raw = SingleKeys::start();
         let answer =

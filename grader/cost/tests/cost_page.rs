@@ -391,8 +391,8 @@ fn words(page: &str) -> String {
     text
 }
 
-/// Compares what pages say with a snapshot: of those after the first, the lines that differ from it.
-/// `look_for` says what the reader of the snapshot looks for.
+/// Compares what pages say with a snapshot: of those after the first, the lines that differ from
+/// it. `look_for` says what the reader of the snapshot looks for.
 fn shows(name: &str, look_for: &str, reports: &[CostReport]) {
     let said: Vec<String> = reports.iter().map(|report| words(&html(report))).collect();
     let first: Vec<&str> = said[0].lines().collect();

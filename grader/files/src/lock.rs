@@ -2,10 +2,8 @@
 
 use crate::file_tree::{self, Files};
 use crate::manifest;
-use base::child_processes;
 use base::{GraderError, interrupt};
 use std::path::Path;
-use std::process::Command;
 
 /// Removes what `files` do not use from their `Cargo.lock`, so that they build with `--locked`, and
 /// from the profiles in their `Cargo.toml`. The versions of the other packages stay the same.
@@ -20,17 +18,11 @@ pub fn remove_unused(files: &mut Files) -> Result<(), GraderError> {
         };
         file_tree::write(&scratch.path().join(path), contents)?;
     }
-    let output = Command::new(child_processes::cargo())
-        .current_dir(scratch.path())
-        .args(["update", "--workspace", "--offline", "--quiet"])
-        .output();
-    let output = output.map_err(|e| GraderError::new(format!("cannot run cargo: {e}")))?;
-    if !output.status.success() {
-        return Err(GraderError::new(format!(
-            "cargo cannot read the workspace after some of its crates were removed:\n{}",
-            String::from_utf8_lossy(&output.stderr).trim()
-        )));
-    }
+    crate::cargo(
+        scratch.path(),
+        &["update", "--workspace", "--offline", "--quiet"],
+        "cargo cannot read the workspace after some of its crates were removed",
+    )?;
     let path = Path::new("Cargo.lock");
     let lock = file_tree::read(scratch.path(), path)?;
     if let Some(manifest) = files.get_mut(Path::new("Cargo.toml")) {

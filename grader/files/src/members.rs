@@ -5,7 +5,6 @@ use base::GraderError;
 use serde::Deserialize;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
-use std::process::Command;
 
 /// A crate of the workspace.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -53,24 +52,15 @@ pub const TEST_FOLDERS: [&str; 4] = ["tests", "benches", "examples", "fuzz"];
 
 /// Lists all crates of the workspace at `root`.
 pub fn read(root: &Path) -> Result<Vec<Member>, GraderError> {
-    let output = Command::new(base::child_processes::cargo())
-        .current_dir(root)
-        .args([
-            "metadata",
-            "--no-deps",
-            "--offline",
-            "--format-version",
-            "1",
-        ])
-        .output();
-    let output = output.map_err(|e| GraderError::new(format!("cannot run cargo: {e}")))?;
-    if !output.status.success() {
-        return Err(GraderError::new(format!(
-            "cargo cannot read the workspace:\n{}",
-            String::from_utf8_lossy(&output.stderr).trim()
-        )));
-    }
-    let metadata: Metadata = serde_json::from_slice(&output.stdout)
+    let arguments = [
+        "metadata",
+        "--no-deps",
+        "--offline",
+        "--format-version",
+        "1",
+    ];
+    let printed = crate::cargo(root, &arguments, "cargo cannot read the workspace")?;
+    let metadata: Metadata = serde_json::from_slice(&printed)
         .map_err(|e| GraderError::new(format!("cannot read the output of cargo metadata: {e}")))?;
     let members = metadata.packages.into_iter().map(|package| {
         let folder = package.manifest_path.parent().unwrap_or(Path::new(""));

@@ -1,5 +1,5 @@
-//! The command `grader part1 --format FORMAT` and `grader part1 --write FORMAT=FILE`, for the formats
-//! of course systems.
+//! The command `grader part1 --format FORMAT` and `grader part1 --write FORMAT=FILE`, for the
+//! formats of course systems.
 
 use crate::classroom50::Assignment;
 use crate::settings::Visibility;

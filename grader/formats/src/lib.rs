@@ -1,9 +1,10 @@
 //! Reports in the formats of course systems.
 //!
 //! [`outcome`] is what a run of the grader came to; [`Format::write`] turns it into the text of a
-//! file. Everything here is a function of its arguments: nothing reads a clock, the environment or a
-//! file, but [`command`]: `grader part1 --write FORMAT=FILE`, which grades and writes. The program beside
-//! this library grades the project that it is called in, `submission` what a student handed in.
+//! file. Everything here is a function of its arguments: nothing reads a clock, the environment or
+//! a file, but [`command`]: `grader part1 --write FORMAT=FILE`, which grades and writes. The
+//! program beside this library grades the project that it is called in, `submission` what a student
+//! handed in.
 //!
 //! A failure of the grader itself is an outcome of its own ([`Outcome::Infrastructure`]): each
 //! format says so in its own way, and none gives zero points for it.

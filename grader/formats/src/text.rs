@@ -1,5 +1,5 @@
-//! Texts that contain what students' programs and files say. A terminal, a spreadsheet or a page would
-//! obey some of their characters, and they could hide or rewrite what else is in a report.
+//! Texts that contain what students' programs and files say. A terminal, a spreadsheet or a page
+//! would obey some of their characters, and they could hide or rewrite what else is in a report.
 
 use grader::build::compile_errors::plain;
 
@@ -21,16 +21,16 @@ pub(crate) fn limited(text: &str, most: usize) -> String {
 /// Where a text is shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Layout {
-    /// As a part of one line: ends of lines and tabs are escaped, too. What follows one in the name of
-    /// a file would look like a line of the report.
+    /// As a part of one line: ends of lines and tabs are escaped, too. What follows one in the name
+    /// of a file would look like a line of the report.
     Line,
     /// With lines of its own.
     Lines,
 }
 
-/// `text` with every character that is obeyed instead of shown in the form of a Rust string, such as
-/// `\u{1b}`: control characters, what turns the direction of writing, and what has no width and no
-/// use in a name. Showing what was shown already changes nothing.
+/// `text` with every character that is obeyed instead of shown in the form of a Rust string, such
+/// as `\u{1b}`: control characters, what turns the direction of writing, and what has no width and
+/// no use in a name. Showing what was shown already changes nothing.
 pub fn shown(text: &str, layout: Layout) -> String {
     let mut shown = String::with_capacity(text.len());
     let mut rest = text.chars().peekable();

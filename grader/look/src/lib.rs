@@ -1,12 +1,12 @@
 //! `grader look`: a page for students, with what is wrong in one task, and where.
 //!
-//! [`Look::of`] runs the cases of the task and compares its pictures, [`student_page`] formats them,
-//! `lit_point` draws the rays of an estimate of light; a [`Sketch`] draws every other call.
+//! [`Look::of`] runs the cases of the task and compares its pictures, [`student_page`] formats
+//! them, `lit_point` draws the rays of an estimate of light; a [`Sketch`] draws every other call.
 //!
-//! `grader review` uses the rest, too. [`case`] compares an answer with its golden, line by line and,
-//! if the case has a [`picture`], pixel by pixel; [`calls`] are those that differ, each with its cause.
-//! [`delta`], [`magnitude`] and [`box_walk`] say how much answers, colours and traversals differ.
-//! [`page`] is what the pages of both consist of.
+//! `grader review` uses the rest, too. [`case`] compares an answer with its golden, line by line
+//! and, if the case has a [`picture`], pixel by pixel; [`calls`] are those that differ, each with
+//! its cause. [`delta`], [`magnitude`] and [`box_walk`] say how much answers, colours and
+//! traversals differ. [`page`] is what the pages of both consist of.
 
 pub mod box_tests;
 pub mod box_walk;

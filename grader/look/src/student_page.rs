@@ -344,25 +344,17 @@ mod tests {
             .find(|task| task.key == "part1.task3")
             .expect("the course has it");
         let finding = Finding {
-            aspect: Aspect::HitOrMiss,
             expected: 4,
             judged: 4,
             wrong: 3,
+            main: true,
             worst: Some(Worst {
                 call: 1,
                 function: None,
                 badness: 1.0,
                 message: message.into(),
             }),
-            faults: Vec::new(),
-            detectable: None,
-            undecided: None,
-            spread: None,
-            errors: Vec::new(),
-            judged_calls: Vec::new(),
-            numbers: Vec::new(),
-            functions: Vec::new(),
-            main: true,
+            ..Finding::new(Aspect::HitOrMiss)
         };
         let about = "Rays from behind. Pitfall: culling.";
         let right = Finding {

@@ -1,9 +1,9 @@
 //! `grader review` shows the differences between the goldens and the answers of the current code on
 //! a page. `grader bless` accepts them.
 //!
-//! Start at [`Review::add`]: a worker answers the cases. [`look::case`] compares each answer with its
-//! golden. The exact oracle checks the answers independently of both. [`page`] writes the result as
-//! one self-contained HTML file.
+//! Start at [`Review::add`]: a worker answers the cases. [`look::case`] compares each answer with
+//! its golden. The exact oracle checks the answers independently of both. [`page`] writes the
+//! result as one self-contained HTML file.
 
 pub mod bless;
 pub mod page;

@@ -173,20 +173,11 @@ mod tests {
     /// A case of 60 calls, `wrong` of which are wrong.
     fn case(name: &str, wrong: u32) -> CaseResult {
         let finding = Finding {
-            aspect: Aspect::HitOrMiss,
             expected: 60,
             judged: 60,
             wrong,
             main: true,
-            functions: Vec::new(),
-            worst: None,
-            faults: Vec::new(),
-            detectable: None,
-            undecided: None,
-            spread: None,
-            errors: Vec::new(),
-            judged_calls: Vec::new(),
-            numbers: Vec::new(),
+            ..Finding::new(Aspect::HitOrMiss)
         };
         CaseResult {
             name: name.into(),

@@ -80,8 +80,8 @@ pub(crate) fn load_edited(from: &str, to: &str) -> Result<Loaded, SceneError> {
     scenes::parse("small.dae", &edited(from, to))
 }
 
-/// Compares diagnostics with a snapshot: of each the edit that it is about, its place, title, label and
-/// advice. `look_for` says what the reader of the snapshot looks for.
+/// Compares diagnostics with a snapshot: of each the edit that it is about, its place, title, label
+/// and advice. `look_for` says what the reader of the snapshot looks for.
 pub(crate) fn shows<'a>(
     name: &str,
     look_for: &str,

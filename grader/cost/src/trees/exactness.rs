@@ -61,8 +61,8 @@ impl ExactnessRow {
         self.missed + self.wrong + self.grid_lost > 0
     }
 
-    /// Rays with another hit than the exact one, in a million: at the mesh or at the integer terrain,
-    /// where more are lost.
+    /// Rays with another hit than the exact one, in a million: at the mesh or at the integer
+    /// terrain, where more are lost.
     pub fn worst_per_million(&self) -> f64 {
         self.lost_per_million().max(self.grid_lost_per_million())
     }
@@ -131,8 +131,8 @@ pub(super) fn count(
     }
 }
 
-/// The integer terrain of [`ClosedMesh::grid`] with the hits of its rays. A box test computes 0/0 or
-/// 0 times infinity for them.
+/// The integer terrain of [`ClosedMesh::grid`] with the hits of its rays. A box test computes 0/0
+/// or 0 times infinity for them.
 pub(super) struct Grid {
     pub(super) triangles: Vec<Triangle>,
     rays: Vec<(Ray, ClosestHit)>,

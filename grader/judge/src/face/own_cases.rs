@@ -1,8 +1,9 @@
 //! Cases that a teacher adds to tasks as data: a question of a kind of work that the task has.
 //!
 //! `grader course build` writes them to `own_cases.tsv` in a term's copy of First Light, from where
-//! they are compiled in: a line for each with its task, name, sentence, and the bytes of its work in
-//! hexadecimal digits. Code that reads each kind of work as text would be a third of this crate. The check of their kind judges them as it judges all others.
+//! they are compiled in: a line for each with its task, name, sentence, and the bytes of its work
+//! in hexadecimal digits. Code that reads each kind of work as text would be a third of this crate.
+//! The check of their kind judges them as it judges all others.
 
 use crate::tasks;
 use crate::tools::Tier;

@@ -1,5 +1,5 @@
-//! What the pages of `grader look` and `grader review` consist of: pictures beside each other, and what
-//! is known of their pixels.
+//! What the pages of `grader look` and `grader review` consist of: pictures beside each other, and
+//! what is known of their pixels.
 
 mod call;
 pub mod pictures;

@@ -135,6 +135,26 @@ pub struct Worst {
 }
 
 impl Finding {
+    /// The finding before anything is judged.
+    pub fn new(aspect: Aspect) -> Finding {
+        Finding {
+            aspect,
+            expected: 0,
+            judged: 0,
+            wrong: 0,
+            main: false,
+            functions: Vec::new(),
+            worst: None,
+            faults: Vec::new(),
+            detectable: None,
+            undecided: None,
+            spread: None,
+            errors: Vec::new(),
+            judged_calls: Vec::new(),
+            numbers: Vec::new(),
+        }
+    }
+
     /// The finding with those wrong answers alone.
     #[must_use]
     pub fn with_only(&self, is_kept: impl Fn(&Fault) -> bool) -> Finding {

@@ -119,8 +119,9 @@ impl Findings {
         message: impl FnOnce() -> M,
     ) {
         let mut message = Some(message);
-        let words = || message.take().map(|message| message().into());
-        self.count(aspect, call, class, badness, &mut { words });
+        self.count(aspect, call, class, badness, &mut || {
+            message.take().map(|message| message().into())
+        });
     }
 
     /// [`Findings::judge_class`], compiled once for all messages. `words` returns one once.
@@ -266,22 +267,7 @@ impl Findings {
             .iter()
             .position(|finding| finding.aspect == aspect)
             .unwrap_or_else(|| {
-                self.list.push(Finding {
-                    aspect,
-                    expected: 0,
-                    judged: 0,
-                    wrong: 0,
-                    main: false,
-                    functions: Vec::new(),
-                    worst: None,
-                    detectable: None,
-                    undecided: None,
-                    faults: Vec::new(),
-                    spread: None,
-                    errors: Vec::new(),
-                    judged_calls: Vec::new(),
-                    numbers: Vec::new(),
-                });
+                self.list.push(Finding::new(aspect));
                 self.list.len() - 1
             });
         &mut self.list[at]

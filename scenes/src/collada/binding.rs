@@ -149,6 +149,11 @@ impl<'r, 'a> Materials<'r, 'a> {
                 doc.on(first, title, label).warn();
             }
         }
+        if let (None, Some(first), 2..) = (symbol, bindings.first, bindings.by_symbol.len()) {
+            let title = "a part of the shape names none of its materials";
+            let label = "expected a part with this symbol; using this one";
+            doc.on(first, title, label).warn();
+        }
         let Some(binding) = bindings.element_of(symbol) else {
             let title = format!("{} has no material", describe(instance));
             let label = "expected <bind_material>; using grey, 0.5 0.5 0.5";

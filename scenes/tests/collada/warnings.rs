@@ -166,6 +166,23 @@ fn missing_materials_are_grey() {
     }
 }
 
+/// Which material such a part has is up to the application.
+#[test]
+fn parts_that_name_none_of_several_materials_have_the_first_with_a_warning() {
+    let bound = "<instance_material symbol=\"paint\" target=\"#red\"/>";
+    let two = format!("{bound}<instance_material symbol=\"other\" target=\"#nothing\"/>");
+    let named = SMALL.replacen(bound, &two, 1);
+    let [unnamed, unnamed_of_one] =
+        [&named, SMALL].map(|text| text.replace("<triangles material=\"paint\"", "<triangles"));
+    let title = "a part of the shape names none of its materials";
+    for (text, titles) in [(named, &[][..]), (unnamed_of_one, &[]), (unnamed, &[title])] {
+        let loaded = scenes::parse("small.dae", &text).unwrap_or_else(|e| panic!("{e}"));
+        let found = loaded.warnings.iter().map(|warning| warning.0.title());
+        assert_eq!(found.collect::<Vec<_>>(), titles);
+        assert_eq!(loaded.scene.materials[0].name, "Red");
+    }
+}
+
 #[test]
 fn polygons_with_too_few_corners_are_ignored() {
     let text = edited(

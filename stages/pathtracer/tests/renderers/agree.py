@@ -1,14 +1,8 @@
-"""Renders scenes with `pathtracer` and with Mitsuba 3 and prints the means and their difference with its standard error.
+"""Renders scenes with `pathtracer` and with another renderer, and compares the means of blocks of pixels.
 
-Run by `.ci/nightly mitsuba`, or by hand, from the top of the project:
-
-    python3 -m venv target/mitsuba && target/mitsuba/bin/pip install mitsuba==3.9.1
-    cargo build --release -p pathtracer
-    target/mitsuba/bin/python stages/pathtracer/tests/mitsuba/compare.py [SCENE.dae...]
-
-Each renders the same picture ROUNDS times with different random numbers. The means of blocks of pixels are compared by
-t-tests: the probability that any block of any scene fails for two equal renderers is 1e-6 (Sidak). A scene that the
-export refuses is listed with the reason.
+Each renders the same picture ROUNDS times with different random numbers. The means of blocks are compared by t-tests:
+the probability that any block of any scene fails for two equal renderers is 1e-6 (Sidak). A scene that the export
+refuses is listed with the reason.
 """
 
 import math
@@ -19,13 +13,9 @@ import sys
 import tempfile
 from pathlib import Path
 
-import mitsuba as mi
-
 from variations import variations
 
-mi.set_variant("scalar_rgb")
-
-ROUNDS = 8
+ROUNDS = int(os.environ.get("ROUNDS", "8"))
 SAMPLES = 64
 BLOCK = 12
 SMALL_BLOCK = 8
@@ -33,32 +23,21 @@ FAMILY = 1e-6
 
 PROGRAM = os.environ.get("PATHTRACER", "target/release/pathtracer")
 
-# Scenes of the course, and their depths. Mirrors and glass show emitters one depth earlier in Mitsuba: their depth may truncate no path.
-SCENES = [
-    ("cornell_spheres", 1),
-    ("cornell_spheres", 3),
-    ("cornell_mirror_glass", 60),
-    ("stones_sun", 4),
-]
-
 # The depth at which small scenes are compared.
 SMALL_DEPTH = 100
 
 
+def luminance(r, g, b):
+    return 0.2126 * r + 0.7152 * g + 0.0722 * b
+
+
 def blocks(picture, block):
-    """Mean luminance of each block of a picture, a tensor [row][column][channel]."""
-    height, width, channels = picture.shape
-    values = list(picture.array)
+    """Means of the blocks of a picture, rows of luminances."""
     means = []
-    for y0 in range(0, height, block):
-        for x0 in range(0, width, block):
-            total = 0.0
-            for y in range(y0, y0 + block):
-                for x in range(x0, x0 + block):
-                    at = (y * width + x) * channels
-                    r, g, b = values[at : at + 3]
-                    total += 0.2126 * r + 0.7152 * g + 0.0722 * b
-            means.append(total / (block * block))
+    for y0 in range(0, len(picture), block):
+        for x0 in range(0, len(picture[0]), block):
+            values = [x for row in picture[y0 : y0 + block] for x in row[x0 : x0 + block]]
+            means.append(sum(values) / len(values))
     return means
 
 
@@ -76,7 +55,8 @@ def two_sided(t, degrees):
     return min(1.0, 2 * total / (3 * steps))
 
 
-def compare(name, scene, size, block, depth, scenes, folder):
+def compare(renderer, name, scene, size, block, depth, scenes, folder):
+    """Whether both pictures of a scene agree, or its export is refused with the reason."""
     common = ["-r", str(size[0]), str(size[1]), "-s", str(SAMPLES), "-m", str(depth), str(scene)]
     xml = folder / "scene.xml"
     export = subprocess.run([PROGRAM, "--export", "mitsuba", str(xml), *common], capture_output=True, text=True)
@@ -84,7 +64,7 @@ def compare(name, scene, size, block, depth, scenes, folder):
         reason = export.stderr.strip().splitlines()[-1].strip()
         print(f"{name:<28} refused: {reason}", flush=True)
         return "cannot be exported" in export.stderr
-    theirs_scene = mi.load_file(str(xml))
+    theirs_scene = renderer.load(xml)
     ours, theirs = [], []
     for seed in range(ROUNDS):
         exr = folder / "ours.exr"
@@ -93,8 +73,8 @@ def compare(name, scene, size, block, depth, scenes, folder):
             check=True,
             capture_output=True,
         )
-        ours.append(blocks(mi.TensorXf(mi.Bitmap(str(exr))), block))
-        theirs.append(blocks(mi.render(theirs_scene, seed=seed), block))
+        ours.append(blocks(renderer.read(exr), block))
+        theirs.append(blocks(renderer.render(theirs_scene, seed), block))
     count = len(ours[0])
     alarm = 1 - (1 - FAMILY) ** (1 / (count * scenes))
     worst, least = 0.0, 1.0
@@ -120,20 +100,21 @@ def compare(name, scene, size, block, depth, scenes, folder):
     return least > alarm
 
 
-def main():
+def run(renderer, scenes, chosen=lambda name: True):
+    """Compares the scenes of the course in `scenes`, with their depths, the variations whose names are chosen, and those
+    of the command line. Ends the program."""
     own = Path("scenes/dae")
-    cases = [(f"{name} -m {depth}", own / f"{name}.dae", (96, 72), BLOCK, depth) for name, depth in SCENES]
+    cases = [(f"{name} -m {depth}", own / f"{name}.dae", (96, 72), BLOCK, depth) for name, depth in scenes]
     with tempfile.TemporaryDirectory() as folder:
         folder = Path(folder)
         for i, (name, text, size) in enumerate(variations()):
+            if not chosen(name):
+                continue
             path = folder / f"{i}.dae"
             path.write_text(text)
             cases.append((name, path, size, SMALL_BLOCK, SMALL_DEPTH))
         given = [Path(scene) for scene in sys.argv[1:]]
         cases += [(path.stem, path, (32, 32), SMALL_BLOCK, SMALL_DEPTH) for path in given]
-        print(f"{'scene':<28} pathtracer              Mitsuba {mi.__version__}", flush=True)
-        results = [compare(*case, len(cases), folder) for case in cases]
+        print(f"{'scene':<28} pathtracer              {renderer.NAME}", flush=True)
+        results = [compare(renderer, *case, len(cases), folder) for case in cases]
     sys.exit(0 if all(results) else 1)
-
-
-main()

@@ -275,6 +275,22 @@ fn a_gltf_that_cannot_be_read_is_an_error_with_its_reason() {
     assert!(error.contains("accessor 2 has 600 elements"), "{error}");
 }
 
+/// The bounds of positions are nowhere needed. Some exporters leave them out.
+#[test]
+fn gltf_without_bounds_of_positions_is_read() {
+    let file = square(RED, "", "");
+    let text = String::from_utf8_lossy(&file[20..]).into_owned();
+    let json = text[..text.rfind("}]}").expect("the end") + 3].to_owned();
+    let without = json.replace(",\"min\":[0,0,0],\"max\":[1,1,0]", "");
+    assert_ne!(without, json);
+    let bare = loaded(&[("a.glb", &glb(&without, &square_bytes()))]);
+    assert_eq!(
+        bare.scene.triangles,
+        loaded(&[("a.glb", &file)]).scene.triangles
+    );
+    assert_eq!(titles(&bare), [""; 0]);
+}
+
 /// Files of version 1 are not damaged.
 #[test]
 fn gltf_of_version_1_is_refused_by_name() {
@@ -347,6 +363,46 @@ fn obj_files_are_read_with_their_materials() {
         scene.materials[0].material,
         Material::Diffuse { reflectance }
     );
+}
+
+/// As old and foreign exporters write them.
+#[test]
+fn obj_files_in_other_dialects_are_the_same_scene() {
+    let scene_of = |obj: &[u8], mtl: &str| {
+        let loaded = loaded(&[("a.obj", obj), ("a.mtl", mtl.as_bytes())]);
+        let titles: Vec<String> = titles(&loaded).into_iter().map(str::to_owned).collect();
+        let material = loaded.scene.materials[0].material;
+        (loaded.scene.triangles, material, titles)
+    };
+    let expected = scene_of(OBJ.as_bytes(), MTL);
+    let utf16 = |to: fn(u16) -> [u8; 2]| -> Vec<u8> {
+        let units = ['\u{feff}'].into_iter().chain(OBJ.chars());
+        let text: String = units.collect();
+        text.encode_utf16().flat_map(to).collect()
+    };
+    for obj in [
+        [b"# caf\xe9 \xff\n", OBJ.as_bytes()].concat(),
+        ["\u{feff}", OBJ].concat().into(),
+        utf16(u16::to_le_bytes),
+        utf16(u16::to_be_bytes),
+        OBJ.replace('\n', "\r\n").into(),
+        OBJ.replace('\n', "\r").into(),
+        OBJ.replace("f 1 2 5", "f 1 \\\n2 5").into(),
+        OBJ.replace("f 1 2 5", "f 1 \\\r\n2 5").into(),
+    ] {
+        let text = String::from_utf8_lossy(&obj);
+        assert_eq!(scene_of(&obj, MTL), expected, "{text}");
+    }
+    let unnamed = scene_of(
+        OBJ.replace("usemtl red", "usemtl").as_bytes(),
+        &MTL.replace("newmtl red", "newmtl "),
+    );
+    assert_eq!(unnamed, expected);
+    // Colours of vertices at some of them.
+    let colored = OBJ.replace("v 1 1 0", "v 1 1 0 0.5 1 0");
+    let (triangles, material, titles) = scene_of(colored.as_bytes(), MTL);
+    assert_eq!((triangles, material), (expected.0, expected.1));
+    assert_eq!(titles, ["the colours of vertices are ignored"]);
 }
 
 #[test]

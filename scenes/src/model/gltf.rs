@@ -113,6 +113,11 @@ fn is_version_1(bytes: &[u8]) -> bool {
     is_of("\"1.") && !is_of("\"2.")
 }
 
+/// Whether a place in a file is that of the smallest or the largest value of an accessor.
+fn is_bound(path: &str) -> bool {
+    path.ends_with(".min") || path.ends_with(".max")
+}
+
 /// Reads a `.glb` or a `.gltf` file.
 pub(super) fn read(name: &str, folder: &Path, bytes: &[u8]) -> Result<Loaded, SceneError> {
     let unchecked = Gltf::from_slice_without_validation(bytes).map_err(|why| {
@@ -129,7 +134,15 @@ pub(super) fn read(name: &str, folder: &Path, bytes: &[u8]) -> Result<Loaded, Sc
         let help = "export it without this extension, such as without compression";
         return Err(Diagnostic::about_file(name, title).help(help).into());
     }
-    let gltf = Gltf::from_slice(bytes).map_err(|why| damaged(name, why))?;
+    let gltf = match Gltf::from_slice(bytes) {
+        // Nothing here needs the bounds of positions, which some exporters leave out.
+        Err(gltf::Error::Validation(list))
+            if list.iter().all(|(path, _)| is_bound(path.as_str())) =>
+        {
+            unchecked
+        }
+        checked => checked.map_err(|why| damaged(name, why))?,
+    };
     let mut file = File {
         name,
         folder,

@@ -25,13 +25,21 @@ pub(super) fn read(name: &str, folder: &Path, bytes: &[u8]) -> Result<Loaded, Sc
     let library = |path: &Path| {
         let bytes =
             limited_file::read(&folder.join(path)).map_err(|_| LoadError::OpenFileFailed)?;
-        tobj::load_mtl_buf(&mut BufReader::new(&bytes[..]))
+        tobj::load_mtl_buf(&mut BufReader::new(plain(&bytes).0.as_bytes()))
     };
-    let (models, materials) = tobj::load_obj_buf(&mut BufReader::new(bytes), &options, library)
-        .map_err(|why| {
-            let title = format!("the file is not a valid OBJ file: {why}");
-            builder.error(title, "export the model again")
-        })?;
+    let (text, is_colored) = plain(bytes);
+    if is_colored {
+        let title = "the colours of vertices are ignored";
+        let result = "the material alone gives a surface its colour";
+        builder.warn(title, "", result);
+    }
+    let (models, materials) =
+        tobj::load_obj_buf(&mut BufReader::new(text.as_bytes()), &options, library).map_err(
+            |why| {
+                let title = format!("the file is not a valid OBJ file: {why}");
+                builder.error(title, "export the model again")
+            },
+        )?;
     let materials = materials.unwrap_or_else(|why| {
         let title = format!("the material library cannot be read: {why}");
         builder.warn(
@@ -61,14 +69,6 @@ pub(super) fn read(name: &str, folder: &Path, bytes: &[u8]) -> Result<Loaded, Sc
             triangles: Vec::new(),
             is_smooth: true,
         };
-        if !mesh.vertex_color.is_empty() {
-            let title = "the colours of vertices are ignored";
-            builder.warn(
-                title,
-                &model.name,
-                "the material alone gives a surface its colour",
-            );
-        }
         let index = |list: &[u32], i: usize| list.get(i).map(|index| *index as usize);
         let corner = |i: usize| Corner {
             position: mesh.indices[i] as usize,
@@ -103,6 +103,48 @@ pub(super) fn read(name: &str, folder: &Path, bytes: &[u8]) -> Result<Loaded, Sc
         builder.add_mesh(&model.name, &data, material, Affine::IDENTITY)?;
     }
     Ok(builder.into_loaded())
+}
+
+/// The lines of an OBJ or MTL file as `tobj` reads them: in UTF-8, with one kind of line ends, none
+/// continued on the next, and each material with a name. Vertices lose their colours, which may
+/// stand at some of them only: the second answer is whether there were some.
+fn plain(bytes: &[u8]) -> (String, bool) {
+    let (utf16, _) = bytes.as_chunks();
+    let text = match bytes {
+        [0xfe, 0xff, ..] => String::from_utf16_lossy(
+            &utf16
+                .iter()
+                .map(|b| u16::from_be_bytes(*b))
+                .collect::<Vec<_>>(),
+        ),
+        [0xff, 0xfe, ..] => String::from_utf16_lossy(
+            &utf16
+                .iter()
+                .map(|b| u16::from_le_bytes(*b))
+                .collect::<Vec<_>>(),
+        ),
+        _ => String::from_utf8_lossy(bytes).into_owned(),
+    };
+    let text = text
+        .trim_start_matches('\u{feff}')
+        .replace("\r\n", "\n")
+        .replace('\r', "\n");
+    let mut is_colored = false;
+    let mut lines = String::with_capacity(text.len());
+    for line in text.replace("\\\n", " ").lines() {
+        let mut words = line.split_whitespace();
+        match (words.next(), words.clone().count()) {
+            (Some("v"), 6..) => {
+                is_colored = true;
+                lines.push('v');
+                lines.extend(words.take(3).flat_map(|word| [" ", word]));
+            }
+            (Some(word @ ("usemtl" | "newmtl")), 0) => lines.extend([word, " unnamed"]),
+            _ => lines.push_str(line),
+        }
+        lines.push('\n');
+    }
+    (lines, is_colored)
 }
 
 fn add_material(builder: &mut Builder<'_>, given: &tobj::Material) -> u32 {

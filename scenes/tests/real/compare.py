@@ -42,6 +42,7 @@ KNOWN = {
         ('profile="CGL"', "pycollada does not know the course's shapes and materials"),
         ('profile="CMU462"', "pycollada does not know the course's shapes and materials"),
     ],
+    ".obj": [(r"(?m)^f( +\S+){5}", "trimesh cuts polygons into fans, also if they are not convex")],
     ".gltf": [('"JOINTS_0"', "trimesh does not place skins")],
     ".glb": [('"JOINTS_0"', "trimesh does not place skins")],
 }

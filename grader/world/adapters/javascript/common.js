@@ -34,6 +34,11 @@ export function run(row, about, build, trace, { most = 1e9, columns = () => true
   const lines = Object.entries(about).map(([key, value]) => `${key}\t${value}\n`);
   fs.writeFileSync(path.join(out, "about.tsv"), lines.join(""));
   const only = process.env.RAY_COLUMNS?.split(",");
+  // What an earlier run left: a column may now have an answer instead of an error, or neither.
+  for (const file of fs.readdirSync(out)) {
+    const { name, ext } = path.parse(file);
+    if ([".answer", ".error"].includes(ext) && (!only || only.includes(name))) fs.rmSync(path.join(out, file));
+  }
   for (const file of fs.readdirSync(cases).filter((name) => name.endsWith(".case")).sort()) {
     const column = path.basename(file, ".case");
     if ((only && !only.includes(column)) || !columns(column)) continue;

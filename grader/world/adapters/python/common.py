@@ -30,6 +30,11 @@ def run(row, library, version, interface, precision, build, trace, most=10**9, c
     with open(os.path.join(out, "about.tsv"), "w") as about:
         about.write(f"library\t{library}\nversion\t{version}\ninterface\t{interface}\nprecision\t{precision}\n")
     only = os.environ.get("RAY_COLUMNS")
+    # What an earlier run left: a column may now have an answer instead of an error, or neither.
+    for name in os.listdir(out):
+        column, end = os.path.splitext(name)
+        if end in (".answer", ".error") and (not only or column in only.split(",")):
+            os.remove(os.path.join(out, name))
     for name in sorted(os.listdir(cases)):
         column, end = os.path.splitext(name)
         if end != ".case" or (only and column not in only.split(",")) or not columns(column):

@@ -45,11 +45,19 @@ pub fn run<S>(
     let about = format!("library\t{library}\nversion\t{version}\ninterface\t{interface}\nprecision\t{precision}\n");
     fs::write(out.join("about.tsv"), about).expect("OUT can be written");
     let only = env::var("RAY_COLUMNS").ok();
+    let is_wanted = |column: &str| only.as_ref().is_none_or(|only| only.split(',').any(|name| name == column));
+    // What an earlier run left: a column may now have an answer instead of an error, or neither.
+    for entry in fs::read_dir(&out).expect("OUT can be read").flatten() {
+        let path = entry.path();
+        let is_answer = path.extension().is_some_and(|end| end == "answer" || end == "error");
+        if is_answer && is_wanted(&path.file_stem().unwrap_or_default().to_string_lossy()) {
+            fs::remove_file(path).expect("OUT can be written");
+        }
+    }
     for entry in fs::read_dir(cases).expect("CASES can be read").flatten() {
         let path = entry.path();
         let column = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-        let wanted = only.as_ref().is_none_or(|only| only.split(',').any(|name| name == column));
-        if path.extension().is_none_or(|end| end != "case") || !wanted || without.contains(&&column[..]) {
+        if path.extension().is_none_or(|end| end != "case") || !is_wanted(&column) || without.contains(&&column[..]) {
             continue;
         }
         let (mesh, rays) = read(&path);

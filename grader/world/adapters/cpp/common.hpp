@@ -30,12 +30,6 @@ void run(char** arguments, const std::string& row, const std::string& about, Bui
     fs::create_directories(out);
     std::ofstream(out / "about.tsv") << about;
     const char* only = std::getenv("RAY_COLUMNS");
-    // What an earlier run left, listed before any of it is removed.
-    std::vector<fs::directory_entry> old{fs::directory_iterator(out), {}};
-    for (const auto& entry : old) {
-        const auto end = entry.path().extension();
-        if ((end == ".answer" || end == ".error") && (!only || entry.path().stem() == only)) fs::remove(entry.path());
-    }
     for (const auto& entry : fs::directory_iterator(arguments[1])) {
         const std::string column = entry.path().stem();
         if (entry.path().extension() != ".case" || (only && column != only)) continue;

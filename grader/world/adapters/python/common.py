@@ -30,26 +30,23 @@ def run(row, library, version, interface, precision, build, trace, most=10**9, c
     with open(os.path.join(out, "about.tsv"), "w") as about:
         about.write(f"library\t{library}\nversion\t{version}\ninterface\t{interface}\nprecision\t{precision}\n")
     only = os.environ.get("RAY_COLUMNS")
-    # What an earlier run left: a column may now have an answer instead of an error, or neither.
-    for name in os.listdir(out):
-        column, end = os.path.splitext(name)
-        if end in (".answer", ".error") and (not only or column in only.split(",")):
-            os.remove(os.path.join(out, name))
     for name in sorted(os.listdir(cases)):
         column, end = os.path.splitext(name)
         if end != ".case" or (only and column not in only.split(",")) or not columns(column):
             continue
         vertices, faces, rays = read_case(os.path.join(cases, name))
         rays = rays[:most]
-        answer = os.path.join(out, column + ".answer")
+        answer, error = (os.path.join(out, column + end) for end in (".answer", ".error"))
+        for earlier in filter(os.path.exists, (answer, error)):
+            os.remove(earlier)
         try:
             scene = build(vertices, faces)
             before = time.process_time()
             found = trace(scene, rays)
             seconds = time.process_time() - before
-        except Exception as error:
-            first = (str(error).splitlines() or [""])[0]
-            open(answer.replace(".answer", ".error"), "w").write(f"{type(error).__name__}: {first}\n")
+        except Exception as raised:
+            first = (str(raised).splitlines() or [""])[0]
+            open(error, "w").write(f"{type(raised).__name__}: {first}\n")
             continue
         hits = np.full((len(rays), 3), np.nan)
         hits[:, 0] = found["t"]

@@ -45,20 +45,16 @@ pub fn run<S>(
     let about = format!("library\t{library}\nversion\t{version}\ninterface\t{interface}\nprecision\t{precision}\n");
     fs::write(out.join("about.tsv"), about).expect("OUT can be written");
     let only = env::var("RAY_COLUMNS").ok();
-    let is_wanted = |column: &str| only.as_ref().is_none_or(|only| only.split(',').any(|name| name == column));
-    // What an earlier run left: a column may now have an answer instead of an error, or neither.
-    for entry in fs::read_dir(&out).expect("OUT can be read").flatten() {
-        let path = entry.path();
-        let is_answer = path.extension().is_some_and(|end| end == "answer" || end == "error");
-        if is_answer && is_wanted(&path.file_stem().unwrap_or_default().to_string_lossy()) {
-            fs::remove_file(path).expect("OUT can be written");
-        }
-    }
     for entry in fs::read_dir(cases).expect("CASES can be read").flatten() {
         let path = entry.path();
         let column = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-        if path.extension().is_none_or(|end| end != "case") || !is_wanted(&column) || without.contains(&&column[..]) {
+        let wanted = only.as_ref().is_none_or(|only| only.split(',').any(|name| name == column));
+        if path.extension().is_none_or(|end| end != "case") || !wanted || without.contains(&&column[..]) {
             continue;
+        }
+        let [answer, error] = ["answer", "error"].map(|end| out.join(&column).with_extension(end));
+        for earlier in [&answer, &error].into_iter().filter(|file| file.exists()) {
+            fs::remove_file(earlier).expect("OUT can be written");
         }
         let (mesh, rays) = read(&path);
         let answered = catch_unwind(AssertUnwindSafe(|| {
@@ -73,13 +69,13 @@ pub fn run<S>(
                 bytes.extend((hits.len() as u32).to_le_bytes());
                 bytes.extend(seconds.to_le_bytes());
                 bytes.extend(hits.iter().flatten().flat_map(|x| x.to_le_bytes()));
-                fs::write(out.join(column + ".answer"), bytes).expect("OUT can be written");
+                fs::write(answer, bytes).expect("OUT can be written");
             }
             Err(payload) => {
                 let literal = || payload.downcast_ref::<&str>().map(|text| text.to_string());
                 let text = payload.downcast_ref::<String>().cloned().or_else(literal).unwrap_or_default();
                 let first = text.lines().next().unwrap_or_default();
-                fs::write(out.join(column + ".error"), format!("panic: {first}\n")).expect("OUT can be written");
+                fs::write(error, format!("panic: {first}\n")).expect("OUT can be written");
             }
         }
     }

@@ -363,8 +363,7 @@ fn beside(random: &mut Random, rays: usize) -> Case {
             return Ray::new(o.rounded(), d.rounded());
         }
     };
-    let rays = (0..rays).map(|_| miss());
-    let rays = rays.collect();
+    let rays = (0..rays).map(|_| miss()).collect();
     Case { mesh, rays }
 }
 

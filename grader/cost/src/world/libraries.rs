@@ -63,13 +63,13 @@ pub fn judge(cases: &Path, answers: &Path) -> Result<Vec<Row>, GraderError> {
         folders.push(entry.map_err(|e| at(answers, &e))?.path());
     }
     folders.sort();
-    let truths = COLUMNS.iter().map(|column| {
+    let each_truth = COLUMNS.iter().map(|column| {
         // No adapter answers a case that is not there.
         let case = cases.join(column.name).with_extension("case");
         fs::metadata(&case).map_err(|e| file_error(&case, e))?;
         Answers::read(&truth_file(cases, column.name))
     });
-    let truths: Vec<Answers> = truths.collect::<io::Result<_>>().map_err(|e| {
+    let truths: Vec<Answers> = each_truth.collect::<io::Result<_>>().map_err(|e| {
         GraderError::new(format!(
             "{e}; `cargo grader cost world --cases {}` writes the cases of this version",
             cases.display()
@@ -87,8 +87,8 @@ fn at(path: &Path, error: &io::Error) -> GraderError {
 }
 
 fn row_of(folder: &Path, truths: &[Answers]) -> io::Result<Row> {
-    let about = folder.join("about.tsv");
-    let about = fs::read_to_string(&about).map_err(|e| file_error(&about, e))?;
+    let about_file = folder.join("about.tsv");
+    let about = fs::read_to_string(&about_file).map_err(|e| file_error(&about_file, e))?;
     let key = |key: &str| {
         let mut lines = about.lines().filter_map(|line| line.split_once('\t'));
         let line = lines.find(|(name, _)| *name == key);

@@ -166,8 +166,8 @@ pub(super) struct Edge {
 /// are parallel to an axis and two are not. The base is open: its edges are the rim of the mesh.
 /// Each face is a grid of triangles, with coordinates that are multiples of 1/16.
 pub(super) fn open_pyramid() -> (IndexedMesh, Vec<Edge>) {
-    let base = [[-4.0, -4.0], [4.0, -4.0], [2.0, 4.0], [-4.0, 2.0]];
-    let base = base.map(|[x, y]| Vec3::new(x, y, 0.0));
+    let base =
+        [[-4.0, -4.0], [4.0, -4.0], [2.0, 4.0], [-4.0, 2.0]].map(|[x, y]| Vec3::new(x, y, 0.0));
     let top = base.map(|p| p / 2.0 + 4.0 * Vec3::Z);
     let side = |i: usize| [base[i], base[(i + 1) % 4], top[(i + 1) % 4], top[i]];
     let normal = |i: usize| {
@@ -187,7 +187,6 @@ pub(super) fn open_pyramid() -> (IndexedMesh, Vec<Edge>) {
             edge([c, d], Vec3::Z),
         ]
     });
-    let edges = edges.collect();
     let (mut vertices, mut faces) = (Vec::new(), Vec::new());
     for [a, b, c, d] in (0..4).map(side).chain([top]) {
         let first = vertices.len() as u32;
@@ -200,5 +199,5 @@ pub(super) fn open_pyramid() -> (IndexedMesh, Vec<Edge>) {
             faces.extend([[p, q, r], [p, r, s]]);
         }
     }
-    (mesh(vertices, faces), edges)
+    (mesh(vertices, faces), edges.collect())
 }

@@ -2,6 +2,7 @@
 
 use kit::{Ray, Triangle, Vec3};
 use meshes::IndexedMesh;
+use std::fmt::Display;
 use std::fs;
 use std::io;
 use std::path::Path;
@@ -96,8 +97,8 @@ impl Answers {
     ///
     /// If the file cannot be read, is of another kind, or is shorter or longer than its count says.
     pub(super) fn read(path: &Path) -> io::Result<Answers> {
-        let bytes = fs::read(path)?;
-        let wrong = |what: &str| io::Error::other(format!("{}: {what}", path.display()));
+        let wrong = |what: &str| file_error(path, what);
+        let bytes = fs::read(path).map_err(|e| file_error(path, e))?;
         let is_short = || wrong("the file ends before its count and time");
         let rest = bytes
             .strip_prefix(ANSWERS)
@@ -121,6 +122,11 @@ impl Answers {
             rays: rays.collect(),
         })
     }
+}
+
+/// What is wrong with a file.
+pub(super) fn file_error(path: &Path, what: impl Display) -> io::Error {
+    io::Error::other(format!("{}: {what}", path.display()))
 }
 
 /// Rounds to single precision.

@@ -1,6 +1,6 @@
 //! The libraries' answers: cases as files for their adapters, and the table of what they answered.
 
-use super::case::Answers;
+use super::case::{Answers, file_error};
 use super::column::{COLUMNS, speed};
 use super::outcome::value;
 use super::row::{self, Cell, KEYS, Row};
@@ -42,7 +42,7 @@ pub fn write_cases(folder: &Path, seed: u64, rays: usize) -> Result<(), GraderEr
         }
         speed(seed, 2 * rays).write(&folder.join("speed.case"))
     };
-    write().map_err(|e: io::Error| GraderError::new(format!("{}: {e}", folder.display())))
+    write().map_err(|e| at(folder, &e))
 }
 
 fn truth_file(cases: &Path, column: &str) -> PathBuf {
@@ -54,20 +54,27 @@ fn truth_file(cases: &Path, column: &str) -> PathBuf {
 ///
 /// # Errors
 ///
-/// If a file cannot be read, or is not what an adapter writes: it has no answer or more than the
-/// case has rays, is of no column, or is beside an error for the same column.
+/// If a file cannot be read, a column has no case or truth, or a file is not what an adapter writes:
+/// it has no answer or more than the case has rays, is of no column, or is beside an error for the
+/// same column.
 pub fn judge(cases: &Path, answers: &Path) -> Result<Vec<Row>, GraderError> {
     let mut folders = Vec::new();
     for entry in fs::read_dir(answers).map_err(|e| at(answers, &e))? {
         folders.push(entry.map_err(|e| at(answers, &e))?.path());
     }
     folders.sort();
-    let truth = |name| Answers::read(&truth_file(cases, name));
-    let truths: Vec<Answers> = COLUMNS
-        .iter()
-        .map(|column| truth(column.name))
-        .collect::<Result<_, _>>()
-        .map_err(|e| at(cases, &e))?;
+    let each_truth = COLUMNS.iter().map(|column| {
+        // No adapter answers a case that is not there.
+        let case = cases.join(column.name).with_extension("case");
+        fs::metadata(&case).map_err(|e| file_error(&case, e))?;
+        Answers::read(&truth_file(cases, column.name))
+    });
+    let truths: Vec<Answers> = each_truth.collect::<io::Result<_>>().map_err(|e| {
+        GraderError::new(format!(
+            "{e}; `cargo grader cost world --cases {}` writes the cases of this version",
+            cases.display()
+        ))
+    })?;
     let rows = folders
         .iter()
         .filter(|folder| folder.join("about.tsv").is_file());
@@ -76,11 +83,12 @@ pub fn judge(cases: &Path, answers: &Path) -> Result<Vec<Row>, GraderError> {
 }
 
 fn at(path: &Path, error: &io::Error) -> GraderError {
-    GraderError::new(format!("{}: {error}", path.display()))
+    GraderError::new(file_error(path, error).to_string())
 }
 
 fn row_of(folder: &Path, truths: &[Answers]) -> io::Result<Row> {
-    let about = fs::read_to_string(folder.join("about.tsv"))?;
+    let about_file = folder.join("about.tsv");
+    let about = fs::read_to_string(&about_file).map_err(|e| file_error(&about_file, e))?;
     let key = |key: &str| {
         let mut lines = about.lines().filter_map(|line| line.split_once('\t'));
         let line = lines.find(|(name, _)| *name == key);
@@ -100,17 +108,18 @@ fn row_of(folder: &Path, truths: &[Answers]) -> io::Result<Row> {
         cells.push(if error.is_file() {
             if answer.is_file() {
                 let both = "is beside answers to the same rays: remove the older file";
-                return Err(io::Error::other(format!("{}: {both}", error.display())));
+                return Err(file_error(&error, both));
             }
-            Cell::Error(as_cell(&fs::read_to_string(error)?))
+            let text = fs::read_to_string(&error).map_err(|e| file_error(&error, e))?;
+            Cell::Error(as_cell(&text))
         } else if answer.is_file() {
             let answers = Answers::read(&answer)?;
             let (found, most) = (answers.rays.len(), truth.rays.len());
             if !(1..=most).contains(&found) {
-                let answer = answer.display();
-                return Err(io::Error::other(format!(
-                    "{answer}: {found} answers, and the case has {most} rays: expected 1 to {most}"
-                )));
+                return Err(file_error(
+                    &answer,
+                    format!("{found} answers, and the case has {most} rays: expected 1 to {most}"),
+                ));
             }
             rays = rays.max(answers.rays.len());
             value(truth, &answers, column.measure, precision).map_or(Cell::None, Cell::Value)
@@ -147,8 +156,7 @@ fn check_names(folder: &Path) -> io::Result<()> {
         let is_of = |name: &str| path.file_stem().is_some_and(|stem| stem == name);
         let is_known = is_of("speed") || COLUMNS.iter().any(|column| is_of(column.name));
         if is_answer && !is_known {
-            let path = path.display();
-            return Err(io::Error::other(format!("{path}: no case has this name")));
+            return Err(file_error(&path, "no case has this name"));
         }
     }
     Ok(())
@@ -166,10 +174,8 @@ fn million_rays(folder: &Path, name: &OsStr) -> io::Result<Option<f64>> {
         let answers = Answers::read(file)?;
         let seconds = answers.seconds;
         if !(seconds > 0.0 && seconds.is_finite()) {
-            return Err(io::Error::other(format!(
-                "{}: {seconds} s of processor time: expected more than 0",
-                file.display()
-            )));
+            let what = format!("{seconds} s of processor time: expected more than 0");
+            return Err(file_error(file, what));
         }
         speeds.push(1e-6 * answers.rays.len() as f64 / seconds);
     }
@@ -209,6 +215,19 @@ mod tests {
         let file = row.join(column).with_extension("answer");
         let answers = Answers { seconds, rays };
         answers.write(&file).expect("it is writable");
+    }
+
+    /// Cases of another version have other files.
+    #[test]
+    fn cases_that_are_not_whole_are_named() {
+        for name in ["parity.truth", "parity.case", "beside.truth"] {
+            let found = problem(|row| {
+                let file = row.join("../../cases").join(name);
+                fs::remove_file(file).expect("it exists");
+            });
+            assert!(found.contains(&format!("cases/{name}: ")), "{found}");
+            assert!(found.contains("writes the cases of this"), "{found}");
+        }
     }
 
     #[test]

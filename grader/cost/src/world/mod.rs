@@ -106,7 +106,8 @@ mod tests {
         assert!(rows.iter().all(|row| row.cells.len() == COLUMNS.len()));
     }
 
-    /// Brute force with a watertight test is right in all cases; code that finds nothing in none.
+    /// Brute force with a watertight test is right in all cases; code that finds nothing only where
+    /// nothing is hit, and code that always finds something not there either.
     #[test]
     fn a_row_counts_what_is_wrong() {
         let right = measure(30, &mut |case| {
@@ -121,10 +122,15 @@ mod tests {
         let misses = measure(30, &mut |case| Ok(Ok(vec![None; case.rays.len()])));
         let row = misses.expect("it is measured").yours.expect("a row");
         assert_eq!(row.value("grid_vertex"), Some(1e6));
+        assert_eq!(row.value("beside"), Some(0.0));
         assert_eq!(
             (row.value("on_surface"), row.value("inner")),
             (Some(0.0), None)
         );
+
+        let hits = measure(30, &mut |case| Ok(Ok(vec![Some(1.0); case.rays.len()])));
+        let row = hits.expect("it is measured").yours.expect("a row");
+        assert_eq!(row.value("beside"), Some(1e6));
     }
 
     #[test]

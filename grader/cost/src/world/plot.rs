@@ -39,12 +39,7 @@ pub(crate) fn figure(report: &WorldReport) -> Option<Figure> {
         [NARROW, LARGE],
         LABEL,
         |canvas, [width, _], is_narrow| {
-            large(
-                canvas,
-                [width, LARGE],
-                "wrong answers in the worst case, against speed",
-                &rows,
-            );
+            large(canvas, [width, LARGE], "worst case against speed", &rows);
             if !is_narrow {
                 small(canvas, &rows);
             }

@@ -153,3 +153,51 @@ pub(super) fn slivers(count: u32) -> IndexedMesh {
     let faces = rows.flat_map(|a| [[a, a + 1, a + 3], [a, a + 3, a + 2]]);
     mesh(vertices, faces.collect())
 }
+
+/// An edge of a convex surface.
+pub(super) struct Edge {
+    /// Its ends.
+    pub(super) ends: [Vec3; 2],
+    /// The outward normals of the two faces that meet at it.
+    pub(super) normals: [Vec3; 2],
+}
+
+/// A truncated pyramid over the plane z = 0, 8 wide and 4 high, and its edges. Two edges of the base
+/// are parallel to an axis and two are not. The base is open: its edges are the rim of the mesh.
+/// Each face is a grid of triangles, with coordinates that are multiples of 1/16.
+pub(super) fn open_pyramid() -> (IndexedMesh, Vec<Edge>) {
+    let base =
+        [[-4.0, -4.0], [4.0, -4.0], [2.0, 4.0], [-4.0, 2.0]].map(|[x, y]| Vec3::new(x, y, 0.0));
+    let top = base.map(|p| p / 2.0 + 4.0 * Vec3::Z);
+    let side = |i: usize| [base[i], base[(i + 1) % 4], top[(i + 1) % 4], top[i]];
+    let normal = |i: usize| {
+        let [a, b, _, d] = side(i);
+        (b - a).cross(d - a).normalize()
+    };
+    let edges = (0..4).flat_map(|i| {
+        let [a, b, c, d] = side(i);
+        let edge = |ends, normal_beside| Edge {
+            ends,
+            normals: [normal(i), normal_beside],
+        };
+        let rim = edge([a, b], Vec3::NEG_Z);
+        [
+            rim,
+            edge([b, c], normal((i + 1) % 4)),
+            edge([c, d], Vec3::Z),
+        ]
+    });
+    let (mut vertices, mut faces) = (Vec::new(), Vec::new());
+    for [a, b, c, d] in (0..4).map(side).chain([top]) {
+        let first = vertices.len() as u32;
+        for (i, j) in (0..=4).flat_map(|i| (0..=4).map(move |j| (i, j))) {
+            let (u, v) = (f64::from(i) / 4.0, f64::from(j) / 4.0);
+            vertices.push((1.0 - v) * (a + u * (b - a)) + v * (d + u * (c - d)));
+        }
+        for corner in (0..4).flat_map(|i| (0..4).map(move |j| first + 5 * i + j)) {
+            let [p, q, r, s] = [0, 5, 6, 1].map(|step| corner + step);
+            faces.extend([[p, q, r], [p, r, s]]);
+        }
+    }
+    (mesh(vertices, faces), edges.collect())
+}

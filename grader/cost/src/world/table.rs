@@ -7,7 +7,7 @@ use plots::numbers::{figures, grouped};
 use std::fmt::Write;
 
 /// The heads of the table, and the columns that each has the worst of.
-const GROUPS: [(&str, &[&str]); 11] = [
+const GROUPS: [(&str, &[&str]); 12] = [
     (
         "edges",
         &["round_edge", "round_vertex", "needle_edge", "needle_vertex"],
@@ -29,6 +29,7 @@ const GROUPS: [(&str, &[&str]); 11] = [
     ),
     ("slivers,\ntwins", &["sliver", "duplicates"]),
     ("NaN", &["nan_vertex"]),
+    ("beside", &["beside"]),
     ("start,\n%", &["at_start"]),
     ("end,\n%", &["at_end"]),
     ("on it,\n%", &["on_surface"]),
@@ -39,7 +40,8 @@ const GROUPS: [(&str, &[&str]); 11] = [
 /// Explains the columns.
 const LEGEND: &str = "\
 Wrong answers in a million, in the worst case of a kind: rays at edges and vertices; at an integer terrain, exactly at its\n\
-vertices and edges; from far away; at small and large scales; at slivers and double triangles; beside a vertex that is NaN.\n\
+vertices and edges; from far away; at small and large scales; at slivers and double triangles; not at a vertex that is NaN;\n\
+just beside an open mesh, where a hit is wrong.\n\
 Start, end, on it: how many rays find a hit at an end of their range or where they start. Count: wrong numbers of hits.\n\
 t: the largest error in units in the last place of the row's precision. * marks your own code; - is what a library cannot do.\n";
 
@@ -182,7 +184,7 @@ mod tests {
             (0..3).any(|axis| ray.d[axis] == 0.0 && in_a_plane(axis))
         });
         let (sentence, wrong) = verdict_on(&report);
-        assert_eq!(sentence, "Your code is wrong in 3 of 19 cases of 12 rays.");
+        assert_eq!(sentence, "Your code is wrong in 3 of 20 cases of 12 rays.");
         let lost = ["at vertices", "at edges", "in a plane of box faces"].map(|title| {
             format!("1,000,000 of a million wrong: integer terrain, {title} (2 of 3 interfaces have none)")
         });
@@ -195,7 +197,7 @@ mod tests {
         let (sentence, wrong) = verdict_on(&report(|_, _| false));
         assert_eq!(
             sentence,
-            "Your code has no wrong answer in 19 cases of 12 rays. Of 3 interfaces of libraries 1 have none either, some of them in fewer rays: blender."
+            "Your code has no wrong answer in 20 cases of 12 rays. Of 3 interfaces of libraries 1 have none either, some of them in fewer rays: blender."
         );
         assert_eq!(wrong, [""; 0]);
     }

@@ -40,6 +40,8 @@ export function run(row, about, build, trace, { most = 1e9, columns = () => true
     const { vertices, faces, rays } = readCase(path.join(cases, file));
     const asked = rays.slice(0, most);
     const answer = Buffer.alloc(20 + 24 * asked.length);
+    const [answerFile, errorFile] = ["answer", "error"].map((end) => path.join(out, `${column}.${end}`));
+    for (const earlier of [answerFile, errorFile]) fs.rmSync(earlier, { force: true });
     try {
       const scene = build(vertices, faces);
       const before = process.cpuUsage();
@@ -49,9 +51,9 @@ export function run(row, about, build, trace, { most = 1e9, columns = () => true
       answer.writeUInt32LE(asked.length, 8);
       answer.writeDoubleLE((used.user + used.system) * 1e-6, 12);
       hits.flat().forEach((x, i) => answer.writeDoubleLE(x, 20 + 8 * i));
-      fs.writeFileSync(path.join(out, `${column}.answer`), answer);
+      fs.writeFileSync(answerFile, answer);
     } catch (error) {
-      fs.writeFileSync(path.join(out, `${column}.error`), `${error.name}: ${String(error.message).split("\n")[0]}\n`);
+      fs.writeFileSync(errorFile, `${error.name}: ${String(error.message).split("\n")[0]}\n`);
     }
   }
 }

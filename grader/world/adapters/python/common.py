@@ -36,15 +36,17 @@ def run(row, library, version, interface, precision, build, trace, most=10**9, c
             continue
         vertices, faces, rays = read_case(os.path.join(cases, name))
         rays = rays[:most]
-        answer = os.path.join(out, column + ".answer")
+        answer, error = (os.path.join(out, column + end) for end in (".answer", ".error"))
+        for earlier in filter(os.path.exists, (answer, error)):
+            os.remove(earlier)
         try:
             scene = build(vertices, faces)
             before = time.process_time()
             found = trace(scene, rays)
             seconds = time.process_time() - before
-        except Exception as error:
-            first = (str(error).splitlines() or [""])[0]
-            open(answer.replace(".answer", ".error"), "w").write(f"{type(error).__name__}: {first}\n")
+        except Exception as raised:
+            first = (str(raised).splitlines() or [""])[0]
+            open(error, "w").write(f"{type(raised).__name__}: {first}\n")
             continue
         hits = np.full((len(rays), 3), np.nan)
         hits[:, 0] = found["t"]

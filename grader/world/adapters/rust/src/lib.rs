@@ -52,6 +52,10 @@ pub fn run<S>(
         if path.extension().is_none_or(|end| end != "case") || !wanted || without.contains(&&column[..]) {
             continue;
         }
+        let [answer, error] = ["answer", "error"].map(|end| out.join(&column).with_extension(end));
+        for earlier in [&answer, &error].into_iter().filter(|file| file.exists()) {
+            fs::remove_file(earlier).expect("OUT can be written");
+        }
         let (mesh, rays) = read(&path);
         let answered = catch_unwind(AssertUnwindSafe(|| {
             let scene = build(&mesh);
@@ -65,13 +69,13 @@ pub fn run<S>(
                 bytes.extend((hits.len() as u32).to_le_bytes());
                 bytes.extend(seconds.to_le_bytes());
                 bytes.extend(hits.iter().flatten().flat_map(|x| x.to_le_bytes()));
-                fs::write(out.join(column + ".answer"), bytes).expect("OUT can be written");
+                fs::write(answer, bytes).expect("OUT can be written");
             }
             Err(payload) => {
                 let literal = || payload.downcast_ref::<&str>().map(|text| text.to_string());
                 let text = payload.downcast_ref::<String>().cloned().or_else(literal).unwrap_or_default();
                 let first = text.lines().next().unwrap_or_default();
-                fs::write(out.join(column + ".error"), format!("panic: {first}\n")).expect("OUT can be written");
+                fs::write(error, format!("panic: {first}\n")).expect("OUT can be written");
             }
         }
     }

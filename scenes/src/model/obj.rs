@@ -109,20 +109,13 @@ pub(super) fn read(name: &str, folder: &Path, bytes: &[u8]) -> Result<Loaded, Sc
 /// continued on the next, and each material with a name. Vertices lose their colours, which may
 /// stand at some of them only: the second answer is whether there were some.
 fn plain(bytes: &[u8]) -> (String, bool) {
-    let (utf16, _) = bytes.as_chunks();
+    let utf16 = |unit: fn([u8; 2]) -> u16| {
+        let units: Vec<u16> = bytes.as_chunks().0.iter().map(|pair| unit(*pair)).collect();
+        String::from_utf16_lossy(&units)
+    };
     let text = match bytes {
-        [0xfe, 0xff, ..] => String::from_utf16_lossy(
-            &utf16
-                .iter()
-                .map(|b| u16::from_be_bytes(*b))
-                .collect::<Vec<_>>(),
-        ),
-        [0xff, 0xfe, ..] => String::from_utf16_lossy(
-            &utf16
-                .iter()
-                .map(|b| u16::from_le_bytes(*b))
-                .collect::<Vec<_>>(),
-        ),
+        [0xfe, 0xff, ..] => utf16(u16::from_be_bytes),
+        [0xff, 0xfe, ..] => utf16(u16::from_le_bytes),
         _ => String::from_utf8_lossy(bytes).into_owned(),
     };
     let text = text

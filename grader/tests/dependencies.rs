@@ -21,8 +21,6 @@ const MAY_DEPEND_ON: &[(&str, &[&str])] = &[
     ("simd_paths", &["kit", "lanes"]),
     // Its benchmarks use the stages, and nothing depends on it.
     ("book", &["base", "kit"]),
-    // It links mdBook. Nothing depends on it.
-    ("book_site", &["base", "book"]),
     ("meshes", &["kit"]),
     ("scenes", &["kit", "meshes"]),
     ("showcase", &["base", "kit", "meshes", "bvh"]),

@@ -522,122 +522,188 @@ pub(crate) fn escaped(text: &str) -> String {
 mod tests {
     use super::*;
 
-    fn chapter(markdown: &str, links: Links) -> (String, Sources) {
-        let mut sources = Sources::new(links);
-        let text = sources.chapter(markdown, Path::new("part1/task3.md"));
-        (text.expect("a chapter"), sources)
+    /// The page of `markdown` as the chapter `part1/task3.md`, beside the project or read alone.
+    fn page(markdown: &str, to_project: Option<&str>) -> Page {
+        render(markdown, place(to_project)).expect("a chapter")
     }
 
+    fn place(to_project: Option<&str>) -> Place<'_> {
+        let at = Path::new("part1/task3.md");
+        Place {
+            at,
+            to_project,
+            is_whole_book: false,
+        }
+    }
+
+    const BESIDE: Option<&str> = Some("../..");
+
     #[test]
-    fn formulas_become_numbers_and_code_stays() {
-        let (text, sources) = chapter(
-            "Let $x_1 = 2$, or $|y|$ wide; `$z$` is code.",
-            Links::Project,
+    fn formulas_become_mathml_with_the_signs_after_them_and_code_stays() {
+        let html = page("Let $x_1 = 2$, or $|y|$ wide; `$z$` is code.", None).html;
+        let start = "<p>Let <span class=\"joined\"><math display=\"inline\"><msub>";
+        assert!(html.starts_with(start), "{html}");
+        assert!(html.contains("</math>,</span> or <math"), "{html}");
+        assert!(
+            html.contains("</math> wide; <code>$z$</code> is code."),
+            "{html}"
         );
-        let expected = "Let <span class=\"joined\"><span data-formula=\"0\"></span>,</span> or \
-                        <span data-formula=\"1\"></span> wide; `$z$` is code.";
-        assert_eq!(text, expected);
-        assert_eq!(sources.formulas().len(), 2);
-        let error = Sources::new(Links::Project)
-            .chapter(r"$$\nonsense x$$", Path::new("a.md"))
-            .unwrap_err();
+        let error = render(r"$$\nonsense x$$", place(None)).unwrap_err();
         assert!(error.contains(r"\nonsense"), "{error}");
     }
 
     #[test]
+    fn code_and_text_are_escaped() {
+        let html = page(
+            "a \\< b `<i>`\n\n```rust,ignore\nlet a = b < c && \"<d>\";\n```\n",
+            None,
+        )
+        .html;
+        assert!(
+            html.starts_with("<p>a &lt; b <code>&lt;i&gt;</code></p>"),
+            "{html}"
+        );
+        let code = "<pre><code class=\"language-rust\"><span class=\"keyword\">let</span> a = b &lt; c &amp;&amp; ";
+        assert!(html.contains(code), "{html}");
+        assert!(!html.contains("<d>") && !html.contains("<i>"), "{html}");
+    }
+
+    #[test]
     fn short_flags_stay_whole() {
-        let (text, _) = chapter("`-l` and `x -l`, `--rate-scale assignment`", Links::Nowhere);
-        assert_eq!(
-            text,
-            "<code class=\"joined\">-l</code> and `x -l`, `--rate-scale assignment`"
+        let html = page("`-l` and `x -l`, `--rate-scale assignment`", None).html;
+        let expected = "<p><code class=\"joined\">-l</code> and <code>x -l</code>, <code>--rate-scale assignment</code></p>\n";
+        assert_eq!(html, expected);
+    }
+
+    #[test]
+    fn headings_have_anchors_and_each_another_one() {
+        let text = "# A\n\nOne.\n\n## What is *not* `b`\n\nTwo $x$,\nthree.\n\n## A\n\n- four\n- five\n\n## A\n";
+        let page = page(text, None);
+        let ids: Vec<_> = page.sections.iter().map(|s| s.id.as_str()).collect();
+        assert_eq!(ids, ["a", "what-is-not-b", "a-1", "a-2"]);
+        let heading = "<h2 id=\"what-is-not-b\"><a class=\"header\" href=\"#what-is-not-b\">What is <em>not</em> <code>b</code></a></h2>";
+        assert!(page.html.contains(heading), "{}", page.html);
+        let second = &page.sections[1];
+        assert_eq!((second.level, second.title.as_str()), (2, "What is not b"));
+        assert_eq!(second.text.trim(), "Two x, three.");
+        assert_eq!(page.sections[2].text.trim(), "four five");
+    }
+
+    #[test]
+    fn tables_scroll_and_footnotes_are_numbered() {
+        let html = page("| a |\n|--:|\n| b |\n\nText.[^1]\n\n[^1]: More.\n", None).html;
+        assert!(
+            html.starts_with("<div class=\"table-wrapper\"><table>"),
+            "{html}"
+        );
+        assert!(html.contains("</table>\n</div>"), "{html}");
+        assert!(
+            html.contains("class=\"footnote-reference\"><a href=\"#1\">1</a>"),
+            "{html}"
+        );
+        assert!(
+            html.contains("<div class=\"footnote-definition\" id=\"1\">"),
+            "{html}"
         );
     }
 
     #[test]
     fn links_to_the_project_lead_to_its_files_or_nowhere() {
-        let markdown = "See [`ray.rs` and $t$](../../../kit/src/ray.rs), [Part 2](../part2/README.md), [a](https://a.org/).";
-        let (text, _) = chapter(markdown, Links::Project);
-        assert!(text.contains("](project:stages/kit/src/ray.rs),"), "{text}");
-        let (text, _) = chapter(markdown, Links::Nowhere);
-        assert_eq!(
-            text,
-            "See `ray.rs` and <span data-formula=\"0\"></span>, [Part 2](../part2/README.md), [a](https://a.org/)."
-        );
+        let markdown = "See [`ray.rs`](../../../kit/src/ray.rs#x), [2](../part2/README.md#a), [b](#b), [c](https://a.org/).";
+        let html = page(markdown, BESIDE).html;
+        let chapters = "<a href=\"../part2/README.html#a\">2</a>, <a href=\"#b\">b</a>, <a href=\"https://a.org/\">c</a>.</p>\n";
+        let file = "<a href=\"../../../stages/kit/src/ray.rs#x\"><code>ray.rs</code></a>";
+        assert_eq!(html, format!("<p>See {file}, {chapters}"));
+        let html = page(markdown, None).html;
+        assert_eq!(html, format!("<p>See <code>ray.rs</code>, {chapters}"));
+    }
+
+    #[test]
+    fn on_the_page_with_all_chapters_links_lead_to_its_sections() {
+        let markdown =
+            "## B\n\n[2](../part2/README.md#a), [b](#b), ![c](../figures/part4-path.svg)";
+        let place = Place {
+            is_whole_book: true,
+            ..place(None)
+        };
+        let html = render(markdown, place).expect("a chapter").html;
+        assert!(html.contains("<h2 id=\"part1-task3-b\">"), "{html}");
+        assert!(html.contains("href=\"#part2-README-a\""), "{html}");
+        assert!(html.contains("href=\"#part1-task3-b\">b"), "{html}");
+        assert!(html.contains("src=\"figures/part4-path.svg\""), "{html}");
     }
 
     #[test]
     fn questions_get_their_choices_before_the_answers() {
-        let markdown = "# A\n\n## Predict\n\n1. What?\n\n<details>\n";
-        let (text, _) = chapter(markdown, Links::Nowhere);
-        let (before, after) = text.split_once("<form class=\"predict\"").expect("a form");
-        assert!(before.ends_with("1. What?\n\n"), "{text}");
-        assert!(after.ends_with("</form>\n\n<details>\n"), "{text}");
+        let markdown = "# A\n\n## Predict\n\n1. What?\n\n<details>\n\n<details>\n";
+        let html = page(markdown, None).html;
+        let (before, after) = html.split_once("<form class=\"predict\"").expect("a form");
+        assert!(before.ends_with("What?</li>\n</ol>\n"), "{html}");
+        assert!(after.contains("</form>\n<details>\n<details>\n"), "{html}");
+        assert!(!after.contains("<form"), "{html}");
     }
 
     #[test]
     fn pictures_from_outside_are_copied() {
-        let (text, sources) = chapter(
-            "![A box](../../../../golden/part1.task3/task.png)",
-            Links::Nowhere,
-        );
-        assert_eq!(text, "![A box](../pictures/part1.task3/task.png)");
-        let pictures: Vec<_> = sources.pictures().map(|(_, copy)| copy).collect();
-        assert_eq!(pictures, [Path::new("pictures/part1.task3/task.png")]);
+        let page = page("![A box](../../../../golden/part1.task3/task.png)", None);
+        let url = "../pictures/part1.task3/task.png";
+        let expected = format!("<p><a href=\"{url}\"><img src=\"{url}\" alt=\"A box\"></a></p>\n");
+        assert_eq!(page.html, expected);
+        let copies: Vec<_> = page.pictures.keys().collect();
+        assert_eq!(copies, [Path::new("pictures/part1.task3/task.png")]);
     }
 
     #[test]
     fn figures_are_numbered_and_described() {
         let markdown = "![A path](../figures/part4-path.svg)\n\n<figure class=\"explore\" data-explore=\"a\">\n\n\
-                        ![B](../figures/part1-film.svg)\n\n<figcaption>To try</figcaption>\n</figure>\n";
-        let (text, _) = chapter(markdown, Links::Nowhere);
+                        ![B](../figures/part1-film.svg)\n\n<figcaption>To try</figcaption>\n</figure>\n\n\
+                        ![C](../figures/part4-path.svg)\n";
+        let html = page(markdown, None).html;
         let first = "<figure class=\"drawn\"><img src=\"../figures/part4-path.svg\" alt=\"";
-        assert!(text.starts_with(first), "{text}");
+        assert!(html.starts_with(first), "{html}");
         let caption = "\"><figcaption><b>Figure 1.3-1.</b> A path.</figcaption></figure>\n";
-        assert!(text.contains(caption), "{text}");
-        let second = "<img src=\"../figures/part1-film.svg\" alt=\"A film of 4 by 2 pixels";
-        assert!(text.contains(second), "{text}");
+        assert!(html.contains(caption), "{html}");
+        let second = "<p><img src=\"../figures/part1-film.svg\" alt=\"A film of 4 by 2 pixels";
+        assert!(html.contains(second), "{html}");
         assert!(
-            text.contains("<figcaption><b>Figure 1.3-2.</b> To try"),
-            "{text}"
+            html.contains("<figcaption><b>Figure 1.3-2.</b> To try"),
+            "{html}"
         );
-        let error = Sources::new(Links::Nowhere)
-            .chapter("![?](figures/none.svg)", Path::new("a.md"))
-            .unwrap_err();
+        assert!(
+            html.contains("<figcaption><b>Figure 1.3-3.</b> C."),
+            "{html}"
+        );
+        let error = render("![?](figures/none.svg)", place(None)).unwrap_err();
         assert!(error.contains("cannot read"), "{error}");
     }
 
     #[test]
     fn pictures_that_readers_make_are_on_the_site_alone() {
         let markdown = "A.\n\n<!-- picture: ../so-far/part1.png | \"Gems\" -->\n\nB.\n";
-        let (text, _) = chapter(markdown, Links::Project);
-        assert_eq!(text, "A.\n\n\nB.\n");
-        let (text, _) = chapter(markdown, Links::Nowhere);
+        assert_eq!(page(markdown, BESIDE).html, "<p>A.</p>\n<p>B.</p>\n");
+        let html = page(markdown, None).html;
         let image = "<img src=\"../so-far/part1.png\" alt=\"&quot;Gems&quot;\">";
-        assert_eq!(text, format!("A.\n\n{image}\n\nB.\n"));
+        assert!(html.contains(image), "{html}");
     }
 
     #[test]
     fn a_sheet_of_mistakes_becomes_panels() {
-        let (text, _) = chapter(
+        let html = page(
             "![Right and \"wrong\"](../mistakes/part1-task3.png)",
-            Links::Project,
-        );
-        assert_eq!(
-            text.matches("<img src=\"../mistakes/part1-task3.png\"")
-                .count(),
-            5
-        );
+            BESIDE,
+        )
+        .html;
+        let panel = "<img src=\"../mistakes/part1-task3.png\"";
+        assert_eq!(html.matches(panel).count(), 5, "{html}");
         assert!(
-            text.contains("aria-label=\"Right and &quot;wrong&quot;\""),
-            "{text}"
+            html.contains("aria-label=\"Right and &quot;wrong&quot;\""),
+            "{html}"
         );
-        assert!(text.contains("object-position:25.000% 0"), "{text}");
-        let (text, _) = chapter("![R](../mistakes/part1-task3.png)", Links::Nowhere);
+        assert!(html.contains("object-position:25.000% 0"), "{html}");
+        let html = page("![R](../mistakes/part1-task3.png)", None).html;
         let large = "<img src=\"../mistakes-large/part1-task3.png\" alt=\"\" width=\"320\"";
-        assert_eq!(text.matches(large).count(), 5, "{text}");
-        let error = Sources::new(Links::Project)
-            .chapter("![?](mistakes/none.png)", Path::new("a.md"))
-            .unwrap_err();
+        assert_eq!(html.matches(large).count(), 5, "{html}");
+        let error = render("![?](mistakes/none.png)", place(BESIDE)).unwrap_err();
         assert!(error.contains("cannot read"), "{error}");
     }
 }

@@ -265,3 +265,113 @@ fn write_file(file: &Path, contents: &(impl AsRef<[u8]> + ?Sized)) -> Result<(),
 fn failed(what: &str, path: &Path, error: &std::io::Error) -> String {
     format!("cannot {what} {}: {error}", path.display())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeSet;
+
+    /// The text of an attribute of all elements of `html`.
+    fn attributes<'a>(html: &'a str, name: &str) -> Vec<&'a str> {
+        let pieces = html.split(name).skip(1);
+        pieces.filter_map(|piece| piece.split('"').next()).collect()
+    }
+
+    #[test]
+    fn the_list_of_chapters_has_depths() {
+        let found = entries(
+            "# S\n\n- [A `b`](a.md)\n- [P](part1/README.md)\n  - [T](part1/task1.md)\n- [Z](z.md)\n",
+        );
+        let expected = [
+            ("A b", "a.html", 1),
+            ("P", "part1/README.html", 1),
+            ("T", "part1/task1.html", 2),
+            ("Z", "z.html", 1),
+        ];
+        let found: Vec<_> = found
+            .iter()
+            .map(|e| (e.title.as_str(), e.page(), e.depth))
+            .collect();
+        assert_eq!(
+            found,
+            expected.map(|(title, page, depth)| (title, page.to_string(), depth))
+        );
+    }
+
+    #[test]
+    fn strings_of_the_search_are_escaped() {
+        assert_eq!(string("a\n \"b\"\t\\c"), r#""a \"b\" \\c""#);
+    }
+
+    /// The whole book, as a handout has it and as it is published.
+    #[test]
+    fn links_of_all_pages_resolve_anchors_are_unique_and_the_search_has_all_text() {
+        for is_published in [false, true] {
+            let folder = tempfile::tempdir().expect("a temporary folder");
+            let site = folder.path().join("site");
+            fs::create_dir_all(site.join("old")).expect("a folder");
+            write(&site, is_published).expect("the book can be rendered");
+            assert!(!site.join("old").exists());
+            let site = fs::canonicalize(site).expect("the folder");
+            let files = files_below(&site).expect("files");
+            let pages: Vec<_> = files
+                .iter()
+                .filter(|file| file.extension().is_some_and(|e| e == "html"))
+                .collect();
+            assert!(pages.len() > 30, "{} pages", pages.len());
+            let mut wrong = Vec::new();
+            let text = |file: &Path| fs::read_to_string(file).expect("a page");
+            let ids: std::collections::BTreeMap<_, _> = pages
+                .iter()
+                .map(|page| {
+                    let text = text(page);
+                    let all = attributes(&text, " id=\"")
+                        .into_iter()
+                        .map(str::to_string)
+                        .collect::<Vec<_>>();
+                    let unique: BTreeSet<String> = all.iter().cloned().collect();
+                    if unique.len() < all.len() || text.contains("{{") {
+                        wrong.push(format!(
+                            "{}: an anchor twice, or a word in braces",
+                            page.display()
+                        ));
+                    }
+                    (page.to_path_buf(), unique)
+                })
+                .collect();
+            for page in &pages {
+                let html = text(page);
+                for link in attributes(&html, " href=\"")
+                    .into_iter()
+                    .chain(attributes(&html, " src=\""))
+                {
+                    if link.contains("://") || link.starts_with("data:") {
+                        continue;
+                    }
+                    let (path, fragment) = link.split_once('#').unwrap_or((link, ""));
+                    let target = match path {
+                        "" => page.to_path_buf(),
+                        path => paths::normal(&page.parent().expect("a folder").join(path)),
+                    };
+                    let is_inside = target.starts_with(&site);
+                    if !target.exists()
+                        || is_published && !is_inside
+                        || is_inside && !fragment.is_empty() && !ids[&target].contains(fragment)
+                    {
+                        wrong.push(format!("{}: {link}", page.display()));
+                    }
+                }
+            }
+            assert_eq!(wrong, [""; 0]);
+            let search = text(&site.join("search.js"));
+            let line = search.lines().find(|line| {
+                line.contains("intersecting-triangles")
+                    || line.contains("part1/task3.html#where-the-formulas-break")
+            });
+            assert!(
+                line.is_some_and(|line| line.contains("watertight")),
+                "{line:?}"
+            );
+        }
+    }
+}

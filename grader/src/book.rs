@@ -75,7 +75,9 @@ pub fn make_current(workspace: &Workspace) -> Result<PathBuf, GraderError> {
         let status = Command::new(&program).arg("site").arg(new).status();
         match status.map_err(|e| GraderError::file("run", &program, e))? {
             status if status.success() => Ok(()),
-            _ => Err(GraderError::new("the book could not be rendered: see above")),
+            _ => Err(GraderError::new(
+                "the book could not be rendered: see above",
+            )),
         }
     })?;
     Ok(folder)
@@ -92,11 +94,7 @@ pub fn remember_checkout(started: &Workspace, checkout: &Workspace) -> Result<()
 pub(crate) fn checkout_of(started: &Workspace) -> Option<Workspace> {
     let root = std::fs::read_to_string(started.outputs().join(CHECKOUT)).ok()?;
     let checkout = Workspace::above(Path::new(&root)).ok()?;
-    checkout
-        .root()
-        .join(CODE)
-        .is_dir()
-        .then_some(checkout)
+    checkout.root().join(CODE).is_dir().then_some(checkout)
 }
 
 /// Copies a site to the folder `new`.

@@ -306,7 +306,7 @@ impl BuildRoot<'_> {
 /// Builds the program of `package` in the workspace `root`, in release. The program must not link a
 /// stage. Returns its path, or the compiler's messages, which were also printed to stderr.
 pub fn build_program(root: &Path, package: &str) -> Result<Result<PathBuf, String>, GraderError> {
-    build_in(root, package, None, &[])
+    build_in(root, package, None)
 }
 
 /// As [`build_program`], for a program that links the stages of the workspace.
@@ -314,7 +314,7 @@ pub fn build_program_with_stages(
     root: &Path,
     package: &str,
 ) -> Result<Result<PathBuf, String>, GraderError> {
-    build_in(root, package, target_folder::of(root), &[])
+    build_in(root, package, target_folder::of(root))
 }
 
 /// The test program of each stage with the worked examples of its chapters.
@@ -353,13 +353,13 @@ fn build_in(
     root: &Path,
     package: &str,
     target: Option<PathBuf>,
-    features: &[&str],
 ) -> Result<Result<PathBuf, String>, GraderError> {
     let mut command = release_build(root, package, has_colours());
-    command.args(features);
-    if let Some(target) = target {
-        command.arg("--target-dir").arg(target);
-    }
+    match target {
+        Some(target) => command.arg("--target-dir").arg(target),
+        // With the features of libraries that the grader has: what is compiled for it is used.
+        None => command.args(["--package", "grader"]),
+    };
     match run_cargo(command, package, true, None)? {
         Ok(program) => Ok(Ok(program)),
         Err(errors) => {

@@ -132,6 +132,28 @@ async function search(browser) {
         await page.until(`${links}.length > 0`);
         const results = await page.value(links);
         expect(results.some((link) => link.includes("part1/task3.html")), `the search for "watertight" finds ${results}`);
+        await page.key("ArrowDown");
+        await page.value("document.activeElement.click()");
+        await page.until("location.pathname.endsWith('.html') && !location.pathname.endsWith('introduction.html') && document.readyState === 'complete'");
+        await page.until("CSS.highlights.get('search')?.size > 0");
+    });
+}
+
+/** Without a script the list of chapters opens, and marks the page. */
+async function withoutScript(browser) {
+    const options = { width: 390, script: false };
+    await on(browser, "part1/task3.html", options, "a page without a script", async (page) => {
+        const list = "document.getElementById('chapters')";
+        const isShown = `${list}.getClientRects().length > 0`;
+        expect(!(await page.value(isShown)), "the list of chapters covers a narrow page");
+        await page.value("document.querySelector('[popovertarget=chapters]').click()");
+        expect(await page.value(isShown), "the list of chapters does not open");
+        const current = await page.value(`${list}.querySelector('[aria-current=page]').getAttribute('href')`);
+        expect(current === "../part1/task3.html", `the list of chapters marks ${current}`);
+        const links = await page.value(`${list}.querySelectorAll('a[href]').length`);
+        expect(links > pages.length, `the list of chapters has ${links} links`);
+        const dead = await page.value("[...document.querySelectorAll('.scripted')].some((button) => button.offsetParent)");
+        expect(!dead, "a button does nothing");
     });
 }
 
@@ -145,6 +167,11 @@ async function keys(browser) {
         await at("part1/task1.html");
         await page.key("?");
         await page.until("document.getElementById('keys').offsetHeight > 0");
+        await page.send("Page.navigate", { url: address("part2/task2.html") });
+        await page.until("document.querySelector('.explore-live [data-point]') !== null");
+        await page.value("document.querySelector('.explore-live [data-point]').focus()");
+        await page.key("ArrowRight");
+        await at("part2/task2.html");
     });
 }
 
@@ -156,6 +183,9 @@ async function themes(browser) {
     })()`;
     await on(browser, "part1/task3.html", { dark: true }, "the dark theme", async (page) => {
         expect((await page.value(brightness)) < 0.3, "the page is bright where the system is dark");
+        await page.send("Emulation.setEmulatedMedia", { media: "print" });
+        expect((await page.value(brightness)) > 0.8, "a page is printed dark");
+        await page.send("Emulation.setEmulatedMedia", { media: "", features: [{ name: "prefers-color-scheme", value: "dark" }] });
         await page.value("document.getElementById('theme').click()");
         expect((await page.value(brightness)) > 0.8, "the light theme is dark");
     });
@@ -193,7 +223,7 @@ async function predictions(browser) {
 
 async function main() {
     const browser = await Browser.start();
-    for (const part of [chapters, paper, search, keys, themes, predictions]) await part(browser);
+    for (const part of [chapters, paper, search, withoutScript, keys, themes, predictions]) await part(browser);
     await browser.stop();
     for (const what of wrong) console.error(what);
     console.log(`${pages.length} pages of ${folder} at three widths and on paper: ${wrong.length} faults`);

@@ -183,9 +183,10 @@ async function themes(browser) {
     })()`;
     await on(browser, "part1/task3.html", { dark: true }, "the dark theme", async (page) => {
         expect((await page.value(brightness)) < 0.3, "the page is bright where the system is dark");
-        await page.send("Emulation.setEmulatedMedia", { media: "print" });
+        const features = [{ name: "prefers-color-scheme", value: "dark" }];
+        await page.send("Emulation.setEmulatedMedia", { media: "print", features });
         expect((await page.value(brightness)) > 0.8, "a page is printed dark");
-        await page.send("Emulation.setEmulatedMedia", { media: "", features: [{ name: "prefers-color-scheme", value: "dark" }] });
+        await page.send("Emulation.setEmulatedMedia", { media: "screen", features });
         await page.value("document.getElementById('theme').click()");
         expect((await page.value(brightness)) > 0.8, "the light theme is dark");
     });

@@ -116,7 +116,7 @@ fn a_handout_contains_the_text_of_the_book_and_not_its_code() {
         ] {
             assert!(has(handout, &format!("stages/book/src/{file}")), "{file}");
         }
-        for file in ["Cargo.toml", "code", "tests", "book.toml"] {
+        for file in ["Cargo.toml", "code", "tests", "theme"] {
             assert!(!has(handout, &format!("stages/book/{file}")), "{file}");
         }
         assert!(!text(handout, "Cargo.toml").contains("stages/book"));

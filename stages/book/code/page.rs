@@ -661,7 +661,8 @@ mod tests {
         let html = page(markdown, None).html;
         let first = "<figure class=\"drawn\"><img src=\"../figures/part4-path.svg\" alt=\"";
         assert!(html.starts_with(first), "{html}");
-        let caption = "\"><figcaption><b>Figure 1.3-1.</b> A path.</figcaption></figure>\n";
+        // A paragraph cannot contain a figure.
+        let caption = "\"><figcaption><b>Figure 1.3-1.</b> A path.</figcaption></figure>\n<figure ";
         assert!(html.contains(caption), "{html}");
         let second = "<p><img src=\"../figures/part1-film.svg\" alt=\"A film of 4 by 2 pixels";
         assert!(html.contains(second), "{html}");

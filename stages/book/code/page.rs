@@ -290,6 +290,15 @@ impl<'a> Writer<'a> {
                     self.out.push(Event::InlineHtml("</a>".into()));
                 }
             }
+            // Notes of two chapters have different anchors on the page with all chapters.
+            Event::FootnoteReference(name) => {
+                let name = self.place.id(&name).into();
+                self.out.push(Event::FootnoteReference(name));
+            }
+            Event::Start(Tag::FootnoteDefinition(name)) => {
+                let name = self.place.id(&name).into();
+                self.out.push(Event::Start(Tag::FootnoteDefinition(name)));
+            }
             Event::Start(Tag::Heading { .. }) => {
                 self.end_section();
                 self.heading = self.out.len();
@@ -362,7 +371,7 @@ impl<'a> Writer<'a> {
             return format!("{}{to_project}/{file}{fragment}", self.place.to_book());
         }
         if path.is_empty() {
-            return format!("#{}", self.place.id(&fragment[1..]));
+            return format!("#{}", self.place.id(fragment.trim_start_matches('#')));
         }
         let file = normal(&folder_of(self.place.at).join(path));
         let file = file
@@ -620,8 +629,7 @@ mod tests {
 
     #[test]
     fn on_the_page_with_all_chapters_links_lead_to_its_sections() {
-        let markdown =
-            "## B\n\n[2](../part2/README.md#a), [b](#b), ![c](../figures/part4-path.svg)";
+        let markdown = "## B\n\n[2](../part2/README.md#a), [b](#b), ![c](../figures/part4-path.svg) [d]() e[^1]\n\n[^1]: f";
         let place = Place {
             is_whole_book: true,
             ..place(None)
@@ -631,6 +639,7 @@ mod tests {
         assert!(html.contains("href=\"#part2-README-a\""), "{html}");
         assert!(html.contains("href=\"#part1-task3-b\">b"), "{html}");
         assert!(html.contains("src=\"figures/part4-path.svg\""), "{html}");
+        assert!(html.contains("id=\"part1-task3-1\""), "{html}");
     }
 
     #[test]

@@ -133,7 +133,7 @@ async function search(browser) {
         const results = await page.value(links);
         expect(results.some((link) => link.includes("part1/task3.html")), `the search for "watertight" finds ${results}`);
         await page.key("ArrowDown");
-        await page.value("document.activeElement.click()");
+        await page.value("void setTimeout(() => document.activeElement.click())");
         await page.until("location.pathname.endsWith('.html') && !location.pathname.endsWith('introduction.html') && document.readyState === 'complete'");
         await page.until("CSS.highlights.get('search')?.size > 0");
     });

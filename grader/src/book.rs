@@ -1,7 +1,7 @@
 //! The rendered book: `target/first-light/book`, the site that `cargo grader book` opens.
 //!
 //! A handout contains the site in one packed file, which is unpacked once. The full checkout builds
-//! it with the program `book_site`, again if the text or its pictures changed. A folder that
+//! it with the program `book`, again if the text or its pictures changed. A folder that
 //! `grader start` made beside a checkout has the site of the checkout, built at its first use.
 
 use crate::build;
@@ -18,8 +18,8 @@ pub const PACK: &str = "stages/book/site.pack";
 /// The folder of the chapters.
 const TEXT: &str = "stages/book/src";
 
-/// The folder of the crate that builds the site, in the full checkout.
-const SITE_CRATE: &str = "stages/book/site";
+/// The code that renders the site, in the full checkout.
+const CODE: &str = "stages/book/code";
 
 /// The name of the site's folder among what the grader writes for students.
 const NAME: &str = "book";
@@ -31,14 +31,13 @@ const CHECKOUT: &str = "made-from";
 const MADE_OF: &str = ".made-of";
 
 /// What the site of the full checkout is made of, besides the tasks' pictures.
-const SOURCES: [&str; 4] = [TEXT, "stages/book/code", "stages/book/theme", SITE_CRATE];
+const SOURCES: [&str; 3] = [TEXT, CODE, "stages/book/theme"];
 
 /// The folders of the text that the site has copies of.
 const COPIED: [&str; 2] = ["figures", "mistakes"];
 
 /// Files that the site is also made of.
-const SOURCE_FILES: [&str; 4] = [
-    "stages/book/book.toml",
+const SOURCE_FILES: [&str; 3] = [
     "Cargo.lock",
     "grader/pictures/triangles.svg",
     "grader/pictures/world.svg",
@@ -64,22 +63,21 @@ pub fn make_current(workspace: &Workspace) -> Result<PathBuf, GraderError> {
         replace(&folder, &made_of, |new| copy_site(&site, new))?;
         return Ok(folder);
     }
-    if !workspace.root().join(SITE_CRATE).is_dir() {
+    if !workspace.root().join(CODE).is_dir() {
         return Err(GraderError::new(format!(
             "this folder has no rendered book: {PACK} is missing. Restore it from the handout, or read the chapters in stages/book/src"
         )));
     }
-    errln!(
-        "Building the book. The first time this compiles mdBook: some minutes of processor time. Until then, read the \
-         chapters as Markdown: {TEXT} ..."
-    );
-    let program = build::build_program(workspace.root(), "book_site")?
-        .map_err(|_| GraderError::new("the package book_site does not compile"))?;
+    errln!("Rendering the book. The first time this compiles its program: some seconds ...");
+    let program = build::build_program(workspace.root(), "book")?
+        .map_err(|_| GraderError::new("the package book does not compile"))?;
     replace(&folder, &made_of, |new| {
-        let status = Command::new(&program).arg(new).status();
+        let status = Command::new(&program).arg("site").arg(new).status();
         match status.map_err(|e| GraderError::file("run", &program, e))? {
             status if status.success() => Ok(()),
-            _ => Err(GraderError::new("the book could not be built: see above")),
+            _ => Err(GraderError::new(
+                "the book could not be rendered: see above",
+            )),
         }
     })?;
     Ok(folder)
@@ -96,11 +94,7 @@ pub fn remember_checkout(started: &Workspace, checkout: &Workspace) -> Result<()
 pub(crate) fn checkout_of(started: &Workspace) -> Option<Workspace> {
     let root = std::fs::read_to_string(started.outputs().join(CHECKOUT)).ok()?;
     let checkout = Workspace::above(Path::new(&root)).ok()?;
-    checkout
-        .root()
-        .join(SITE_CRATE)
-        .is_dir()
-        .then_some(checkout)
+    checkout.root().join(CODE).is_dir().then_some(checkout)
 }
 
 /// Copies a site to the folder `new`.
@@ -286,7 +280,7 @@ pub fn chapters(folder: &Path) -> Result<Vec<String>, GraderError> {
         };
         let name = name.replace(std::path::MAIN_SEPARATOR, "/");
         let name = name.strip_suffix("/README").unwrap_or(&name);
-        if !["index", "print", "toc"].contains(&name) {
+        if !["index", "print"].contains(&name) {
             names.push(name.replace('/', "."));
         }
     }

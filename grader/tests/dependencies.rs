@@ -21,8 +21,6 @@ const MAY_DEPEND_ON: &[(&str, &[&str])] = &[
     ("simd_paths", &["kit", "lanes"]),
     // Its benchmarks use the stages, and nothing depends on it.
     ("book", &["base", "kit"]),
-    // It links mdBook. Nothing depends on it.
-    ("book_site", &["base", "book"]),
     ("meshes", &["kit"]),
     ("scenes", &["kit", "meshes"]),
     ("showcase", &["base", "kit", "meshes", "bvh"]),
@@ -343,6 +341,10 @@ fn no_command_of_the_grader_compiles_the_grader_again() {
             "{program} has other features of {again:?}: name the libraries in grader/Cargo.toml"
         );
     }
+    // This one does not link the grader, and is built beside it.
+    let beside = with_features(&["--package", "grader", "--package", "book"]);
+    let again: Vec<&String> = grader.difference(&beside).collect();
+    assert!(again.is_empty(), "book has other features of {again:?}");
     let [_, part1] = FIRST_BUILD else {
         panic!("the grader and the worker")
     };

@@ -306,7 +306,7 @@ impl BuildRoot<'_> {
 /// Builds the program of `package` in the workspace `root`, in release. The program must not link a
 /// stage. Returns its path, or the compiler's messages, which were also printed to stderr.
 pub fn build_program(root: &Path, package: &str) -> Result<Result<PathBuf, String>, GraderError> {
-    build_in(root, package, None, &[])
+    build_in(root, package, None)
 }
 
 /// As [`build_program`], for a program that links the stages of the workspace.
@@ -314,7 +314,7 @@ pub fn build_program_with_stages(
     root: &Path,
     package: &str,
 ) -> Result<Result<PathBuf, String>, GraderError> {
-    build_in(root, package, target_folder::of(root), &[])
+    build_in(root, package, target_folder::of(root))
 }
 
 /// The test program of each stage with the worked examples of its chapters.
@@ -353,20 +353,25 @@ fn build_in(
     root: &Path,
     package: &str,
     target: Option<PathBuf>,
-    features: &[&str],
 ) -> Result<Result<PathBuf, String>, GraderError> {
-    let mut command = release_build(root, package, has_colours());
-    command.args(features);
-    if let Some(target) = target {
-        command.arg("--target-dir").arg(target);
-    }
-    match run_cargo(command, package, true, None)? {
+    match run_cargo(program_build(root, package, target), package, true, None)? {
         Ok(program) => Ok(Ok(program)),
         Err(errors) => {
             errors.ensure_of_the_code()?;
             Ok(Err(errors.messages))
         }
     }
+}
+
+/// The command that builds the program of `package`, in `target` or in cargo's own folder.
+fn program_build(root: &Path, package: &str, target: Option<PathBuf>) -> Command {
+    let mut command = release_build(root, package, has_colours());
+    match target {
+        Some(target) => command.arg("--target-dir").arg(target),
+        // With the features of the grader's libraries: what is compiled for it is used.
+        None => command.args(["--package", "grader"]),
+    };
+    command
 }
 
 /// Whether cargo has never written `file` in its own folder of the workspace `root`.
@@ -459,6 +464,15 @@ mod tests {
         assert_eq!(at(built - CLOCK_SLACK / 2), Ok(()));
         let why = at(built - 2 * CLOCK_SLACK).unwrap_err();
         assert!(why.contains("clock has not reached yet"), "{why}");
+    }
+
+    /// A library with other features than the grader's would be compiled a second time.
+    #[test]
+    fn a_program_has_the_features_of_the_graders_libraries() {
+        let command = program_build(Path::new("."), "book", None);
+        let args: Vec<_> = command.get_args().collect();
+        let is_named = |name| args.windows(2).any(|pair| pair == ["--package", name]);
+        assert!(is_named("book") && is_named("grader"), "{args:?}");
     }
 
     /// The compiler does not say where it met a first file that is no text.

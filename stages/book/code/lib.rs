@@ -1,13 +1,12 @@
 //! The book of the course.
 //!
 //! The text is Markdown in `src`, one chapter for each part and each task. It reads well as it is;
-//! this crate makes its figures, checks it, and prepares it for mdBook:
+//! this crate makes its figures, checks it, and renders it as a site, which is read without a server:
 //!
 //! - [`drawing`]: a figure as SVG. [`figures`]: the figures, drawn by code that calls `kit`.
 //! - [`chapter`]: a chapter's sections, formulas, links and code blocks, as the tests read them.
 //! - [`symbols`]: the index of symbols in the glossary.
-//! - [`maths`]: formulas as MathML. [`source`]: what mdBook renders, prepared. [`page`]: what mdBook
-//!   rendered, completed. The program in `site` does both, with mdBook in between.
+//! - [`page`]: a chapter as HTML, with formulas by [`maths`]. [`site`]: all pages, and what they need.
 //!
 //! The tests in `tests` compare the text with the course: titles, points, signatures, mistakes,
 //! numbers, links. The code blocks of the chapters are compiled as documentation tests.
@@ -15,14 +14,15 @@
 pub mod chapter;
 pub mod drawing;
 pub mod figures;
+mod highlight;
 pub mod maths;
 pub mod page;
 pub mod paths;
 mod predictions;
-pub mod source;
+pub mod site;
 pub mod symbols;
 
-/// The folder of this crate, which contains `book.toml` and `src`.
+/// The folder of this crate, which contains `src`.
 pub fn folder() -> &'static std::path::Path {
     std::path::Path::new(env!("CARGO_MANIFEST_DIR"))
 }

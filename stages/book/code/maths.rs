@@ -16,9 +16,9 @@ pub struct Formula {
     pub range: Range<usize>,
 }
 
-/// What the chapters use of Markdown: maths and tables beside CommonMark.
+/// What the chapters may use of Markdown: maths, tables and footnotes beside CommonMark.
 pub fn options() -> Options {
-    Options::ENABLE_MATH | Options::ENABLE_TABLES
+    Options::ENABLE_MATH | Options::ENABLE_TABLES | Options::ENABLE_FOOTNOTES
 }
 
 /// All formulas of a chapter, in order.

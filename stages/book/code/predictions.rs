@@ -4,7 +4,7 @@
 //! with the script `predict.js`: without it the form stays hidden, and the questions of the chapter
 //! can be read.
 
-use crate::source::escaped;
+use crate::page::escaped;
 use std::fmt::Write;
 use std::path::Path;
 

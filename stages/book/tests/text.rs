@@ -118,10 +118,10 @@ fn links_lead_somewhere() {
     }
 }
 
-/// The comments that `code/source.rs` shows on the published site.
+/// The comments that `code/page.rs` shows on the published site.
 #[test]
 fn the_pictures_of_the_site_exist_and_each_is_shown() {
-    let folder = book::folder().join("src").join(book::source::OWN_PICTURES);
+    let folder = book::folder().join("src").join(book::page::OWN_PICTURES);
     let mut shown = BTreeSet::new();
     for chapter in chapters() {
         for comment in chapter.text.split("<!-- picture: ").skip(1) {
@@ -369,9 +369,9 @@ fn commands_can_be_run() {
                 "cargo run --release -p grader -- start ",
                 "cargo run --release -p pathtracer -- -f ",
                 "cargo run --release -p viewer -- ",
-                "cargo run --release -p book_site -- ",
+                "cargo run --release -p book -- site ",
                 // In the folder of a term.
-                "cargo run --release --manifest-path .first-light/Cargo.toml -p book_site -- ",
+                "cargo run --release --manifest-path .first-light/Cargo.toml -p book -- site ",
                 "cd ",
                 "mkdir ",
             ];

@@ -19,8 +19,7 @@ function figures() {
       const text = readFileSync(join(source, part, file), "utf8");
       for (const [, name, body] of text.matchAll(/<figure class="explore" data-explore="(\w+)">(.*?)<\/figure>/gs)) {
         const html = body.replace(/!\[(.*?)\]\((.*?)\)/, (_, alt, image) => {
-          // mdBook puts each picture into the label of a checkbox.
-          return `<p><label><img alt="${alt}" src="${pathToFileURL(join(source, part, image))}"></label></p>`;
+          return `<p><img alt="${alt}" src="${pathToFileURL(join(source, part, image))}"></p>`;
         });
         found.set(name, html);
       }

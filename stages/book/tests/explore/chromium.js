@@ -101,7 +101,11 @@ class Page {
 
   async until(expression) {
     for (let i = 0; i < 400; i++) {
-      if (await this.value(expression)) return;
+      // A page that is being left has no values.
+      const value = await this.value(expression).catch((error) => {
+        if (!/navigated or closed|context was destroyed|Cannot find .*context/.test(error.message)) throw error;
+      });
+      if (value) return;
       await new Promise((done) => setTimeout(done, 25));
     }
     throw new Error(`it never became true: ${expression}`);

@@ -4,7 +4,7 @@
 const { existsSync, readFileSync, readdirSync } = require("node:fs");
 const { dirname, join, relative, resolve } = require("node:path");
 const { pathToFileURL } = require("node:url");
-const { Browser } = require("../../tests/explore/chromium.js");
+const { Browser } = require("./explore/chromium.js");
 
 const [folder, ...options] = process.argv.slice(2);
 const site = resolve(folder);
@@ -16,7 +16,7 @@ const address = (page) => pathToFileURL(join(site, page)).href;
 
 const pages = readdirSync(site, { recursive: true })
     .map(String)
-    .filter((page) => page.endsWith(".html") && !["toc.html", "print.html", "index.html"].includes(page))
+    .filter((page) => page.endsWith(".html") && !["print.html", "index.html"].includes(page))
     .sort();
 expect(pages.length > 25, `found ${pages.length} pages`);
 
@@ -78,7 +78,7 @@ const PAPER = `(() => {
         if (code.scrollWidth > code.clientWidth + 1) found.push("code is cut: " + code.textContent.slice(0, 60));
     for (const details of document.querySelectorAll("main details"))
         if (details.lastElementChild.getBoundingClientRect().height < 10) found.push("answers are not printed");
-    if (getComputedStyle(document.getElementById("mdbook-sidebar")).display !== "none") found.push("the sidebar is printed");
+    if (getComputedStyle(document.getElementById("chapters")).display !== "none") found.push("the list of chapters is printed");
     return found;
 })()`;
 
@@ -126,12 +126,34 @@ async function paper(browser) {
 async function search(browser) {
     await on(browser, "introduction.html", {}, "the search", async (page) => {
         await page.key("s");
-        await page.until("document.activeElement.id === 'mdbook-searchbar'");
+        await page.until("document.activeElement.matches('#search input')");
         await page.send("Input.insertText", { text: "watertight" });
-        const links = "[...document.querySelectorAll('#mdbook-searchresults li a')].map((a) => a.getAttribute('href'))";
+        const links = "[...document.querySelectorAll('#search li a')].map((a) => a.getAttribute('href'))";
         await page.until(`${links}.length > 0`);
         const results = await page.value(links);
         expect(results.some((link) => link.includes("part1/task3.html")), `the search for "watertight" finds ${results}`);
+        await page.key("ArrowDown");
+        await page.value("void setTimeout(() => document.activeElement.click())");
+        await page.until("location.pathname.endsWith('.html') && !location.pathname.endsWith('introduction.html') && document.readyState === 'complete'");
+        await page.until("CSS.highlights.get('search')?.size > 0");
+    });
+}
+
+/** Without a script the list of chapters opens, and marks the page. */
+async function withoutScript(browser) {
+    const options = { width: 390, script: false };
+    await on(browser, "part1/task3.html", options, "a page without a script", async (page) => {
+        const list = "document.getElementById('chapters')";
+        const isShown = `${list}.getClientRects().length > 0`;
+        expect(!(await page.value(isShown)), "the list of chapters covers a narrow page");
+        await page.value("document.querySelector('[popovertarget=chapters]').click()");
+        expect(await page.value(isShown), "the list of chapters does not open");
+        const current = await page.value(`${list}.querySelector('[aria-current=page]').getAttribute('href')`);
+        expect(current === "../part1/task3.html", `the list of chapters marks ${current}`);
+        const links = await page.value(`${list}.querySelectorAll('a[href]').length`);
+        expect(links > pages.length, `the list of chapters has ${links} links`);
+        const dead = await page.value("[...document.querySelectorAll('.scripted')].some((button) => button.offsetParent)");
+        expect(!dead, "a button does nothing");
     });
 }
 
@@ -144,7 +166,12 @@ async function keys(browser) {
         await page.key("ArrowLeft");
         await at("part1/task1.html");
         await page.key("?");
-        await page.until("document.getElementById('mdbook-help-popup').offsetHeight > 0");
+        await page.until("document.getElementById('keys').offsetHeight > 0");
+        await page.send("Page.navigate", { url: address("part2/task2.html") });
+        await page.until("document.querySelector('.explore-live [data-point]') !== null");
+        await page.value("document.querySelector('.explore-live [data-point]').focus()");
+        await page.key("ArrowRight");
+        await at("part2/task2.html");
     });
 }
 
@@ -156,13 +183,17 @@ async function themes(browser) {
     })()`;
     await on(browser, "part1/task3.html", { dark: true }, "the dark theme", async (page) => {
         expect((await page.value(brightness)) < 0.3, "the page is bright where the system is dark");
-        await page.value("document.getElementById('mdbook-theme-toggle').click(); document.getElementById('mdbook-theme-light').click()");
+        const features = [{ name: "prefers-color-scheme", value: "dark" }];
+        await page.send("Emulation.setEmulatedMedia", { media: "print", features });
+        expect((await page.value(brightness)) > 0.8, "a page is printed dark");
+        await page.send("Emulation.setEmulatedMedia", { media: "screen", features });
+        await page.value("document.getElementById('theme').click()");
         expect((await page.value(brightness)) > 0.8, "the light theme is dark");
     });
     await on(browser, "part2/task1.html", { dark: true }, "the chosen theme", async (page) => {
         expect((await page.value(brightness)) > 0.8, "the chosen theme is forgotten");
-        await page.until("document.querySelectorAll('pre .clip-button').length > 0");
-        expect((await page.value("document.querySelectorAll('pre .hljs-keyword').length")) > 0, "code is not highlighted");
+        await page.until("document.querySelectorAll('pre .copy').length > 0");
+        expect((await page.value("document.querySelectorAll('pre .keyword').length")) > 0, "code is not highlighted");
         const links = "[...document.querySelectorAll('main a')].map((a) => a.href).filter((link) => link.endsWith('.rs'))";
         const sources = await page.value(links);
         expect((sources.length === 0) === published, `links to sources: ${sources}`);
@@ -193,7 +224,7 @@ async function predictions(browser) {
 
 async function main() {
     const browser = await Browser.start();
-    for (const part of [chapters, paper, search, keys, themes, predictions]) await part(browser);
+    for (const part of [chapters, paper, search, withoutScript, keys, themes, predictions]) await part(browser);
     await browser.stop();
     for (const what of wrong) console.error(what);
     console.log(`${pages.length} pages of ${folder} at three widths and on paper: ${wrong.length} faults`);

@@ -136,7 +136,7 @@ fn materials_of_gltf_become_those_of_the_course() {
             Material::Emission {
                 radiance: Spectrum::new(4.0, 4.0, 2.0),
             },
-            "",
+            "lamps that reflect light",
         ),
         (
             pbr(
@@ -154,7 +154,7 @@ fn materials_of_gltf_become_those_of_the_course() {
         (
             pbr(r#""metallicFactor":0"#, r#","alphaMode":"MASK""#),
             Material::Diffuse { reflectance },
-            "materials with transparent parts",
+            "",
         ),
     ];
     for (json, material, warning) in cases {
@@ -291,6 +291,52 @@ fn gltf_without_bounds_of_positions_is_read() {
     assert_eq!(titles(&bare), [""; 0]);
 }
 
+/// What is dropped is named, also where the format has room for more than a scene here.
+#[test]
+fn what_gltf_has_and_a_scene_has_not_is_named() {
+    let more = r#","extensionsUsed":["EXT_mesh_gpu_instancing","KHR_lights_punctual"]"#;
+    let lamp = RED.replace(
+        r#""name":"red""#,
+        r#""emissiveFactor":[1,1,1],"doubleSided":true"#,
+    );
+    for (file, expected) in [
+        (
+            square(RED, "", more),
+            &["the extension EXT_mesh_gpu_instancing is ignored"][..],
+        ),
+        (
+            square(&lamp, "", ""),
+            &["lamps that shine on both sides", "lamps that reflect light"],
+        ),
+    ] {
+        assert_eq!(titles(&loaded(&[("a.glb", &file)])), expected);
+    }
+    let far = String::from_utf8_lossy(&square(RED, "", "")[20..])
+        .replace(r#""POSITION":0"#, r#""POSITION":99"#);
+    let json = &far[..far.rfind("}]}").expect("the end") + 3];
+    let error = load(&[("a.glb", &glb(json, &square_bytes()))]).unwrap_err();
+    assert!(
+        error
+            .to_string()
+            .contains("an accessor that is not in the file"),
+        "{error}"
+    );
+}
+
+/// A number in the header alone makes no room in memory.
+#[test]
+fn ply_files_do_not_announce_more_than_they_have() {
+    let file = PLY.replace("element vertex 4", "element vertex 4000000000");
+    assert_ne!(file, PLY);
+    let error = load(&[("a.ply", file.as_bytes())]).unwrap_err();
+    assert!(
+        error
+            .to_string()
+            .contains("more items than the file has bytes"),
+        "{error}"
+    );
+}
+
 /// Files of version 1 are not damaged.
 #[test]
 fn gltf_of_version_1_is_refused_by_name() {
@@ -311,12 +357,19 @@ fn gltf_of_version_1_is_refused_by_name() {
 /// No damaged file makes a reader panic.
 #[test]
 fn damaged_models_do_not_panic() {
-    let files: [(&str, Vec<u8>); 3] = [
+    let files: [(&str, Vec<u8>); 4] = [
         ("a.glb", square(RED, "", "")),
         ("a.obj", OBJ.into()),
         ("a.ply", PLY.into()),
+        ("a.mtl", MTL.into()),
     ];
     let folder = tempfile::tempdir().expect("a folder");
+    // Of its materials too, each beginning.
+    fs::write(folder.path().join("b.obj"), OBJ).expect("a file");
+    for end in 0..MTL.len() {
+        fs::write(folder.path().join("a.mtl"), &MTL[..end]).expect("a file");
+        assert!(scenes::load(folder.path().join("b.obj")).is_ok(), "{end}");
+    }
     let mut state = 1_u64;
     let mut random = |below: usize| {
         state = state
@@ -338,6 +391,7 @@ fn damaged_models_do_not_panic() {
             }
             fs::write(&path, &damaged).expect("a file");
             let _ = scenes::load(&path);
+            let _ = scenes::load(folder.path().join("b.obj"));
         }
     }
 }
@@ -389,6 +443,9 @@ fn obj_files_in_other_dialects_are_the_same_scene() {
         OBJ.replace('\n', "\r").into(),
         OBJ.replace("f 1 2 5", "f 1 \\\n2 5").into(),
         OBJ.replace("f 1 2 5", "f 1 \\\r\n2 5").into(),
+        OBJ.replace("usemtl red", "usemtl\tred").into(),
+        OBJ.replace("v 1 0 0\n", "v 1 0 0 # the second\n").into(),
+        OBJ.replace("a.mtl", ".\\a.mtl").into(),
     ] {
         let text = String::from_utf8_lossy(&obj);
         assert_eq!(scene_of(&obj, MTL), expected, "{text}");
@@ -398,11 +455,50 @@ fn obj_files_in_other_dialects_are_the_same_scene() {
         &MTL.replace("newmtl red", "newmtl "),
     );
     assert_eq!(unnamed, expected);
+    assert_eq!(
+        scene_of(OBJ.as_bytes(), &MTL.replace("Ks 0.5 0.5 0.5", "Ks 0.5")),
+        expected
+    );
+    let optional = scene_of(
+        OBJ.as_bytes(),
+        &format!("{MTL}map_Kd -s 2 2 1 my tiles.png\n"),
+    );
+    assert_eq!(optional.2, ["options of map_Kd"]);
+    let with_line = scene_of(format!("{OBJ}l 1 2 3\n").as_bytes(), MTL);
+    assert_eq!(
+        (with_line.0, with_line.2),
+        (expected.0.clone(), vec!["points and lines".to_owned()])
+    );
     // Colours of vertices at some of them.
     let colored = OBJ.replace("v 1 1 0", "v 1 1 0 0.5 1 0");
     let (triangles, material, titles) = scene_of(colored.as_bytes(), MTL);
     assert_eq!((triangles, material), (expected.0, expected.1));
     assert_eq!(titles, ["the colours of vertices are ignored"]);
+}
+
+/// Faces without normals in a file with some do not have those of other faces.
+#[test]
+fn obj_faces_without_normals_have_their_own() {
+    let file = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 5 0 0\nv 5 1 0\nv 5 1 1\nvn 0 0.6 0.8\n\
+                f 1//1 2//1 3//-1\nf 4 5 6\n";
+    let scene = loaded(&[("a.obj", file.as_bytes())]).scene;
+    let normals: Vec<Vec3> = scene.triangles.iter().flat_map(|t| [t.n0, t.n2]).collect();
+    let given = Vec3::new(0.0, 0.6, 0.8);
+    assert!(normals[0].distance(given) < 1e-15 && normals[1].distance(given) < 1e-15);
+    assert_eq!(normals[2..], [Vec3::X; 2]);
+}
+
+#[test]
+fn obj_files_have_several_libraries() {
+    let file = OBJ.replace("a.mtl", "b.mtl a.mtl none.mtl");
+    let blue = MTL.replace("red", "blue");
+    let loaded = loaded(&[
+        ("a.obj", file.as_bytes()),
+        ("a.mtl", MTL.as_bytes()),
+        ("b.mtl", blue.as_bytes()),
+    ]);
+    assert_eq!(titles(&loaded), ["material libraries that cannot be read"]);
+    assert_eq!(loaded.scene.materials.len(), 2);
 }
 
 #[test]
@@ -461,8 +557,8 @@ fn materials_of_obj_become_those_of_the_course() {
     assert_eq!(
         titles(&missing),
         [
-            "the material library cannot be read: open file failed",
-            "meshes without a material"
+            "material libraries that cannot be read",
+            "meshes whose material is in no library, or that have none"
         ]
     );
 }

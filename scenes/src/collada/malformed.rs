@@ -28,7 +28,7 @@ pub(super) fn error(name: &str, text: &str, error: &Error) -> SceneError {
         let start = text.len() - text.trim_start().len();
         return Diagnostic::about_file(name, "the file is not XML: it does not begin with `<`")
             .at(text, start..start + 1, "expected <?xml or <COLLADA")
-            .help("pass a COLLADA file (.dae)")
+            .help("pass a scene: .dae, .glb, .gltf, .obj or .ply")
             .into();
     }
     let at = byte_of(text, error.pos());

@@ -88,7 +88,8 @@ impl<'f> Builder<'f> {
                 &mut self.warnings.last_mut().expect("one was pushed").2
             }
         };
-        if !parts.iter().any(|part| part == of) {
+        // Of one part, warnings come one after the other.
+        if parts.last().is_none_or(|part| part != of) {
             parts.push(of.to_owned());
         }
     }

@@ -134,6 +134,19 @@ pub(super) fn read(name: &str, folder: &Path, bytes: &[u8]) -> Result<Loaded, Sc
         let help = "export it without this extension, such as without compression";
         return Err(Diagnostic::about_file(name, title).help(help).into());
     }
+    let accessors = unchecked.document.as_json().accessors.len();
+    let meshes = unchecked.document.as_json().meshes.iter();
+    let mut primitives = meshes.flat_map(|mesh| &mesh.primitives);
+    if primitives.any(|p| {
+        p.attributes
+            .values()
+            .any(|index| index.value() >= accessors)
+    }) {
+        return Err(damaged(
+            name,
+            "a mesh refers to an accessor that is not in the file",
+        ));
+    }
     let gltf = match Gltf::from_slice(bytes) {
         // Nothing here needs the bounds of positions, which some exporters leave out.
         Err(gltf::Error::Validation(list))
@@ -179,6 +192,17 @@ impl Reader<'_> {
         let Some(scene) = gltf.default_scene().or_else(|| gltf.scenes().next()) else {
             return Err(self.file.damaged("it has no scene"));
         };
+        // The old glossiness has a warning of its own.
+        let is_known = |name: &&str| SUPPORTED.contains(name) || name.ends_with("Glossiness");
+        for extension in gltf.extensions_used().filter(|name| !is_known(name)) {
+            let title = format!("the extension {extension} is ignored");
+            self.builder
+                .warn(&title, "", "the scene is shown without it");
+        }
+        if gltf.scenes().len() > 1 {
+            let result = "the default scene is shown, or the first";
+            self.builder.warn("other scenes of the file", "", result);
+        }
         if gltf.animations().next().is_some() {
             let result = "the scene is shown as its nodes are placed";
             self.builder.warn("animations are ignored", "", result);
@@ -214,7 +238,8 @@ impl Reader<'_> {
         nodes: &mut Vec<Node<'a>>,
     ) -> Result<(), SceneError> {
         if depth > MAX_DEPTH || nodes.len() > MAX_INSTANCES {
-            return Err(self.file.damaged("its nodes are nested without end"));
+            let why = "its nodes are nested too deeply, or without end";
+            return Err(self.file.damaged(why));
         }
         let to_world = parent.after(&affine(node.transform().matrix().as_flattened()));
         if !to_world.stays_in_world() {
@@ -332,6 +357,12 @@ impl Reader<'_> {
         else {
             return Ok(());
         };
+        if primitive.get(&Semantic::Joints(1)).is_some() {
+            let result = "the first four place it, as if there were no more";
+            let name = skin.name().unwrap_or_default();
+            self.builder
+                .warn("vertices with more than four joints", name, result);
+        }
         let (joints, weights) = (self.numbers::<4>(&joints)?, self.numbers::<4>(&weights)?);
         let inverses = match skin.inverse_bind_matrices() {
             Some(accessor) => self.numbers::<16>(&accessor)?,
@@ -381,6 +412,10 @@ impl Reader<'_> {
     ) {
         let color = Spectrum::from(light.color().map(|channel| f64::from(channel).max(0.0)));
         let strength = color * (f64::from(light.intensity()).max(0.0) / self.lumens);
+        if light.range().is_some() {
+            let result = "they light at any distance";
+            self.builder.warn("lights with a range", name, result);
+        }
         let position = to_world.t;
         let direction = to_world.direction(Vec3::NEG_Z).normalize_or(Vec3::NEG_Z);
         let light = match light.kind() {

@@ -130,9 +130,7 @@ pub(super) fn add(
     warn(
         given.alpha_mode() != AlphaMode::Opaque
             && transmission < MOSTLY
-            && (given.alpha_mode() == AlphaMode::Mask
-                || alpha < 1.0
-                || pbr.base_color_texture().is_some()),
+            && (alpha < 1.0 || pbr.base_color_texture().is_some()),
         "materials with transparent parts",
         "they are opaque",
     );
@@ -144,6 +142,35 @@ pub(super) fn add(
     warn(
         is_diffuse && pbr.metallic_roughness_texture().is_some() && pbr.metallic_factor() > 0.0,
         "materials with a texture of metal and roughness",
+        "they are diffuse",
+    );
+    warn(
+        emits && given.double_sided(),
+        "lamps that shine on both sides",
+        "they shine on their fronts only",
+    );
+    warn(
+        emits && !base.is_black(),
+        "lamps that reflect light",
+        "they reflect none",
+    );
+    warn(
+        is_diffuse
+            && !emits
+            && pbr.metallic_factor() > 0.25
+            && pbr.metallic_factor() < MOSTLY
+            && pbr.metallic_roughness_texture().is_none(),
+        "materials that are partly metal",
+        "they are diffuse",
+    );
+    warn(
+        transmission > 0.0 && transmission < MOSTLY,
+        "materials that let a little light through",
+        "they let none through",
+    );
+    warn(
+        is_diffuse && given.unlit(),
+        "materials without light (KHR_materials_unlit)",
         "they are diffuse",
     );
     warn(

@@ -10,9 +10,10 @@ use crate::collada::transform::Affine;
 use crate::diagnostic::SceneError;
 use crate::limited_file;
 use kit::{Material, Spectrum, Vec2, Vec3};
+use std::cell::RefCell;
 use std::io::BufReader;
 use std::path::Path;
-use tobj::{LoadError, LoadOptions};
+use tobj::LoadOptions;
 
 /// Reads an OBJ file. `folder` is that of its materials.
 pub(super) fn read(name: &str, folder: &Path, bytes: &[u8]) -> Result<Loaded, SceneError> {
@@ -22,17 +23,30 @@ pub(super) fn read(name: &str, folder: &Path, bytes: &[u8]) -> Result<Loaded, Sc
         ignore_lines: true,
         ..LoadOptions::default()
     };
-    let library = |path: &Path| {
-        let bytes =
-            limited_file::read(&folder.join(path)).map_err(|_| LoadError::OpenFileFailed)?;
-        tobj::load_mtl_buf(&mut BufReader::new(plain(&bytes).0.as_bytes()))
-    };
-    let (text, is_colored) = plain(bytes);
-    if is_colored {
+    let (text, left_out) = plain(bytes);
+    if left_out.colors {
         let title = "the colours of vertices are ignored";
         let result = "the material alone gives a surface its colour";
         builder.warn(title, "", result);
     }
+    if left_out.lines {
+        builder.warn("points and lines", "", "they are left out");
+    }
+    let problems = RefCell::new(Vec::new());
+    let library = |path: &Path| {
+        let (text, missing) = libraries(folder, &path.to_string_lossy().replace('\\', "/"));
+        let (text, left_out) = plain(&text);
+        let mut problems = problems.borrow_mut();
+        problems.extend(missing.into_iter().map(|file| {
+            let result = "keep it beside the .obj file; surfaces are grey";
+            ("material libraries that cannot be read", file, result)
+        }));
+        if left_out.damaged {
+            let file = path.display().to_string();
+            problems.push(("colours without three numbers", file, "they are ignored"));
+        }
+        tobj::load_mtl_buf(&mut BufReader::new(text.as_bytes()))
+    };
     let (models, materials) =
         tobj::load_obj_buf(&mut BufReader::new(text.as_bytes()), &options, library).map_err(
             |why| {
@@ -40,13 +54,12 @@ pub(super) fn read(name: &str, folder: &Path, bytes: &[u8]) -> Result<Loaded, Sc
                 builder.error(title, "export the model again")
             },
         )?;
+    for (title, file, result) in problems.into_inner() {
+        builder.warn(title, &file, result);
+    }
     let materials = materials.unwrap_or_else(|why| {
-        let title = format!("the material library cannot be read: {why}");
-        builder.warn(
-            &title,
-            "",
-            "keep the .mtl file beside the .obj file; surfaces are grey",
-        );
+        let title = format!("the material library is damaged: {why}");
+        builder.warn(&title, "", "export the model again; surfaces are grey");
         Vec::new()
     });
     let numbers: Vec<u32> = materials
@@ -72,7 +85,7 @@ pub(super) fn read(name: &str, folder: &Path, bytes: &[u8]) -> Result<Loaded, Sc
         let index = |list: &[u32], i: usize| list.get(i).map(|index| *index as usize);
         let corner = |i: usize| Corner {
             position: mesh.indices[i] as usize,
-            normal: index(&mesh.normal_indices, i),
+            normal: index(&mesh.normal_indices, i).filter(|n| data.normals[*n] != Vec3::ZERO),
             tex_coords: index(&mesh.texcoord_indices, i),
         };
         let corners: Vec<Corner> = (0..mesh.indices.len()).map(corner).collect();
@@ -93,7 +106,7 @@ pub(super) fn read(name: &str, folder: &Path, bytes: &[u8]) -> Result<Loaded, Sc
             Some(material) => *material,
             None => {
                 builder.warn(
-                    "meshes without a material",
+                    "meshes whose material is in no library, or that have none",
                     &model.name,
                     "using grey, 0.5 0.5 0.5",
                 );
@@ -105,10 +118,46 @@ pub(super) fn read(name: &str, folder: &Path, bytes: &[u8]) -> Result<Loaded, Sc
     Ok(builder.into_loaded())
 }
 
+/// The contents of the libraries of an `mtllib` line, one name or several, and which of them cannot
+/// be read.
+fn libraries(folder: &Path, names: &str) -> (Vec<u8>, Vec<String>) {
+    if let Ok(bytes) = limited_file::read(&folder.join(names)) {
+        return (bytes, Vec::new());
+    }
+    let (mut all, mut missing) = (Vec::new(), Vec::new());
+    let (one, several) = (names.trim(), names.split_whitespace());
+    let is_one = !several.clone().any(|name| folder.join(name).is_file());
+    for name in if is_one { vec![one] } else { several.collect() } {
+        match limited_file::read(&folder.join(name)) {
+            Ok(bytes) => all.extend(bytes.into_iter().chain(*b"\n")),
+            Err(_) => missing.push(name.to_owned()),
+        }
+    }
+    (all, missing)
+}
+
+/// The name of a file after options such as `-s 2 2 1`. It may have blanks.
+fn after_options(text: &str) -> String {
+    let is_value = |word: &&str| {
+        word.starts_with('-') || word.parse::<f64>().is_ok() || ["on", "off"].contains(word)
+    };
+    let words = text.split_whitespace().skip_while(is_value);
+    words.collect::<Vec<_>>().join(" ")
+}
+
+/// What [`plain`] leaves out.
+#[derive(Default)]
+struct Found {
+    colors: bool,
+    lines: bool,
+    damaged: bool,
+}
+
 /// The lines of an OBJ or MTL file as `tobj` reads them: in UTF-8, with one kind of line ends, none
-/// continued on the next, and each material with a name. Vertices lose their colours, which may
-/// stand at some of them only: the second answer is whether there were some.
-fn plain(bytes: &[u8]) -> (String, bool) {
+/// continued on the next, blanks between words, colours of three numbers, and each material with a
+/// name. Vertices lose their colours, which may stand at some of them only. Where there are normals,
+/// corners without one have that of length 0: `tobj` would give them another corner's.
+fn plain(bytes: &[u8]) -> (String, Found) {
     let utf16 = |unit: fn([u8; 2]) -> u16| {
         let units: Vec<u16> = bytes.as_chunks().0.iter().map(|pair| unit(*pair)).collect();
         String::from_utf16_lossy(&units)
@@ -122,22 +171,59 @@ fn plain(bytes: &[u8]) -> (String, bool) {
         .trim_start_matches('\u{feff}')
         .replace("\r\n", "\n")
         .replace('\r', "\n");
-    let mut is_colored = false;
+    let mut found = Found::default();
     let mut lines = String::with_capacity(text.len());
-    for line in text.replace("\\\n", " ").lines() {
-        let mut words = line.split_whitespace();
-        match (words.next(), words.clone().count()) {
-            (Some("v"), 6..) => {
-                is_colored = true;
-                lines.push('v');
-                lines.extend(words.take(3).flat_map(|word| [" ", word]));
-            }
-            (Some(word @ ("usemtl" | "newmtl")), 0) => lines.extend([word, " unnamed"]),
-            _ => lines.push_str(line),
-        }
-        lines.push('\n');
+    let has_normals = text.lines().any(|line| line.trim_start().starts_with("vn"));
+    if has_normals {
+        lines.push_str("vn 0 0 0\n");
     }
-    (lines, is_colored)
+    for line in text.replace("\\\n", " ").lines() {
+        let (word, rest) = line
+            .trim()
+            .split_once(char::is_whitespace)
+            .unwrap_or((line.trim(), ""));
+        let words = || {
+            rest.split_whitespace()
+                .take_while(|word| !word.starts_with('#'))
+        };
+        match (word, words().count()) {
+            ("l" | "p", _) => found.lines = true,
+            ("v", 6..) => {
+                found.colors = true;
+                push(&mut lines, word, words().take(3));
+            }
+            ("f", _) if has_normals => {
+                let corners: Vec<String> = words().map(after_no_normal).collect();
+                push(&mut lines, word, corners.iter().map(String::as_str));
+            }
+            ("v" | "vt" | "vn" | "f", _) => push(&mut lines, word, words()),
+            // One number is a grey. Others than three are not the colour of a material.
+            ("Ka" | "Kd" | "Ks" | "Ke", 1) => push(&mut lines, word, words().cycle().take(3)),
+            ("Ka" | "Kd" | "Ks" | "Ke", 0 | 2) => found.damaged = true,
+            ("usemtl" | "newmtl", 0) => push(&mut lines, word, ["unnamed"].into_iter()),
+            _ => push(&mut lines, word, [rest.trim()].into_iter()),
+        }
+    }
+    (lines, found)
+}
+
+/// A corner of a face where the file's normals are numbered from 2, after one for corners without.
+fn after_no_normal(corner: &str) -> String {
+    let mut numbers = corner.split('/');
+    let [p, uv, n] = [(); 3].map(|()| numbers.next().unwrap_or_default());
+    let n = match n.parse::<usize>() {
+        Ok(n) => (n + 1).to_string(),
+        // Some count from the end.
+        Err(_) if n.starts_with('-') => n.to_owned(),
+        Err(_) => "1".to_owned(),
+    };
+    format!("{p}/{uv}/{n}")
+}
+
+fn push<'a>(lines: &mut String, word: &'a str, rest: impl Iterator<Item = &'a str>) {
+    lines.push_str(word);
+    lines.extend(rest.flat_map(|word| [" ", word]));
+    lines.push('\n');
 }
 
 fn add_material(builder: &mut Builder<'_>, given: &tobj::Material) -> u32 {
@@ -211,7 +297,7 @@ fn add_material(builder: &mut Builder<'_>, given: &tobj::Material) -> u32 {
         builder.warn("options of map_Kd", &given.name, "they are ignored");
     }
     let file = texture.map(|file| match file.strip_prefix('-') {
-        Some(_) => file.rsplit(' ').next().unwrap_or(file).to_owned(),
+        Some(_) => after_options(file),
         None => file.replace('\\', "/"),
     });
     builder.add_material(&given.name, material, file)

@@ -8,6 +8,7 @@ use crate::diagnostic::SceneError;
 use kit::Vec3;
 use ply_rs_bw::parser::{ParseError, Parser, Reader};
 use ply_rs_bw::ply::{Property, PropertyAccess, PropertyAccessResult};
+use std::io;
 
 /// The properties of a vertex that are used. A file has no textures.
 struct Vertex {
@@ -101,7 +102,7 @@ pub(super) fn read(name: &str, bytes: &[u8]) -> Result<Loaded, SceneError> {
         data.triangles.extend(triangles);
     }
     if data.triangles.is_empty() {
-        let help = "a cloud of points has no surface: export a mesh";
+        let help = "clouds of points and strips of triangles are not read: export a mesh of faces";
         return Err(builder.error("the file has no faces", help));
     }
     let material = builder.default_material();
@@ -114,9 +115,18 @@ fn parse(builder: &mut Builder<'_>, bytes: &[u8]) -> Result<(Vec<Vertex>, Vec<Fa
     let header = Parser::<Vertex>::new().read_header(&mut reader)?;
     let (mut vertices, mut faces) = (Vec::new(), Vec::new());
     for element in header.elements.values() {
+        // Each has a byte at least: the reader would make room for all.
+        if element.count > bytes.len() {
+            let why = format!(
+                "element `{}` has more items than the file has bytes",
+                element.name
+            );
+            return Err(io::Error::new(io::ErrorKind::InvalidData, why).into());
+        }
         match element.name.as_str() {
             "vertex" => {
-                if element.properties.contains_key("red") {
+                let is_color = |name: &String| ["r", "red", "diffuse_red"].contains(&name.as_str());
+                if element.properties.keys().any(is_color) {
                     let title = "the colours of vertices are ignored";
                     builder.warn(title, "", "surfaces are grey, 0.5 0.5 0.5");
                 }
@@ -124,6 +134,10 @@ fn parse(builder: &mut Builder<'_>, bytes: &[u8]) -> Result<(Vec<Vertex>, Vec<Fa
                 vertices = parser.read_payload_for_element(&mut reader, element, &header)?;
             }
             "face" => {
+                if element.properties.contains_key("red") {
+                    let title = "the colours of faces are ignored";
+                    builder.warn(title, "", "surfaces are grey, 0.5 0.5 0.5");
+                }
                 let parser = Parser::<Face>::new();
                 faces = parser.read_payload_for_element(&mut reader, element, &header)?;
             }

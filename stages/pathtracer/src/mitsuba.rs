@@ -8,7 +8,7 @@
 
 use crate::{Job, LightSettings};
 use clip::ClipPlanes;
-use kit::{Light, LitScene, Material, Scene, Spectrum, Triangle, Vec3};
+use kit::{Aabb, Light, LitScene, Material, Scene, Spectrum, Triangle, Vec3};
 use std::fmt::Write;
 
 mod clip;
@@ -53,10 +53,21 @@ const EXPORTED_SIZE: f64 = 32.0;
 /// box: farther away, single precision moves the points that rays hit.
 const MAX_DISTANCE: f64 = 300.0;
 
-/// The cosine of the largest angle between the normal of a vertex and that of its triangle, 45
-/// degrees. From there on, Mitsuba's pictures differ: light passes where only shading normals face
-/// it, and surfaces are black where their shading normals face away from the camera.
-const MIN_NORMAL_COS: f64 = 0.707;
+/// The largest angle in degrees between the normal of a vertex and that of its triangle. In
+/// Mitsuba, light passes where only shading normals face it, and surfaces are black where their
+/// shading normals face away from the camera: by more than some per cent of the picture from here
+/// on, where only a part of the scene is lit from behind also before.
+const MAX_TILT: f64 = 45.0;
+
+/// From this angle on, in degrees, a warning tells how far normals are tilted.
+const SMALL_TILT: f64 = 0.1;
+
+/// The smallest size of an object in exported units: Mitsuba's rays start at a ten-thousandth of a
+/// unit, or more, from surfaces.
+const MIN_SIZE: f64 = 0.01;
+
+/// Characters that Mitsuba's scenes give another meaning in the name of a file.
+const SPECIAL: [char; 5] = ['"', '<', '>', '&', '$'];
 
 impl Units {
     fn of(scene: &Scene, camera: Vec3) -> Units {
@@ -118,8 +129,14 @@ pub fn to_mitsuba(
     if settings.environment {
         problems.push("the environment: Mitsuba interpolates its pixels: omit -e".into());
     }
+    if stem.contains(SPECIAL) {
+        problems.push(format!(
+            "the name {stem}: Mitsuba reads \" < > & $ otherwise: choose another name"
+        ));
+    }
     check_distance(scene, job.camera.pos, &mut problems);
-    check_normals(scene, &mut problems);
+    let tilt = check_normals(scene, &mut problems);
+    check_sizes(scene, &units, &mut problems);
     for file in &scene.textures.files {
         problems.push(format!("the texture {file}: textures are not exported"));
     }
@@ -166,7 +183,10 @@ pub fn to_mitsuba(
     );
     Ok(MitsubaScene {
         files,
-        warnings: depth_warning(scene, settings).into_iter().collect(),
+        warnings: [depth_warning(scene, settings), tilt]
+            .into_iter()
+            .flatten()
+            .collect(),
     })
 }
 
@@ -186,7 +206,7 @@ fn depth_warning(scene: &Scene, settings: &LightSettings) -> Option<String> {
         .find(|object| is_specular(object.material))?;
     Some(format!(
         "-m {depth}: at mirrors and glass, such as {}, Mitsuba finds emitters one bounce earlier, so \
-         its picture is a little brighter; compare at -m {UNTRUNCATED_DEPTH}",
+         its picture is brighter, the more so the smaller the depth; compare at -m {UNTRUNCATED_DEPTH}",
         object.name
     ))
 }
@@ -218,25 +238,56 @@ fn check_distance(scene: &Scene, camera: Vec3, problems: &mut Vec<String>) {
     }
 }
 
-/// A problem for the first object whose vertex normals disagree with its triangles.
-fn check_normals(scene: &Scene, problems: &mut Vec<String>) {
-    let turned = scene
-        .triangles
-        .iter()
-        .zip(&scene.object_of)
-        .find(|(t, object)| {
-            let material = scene.objects[**object as usize].material as usize;
-            let plane = front(t);
-            let normals = [t.n0, t.n1, t.n2];
-            scene.materials[material].material.emission().is_black()
-                && plane != Vec3::ZERO
-                && normals.iter().any(|n| n.dot(plane) < MIN_NORMAL_COS)
-        });
-    if let Some((_, object)) = turned {
+/// A problem for the object whose vertex normals disagree most with its triangles, or a warning if
+/// they do so a little.
+fn check_normals(scene: &Scene, problems: &mut Vec<String>) -> Option<String> {
+    let (mut least, mut most_tilted) = (SMALL_TILT.to_radians().cos(), None);
+    for (t, object) in scene.triangles.iter().zip(&scene.object_of) {
+        let object = &scene.objects[*object as usize];
+        let emits = !scene.materials[object.material as usize]
+            .material
+            .emission()
+            .is_black();
+        let plane = front(t);
+        if emits || plane == Vec3::ZERO {
+            continue;
+        }
+        for cos in [t.n0, t.n1, t.n2].map(|n| n.dot(plane)) {
+            if cos < least {
+                (least, most_tilted) = (cos, Some(&object.name));
+            }
+        }
+    }
+    let name = most_tilted?;
+    let tilt = kit::math::acos(least.clamp(-1.0, 1.0)).to_degrees();
+    if tilt > MAX_TILT {
         problems.push(format!(
-            "object {}: normals of vertices are more than 45 degrees from those of the triangles, where \
-             Mitsuba lets light through: use --normals flat",
-            scene.objects[*object as usize].name
+            "object {name}: normals of vertices are {tilt:.0} degrees from those of the triangles, where \
+             Mitsuba lets light through: use --normals flat"
+        ));
+        return None;
+    }
+    Some(format!(
+        "object {name}: normals of vertices are up to {tilt:.1} degrees from those of the triangles; \
+         Mitsuba lets light through where the two disagree, so its picture is brighter where light \
+         comes from behind; with --normals flat the pictures are equal"
+    ))
+}
+
+/// A problem for the first object that is too small beside the scene.
+fn check_sizes(scene: &Scene, units: &Units, problems: &mut Vec<String>) {
+    let mut bounds = vec![Aabb::EMPTY; scene.objects.len()];
+    for (primitive, object) in scene.primitives().zip(&scene.object_of) {
+        let object = &mut bounds[*object as usize];
+        *object = object.union(primitive.bounds());
+    }
+    let is_small = |b: &Aabb| !b.is_empty() && b.extent().length() * units.scale < MIN_SIZE;
+    let small = bounds.iter().position(is_small);
+    if let Some(object) = small {
+        problems.push(format!(
+            "object {}: thousands of times smaller than the scene, and Mitsuba's rays start too far from \
+             its surface: leave out what is large or far away",
+            scene.objects[object].name
         ));
     }
 }
@@ -304,6 +355,11 @@ fn sampler(samples: u32) -> &'static str {
 /// A material, with `ID` as a placeholder for its id.
 fn bsdf(material: &Material) -> Result<String, &'static str> {
     match *material {
+        Material::Diffuse { reflectance: c } | Material::Mirror { reflectance: c }
+            if c.r.max(c.g).max(c.b) > 1.0 =>
+        {
+            Err("Mitsuba allows no reflectance above 1")
+        }
         Material::Diffuse { reflectance } => Ok(format!(
             "<bsdf type=\"twosided\" ID><bsdf type=\"diffuse\">{}</bsdf></bsdf>",
             rgb("reflectance", reflectance)

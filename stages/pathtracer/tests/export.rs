@@ -213,3 +213,44 @@ fn cameras_too_far_away_and_environments_are_refused() {
     let problems = to_mitsuba(&lit, &job(center, 1.0, ALL), &settings, "a").unwrap_err();
     assert!(problems[0].contains("omit -e"), "{problems:?}");
 }
+
+#[test]
+fn what_mitsuba_shows_otherwise_is_refused_or_told() {
+    let (center, job) = (Vec3::ZERO, job(Vec3::ZERO, 1.0, ALL));
+    let export = |scene: Scene, stem: &str| {
+        let lit = LitScene::new(scene, None);
+        to_mitsuba(&lit, &job, &LightSettings::default(), stem)
+    };
+    // Normals that are tilted a little, and by more.
+    let flat = export(scene(center, 1.0, GREY, 0.0), "a").unwrap();
+    assert_eq!(flat.warnings, [""; 0]);
+    let tilted = export(scene(center, 1.0, GREY, 0.2), "a").unwrap();
+    let expected = "object wall: normals of vertices are up to 11.3 degrees";
+    assert!(
+        tilted.warnings[0].starts_with(expected),
+        "{:?}",
+        tilted.warnings
+    );
+    let problem = |scene: Scene, stem: &str| export(scene, stem).unwrap_err().join("\n");
+    let turned = problem(scene(center, 1.0, GREY, 1.2), "a");
+    assert!(
+        turned.contains("wall: normals of vertices are 50 degrees"),
+        "{turned}"
+    );
+    // A ball that is lost in the scene.
+    let mut large = scene(center, 1.0, GREY, 0.0);
+    let wall = &mut large.triangles[0];
+    wall.p2.y = 3e4;
+    let small = problem(large, "a");
+    assert!(
+        small.contains("object ball: thousands of times smaller"),
+        "{small}"
+    );
+    let bright = Material::Diffuse {
+        reflectance: Spectrum::new(2.0, 1.0, 0.0),
+    };
+    assert!(problem(scene(center, 1.0, bright, 0.0), "a").contains("no reflectance above 1"));
+    for stem in ["$a", "a\"b", "a&b"] {
+        assert!(problem(scene(center, 1.0, GREY, 0.0), stem).contains("choose another name"));
+    }
+}

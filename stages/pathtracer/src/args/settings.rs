@@ -1,7 +1,7 @@
 //! Converts flags to the settings of the renderer.
 
 use super::values::samples;
-use super::{Args, SamplerName, ToneName};
+use super::{Args, SamplerName, Shade, ToneName};
 use crate::{DirectSampling, Lens, LightSettings, Tone};
 use kit::FilmSize;
 use kit::film::Cell;
@@ -197,6 +197,12 @@ impl Args {
             (self.no_roulette, "--no-roulette"),
             (self.soft_terminator, "--soft-terminator"),
             (self.clamp.is_some(), "--clamp"),
+            (self.pixel.is_some(), "--pixel"),
+            (self.shade == Shade::Normals, "--shade"),
+            (self.seed != 0, "--seed"),
+            (self.first_sample.is_some(), "--first-sample"),
+            (self.sampler != SamplerName::Sobol, "--sampler"),
+            (self.force_effects, "--force-effects"),
         ]));
         unused
     }

@@ -50,7 +50,7 @@ pub fn run(package: &str, arguments: Vec<OsString>) -> Result<Exit, GraderError>
         let is_first = |name| arguments.first().is_some_and(|command| command == name);
         let how_long = match SMALL.iter().any(is_first) {
             true => "some ten seconds",
-            false => "about a minute",
+            false => "one or two minutes",
         };
         errln!(
             "The program of this command is built once, with the libraries that only it needs: {how_long} of processor \

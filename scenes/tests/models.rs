@@ -464,6 +464,9 @@ fn obj_files_in_other_dialects_are_the_same_scene() {
         &format!("{MTL}map_Kd -s 2 2 1 my tiles.png\n"),
     );
     assert_eq!(optional.2, ["options of map_Kd"]);
+    let foreign = scene_of(OBJ.as_bytes(), &format!("{MTL}Tr 0.5\nPm 1\n"));
+    let told = ["Pm", "Tr"].map(|name| format!("the parameter `{name}` of materials"));
+    assert_eq!(foreign.2, told);
     let with_line = scene_of(format!("{OBJ}l 1 2 3\n").as_bytes(), MTL);
     assert_eq!(
         (with_line.0, with_line.2),

@@ -10,7 +10,7 @@ use super::gltf::File;
 use crate::diagnostic::SceneError;
 use gltf::image::Source;
 use gltf::material::AlphaMode;
-use gltf::texture::{Info, WrappingMode};
+use gltf::texture::{Info, MagFilter, WrappingMode};
 use kit::{Material, Spectrum, Vec2, math};
 
 /// From this share on a surface is a metal, or glass.
@@ -196,6 +196,9 @@ pub(super) fn add(
     if let Some(info) = info.or(pbr.base_color_texture()).filter(|_| is_diffuse) {
         placement = TexturePlacement::of(&info);
         let sampler = info.texture().sampler();
+        if sampler.mag_filter() == Some(MagFilter::Nearest) {
+            builder.warn("textures without a filter", &name, "they are smoothed");
+        }
         if [sampler.wrap_s(), sampler.wrap_t()] != [WrappingMode::Repeat; 2] {
             builder.warn(
                 "textures that are clamped or mirrored",

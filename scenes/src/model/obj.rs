@@ -291,6 +291,12 @@ fn add_material(builder: &mut Builder<'_>, given: &tobj::Material) -> u32 {
         "textures of lamps, glass and mirrors",
         "only the texture of a diffuse surface is used",
     );
+    let mut unknown: Vec<&String> = given.unknown_param.keys().collect();
+    unknown.sort();
+    for name in unknown {
+        let title = format!("the parameter `{name}` of materials");
+        builder.warn(&title, &given.name, "it is ignored");
+    }
     // Options, such as `-s 2 2 1`, stand before the name of the file.
     let texture = given.diffuse_texture.as_deref().filter(|_| is_diffuse);
     if texture.is_some_and(|file| file.starts_with('-')) {

@@ -54,7 +54,8 @@ pub(crate) fn run(
             .map_err(|why| cannot_write(&path, &why))?;
         written.push(part);
     }
-    for part in written {
+    // The scene last: a mesh that cannot be written leaves no new scene.
+    for part in written.into_iter().rev() {
         part.finish()
             .map_err(|why| cannot_write(part.path(), &why))?;
         outln!("Wrote       {}", part.path().display());

@@ -92,9 +92,37 @@ pub fn format_screen(report: &Report, context: &Context, reveal: Reveal, page: P
             lines: wrap_to(&sentence, 2, page.width, 4),
         });
     }
+    if let Some(sentence) = uncalled_gaps(report, context) {
+        blocks.push(Block {
+            rank: 0,
+            lines: wrap_to(&sentence, 2, page.width, 4),
+        });
+    }
     fit(&mut blocks, pages(reveal.hint) * page.height);
     let lines = blocks.iter().flat_map(|block| &block.lines);
     lines.flat_map(|line| [line.as_str(), "\n"]).collect()
+}
+
+/// The functions of complete tasks that still are gaps: no case calls them. `None` if there are
+/// none.
+fn uncalled_gaps(report: &Report, context: &Context) -> Option<String> {
+    let is_complete = |key: &str| {
+        let mut tasks = report.tasks.iter().map(|task| &task.result);
+        tasks.any(|task| task.key == key && task.is_complete())
+    };
+    let open = context.places.iter();
+    let open = open.filter(|place| place.has_hole && is_complete(&place.key));
+    let names: Vec<&str> = open
+        .flat_map(|place| &place.open)
+        .map(String::as_str)
+        .collect();
+    (!names.is_empty()).then(|| {
+        format!(
+            "Still a gap: {}. No case calls it the way your code is, so the points say nothing about it; \
+             later parts call it.",
+            names.join(", ")
+        )
+    })
 }
 
 /// The first task to show in detail: the first that was attempted and is not complete, else the

@@ -159,6 +159,27 @@ fn triangles(score: f64, cases: Vec<CaseResult>) -> TaskReport {
 }
 
 #[test]
+fn a_gap_that_no_case_calls_is_told_once_all_is_complete() {
+    let with_gap = |has_hole: bool| Context {
+        places: vec![Place {
+            key: "part1.task3".into(),
+            title: "Intersecting triangles".into(),
+            file: None,
+            open: vec!["record_triangle".into()],
+            has_hole,
+        }],
+        ..context("part1.task3")
+    };
+    let told = |score: f64, has_hole: bool| {
+        let tasks = vec![triangles(score, Vec::new())];
+        screen(tasks, &with_gap(has_hole), reveal(HintLevel::Cases))
+            .contains("Still a gap: record_triangle.")
+    };
+    assert!(told(30.0, true));
+    assert!(!told(29.0, true) && !told(30.0, false));
+}
+
+#[test]
 fn what_no_case_judges_stands_beside_the_points() {
     let mut free = case("growth", Tier::Robust, "");
     free.status = Status::Passed;

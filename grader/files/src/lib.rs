@@ -13,12 +13,14 @@ use std::process::Command;
 
 /// What cargo prints when it is called with these arguments in `folder`. `failed` says what it
 /// cannot do, if it fails.
-fn cargo(folder: &Path, arguments: &[&str], failed: &str) -> Result<Vec<u8>, GraderError> {
-    let output = Command::new(child_processes::cargo())
-        .current_dir(folder)
-        .args(arguments)
-        .output();
-    let output = output.map_err(|e| GraderError::new(format!("cannot run cargo: {e}")))?;
+///
+/// # Errors
+///
+/// Cargo cannot be run, or fails: then its messages follow `failed`.
+pub fn cargo(folder: &Path, arguments: &[&str], failed: &str) -> Result<Vec<u8>, GraderError> {
+    let mut command = Command::new(child_processes::cargo());
+    let output = child_processes::output(command.current_dir(folder).args(arguments))
+        .map_err(|e| GraderError::new(format!("cannot run cargo: {e}")))?;
     match output.status.success() {
         true => Ok(output.stdout),
         false => Err(GraderError::new(format!(

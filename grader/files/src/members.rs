@@ -50,8 +50,12 @@ enum Kind {
 /// The folders of a crate with tests and other code that runs the crate.
 pub const TEST_FOLDERS: [&str; 4] = ["tests", "benches", "examples", "fuzz"];
 
-/// Lists all crates of the workspace at `root`.
-pub fn read(root: &Path) -> Result<Vec<Member>, GraderError> {
+/// What `cargo metadata` says of the workspace at `root` without its dependencies, as JSON.
+///
+/// # Errors
+///
+/// Cargo cannot be run, or cannot read the workspace.
+pub fn metadata(root: &Path) -> Result<Vec<u8>, GraderError> {
     let arguments = [
         "metadata",
         "--no-deps",
@@ -59,8 +63,12 @@ pub fn read(root: &Path) -> Result<Vec<Member>, GraderError> {
         "--format-version",
         "1",
     ];
-    let printed = crate::cargo(root, &arguments, "cargo cannot read the workspace")?;
-    let metadata: Metadata = serde_json::from_slice(&printed)
+    crate::cargo(root, &arguments, "cargo cannot read the workspace")
+}
+
+/// Lists all crates of the workspace at `root`.
+pub fn read(root: &Path) -> Result<Vec<Member>, GraderError> {
+    let metadata: Metadata = serde_json::from_slice(&metadata(root)?)
         .map_err(|e| GraderError::new(format!("cannot read the output of cargo metadata: {e}")))?;
     let members = metadata.packages.into_iter().map(|package| {
         let folder = package.manifest_path.parent().unwrap_or(Path::new(""));

@@ -8,13 +8,13 @@
 //! a solution. Nothing that is copied names the checkout, which may be moved or deleted.
 
 use crate::Handout;
-use base::{GraderError, child_processes};
+use base::GraderError;
+use files::members;
 use serde_json::Value;
 use std::collections::BTreeSet;
 use std::fs::{self, File};
 use std::io;
 use std::path::{Path, PathBuf};
-use std::process::Command;
 
 /// The folders, in that of a profile, with what cargo builds: their entries have the hashes of
 /// units in their names.
@@ -60,31 +60,9 @@ pub fn copy(checkout: &Path, out: &Path) -> Result<(), GraderError> {
     Ok(())
 }
 
-/// What cargo prints when it is called with these arguments in the project `root`.
-fn cargo(root: &Path, arguments: &[&str]) -> Result<String, GraderError> {
-    let mut command = Command::new(child_processes::cargo());
-    let output = child_processes::output(command.current_dir(root).args(arguments))
-        .map_err(|e| GraderError::new(format!("cannot run cargo: {e}")))?;
-    match output.status.success() {
-        true => Ok(String::from_utf8_lossy(&output.stdout).into_owned()),
-        false => Err(GraderError::new(format!(
-            "`cargo {}` failed: {}",
-            arguments.join(" "),
-            String::from_utf8_lossy(&output.stderr).trim()
-        ))),
-    }
-}
-
 /// The folder that cargo builds the project `root` in.
 fn target_folder(root: &Path) -> Result<PathBuf, GraderError> {
-    let arguments = [
-        "metadata",
-        "--no-deps",
-        "--offline",
-        "--format-version",
-        "1",
-    ];
-    let metadata: Value = serde_json::from_str(&cargo(root, &arguments)?)
+    let metadata: Value = serde_json::from_slice(&members::metadata(root)?)
         .map_err(|e| GraderError::new(format!("cannot read the output of cargo metadata: {e}")))?;
     let folder = metadata["target_directory"].as_str().map(PathBuf::from);
     folder.ok_or_else(|| GraderError::new("cargo metadata names no target folder"))
@@ -100,7 +78,8 @@ fn hashes_of_the_grader(checkout: &Path) -> Result<BTreeSet<String>, GraderError
         "--message-format",
         "json",
     ];
-    let printed = cargo(checkout, &build)?;
+    let printed = files::cargo(checkout, &build, "cargo cannot build the grader")?;
+    let printed = String::from_utf8_lossy(&printed);
     let messages = printed
         .lines()
         .filter_map(|line| serde_json::from_str::<Value>(line).ok());

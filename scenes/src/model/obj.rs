@@ -155,8 +155,8 @@ struct Found {
 
 /// The lines of an OBJ or MTL file as `tobj` reads them: in UTF-8, with one kind of line ends, none
 /// continued on the next, blanks between words, colours of three numbers, and each material with a
-/// name. Vertices lose their colours, which may stand at some of them only. Where there are normals,
-/// corners without one have that of length 0: `tobj` would give them another corner's.
+/// name. Vertices lose their colours, which may stand at some of them only. Where there are
+/// normals, corners without one have that of length 0: `tobj` would give them another corner's.
 fn plain(bytes: &[u8]) -> (String, Found) {
     let utf16 = |unit: fn([u8; 2]) -> u16| {
         let units: Vec<u16> = bytes.as_chunks().0.iter().map(|pair| unit(*pair)).collect();

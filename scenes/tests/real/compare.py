@@ -143,7 +143,8 @@ def unrendered(pathtracer, path, picture):
 
 def main():
     program, pathtracer, folder = sys.argv[1], sys.argv[2], Path(sys.argv[3])
-    picture = str(Path(tempfile.mkdtemp()) / "picture.png")
+    scratch = tempfile.TemporaryDirectory()
+    picture = str(Path(scratch.name) / "picture.png")
     files = sorted(path for path in folder.rglob("*") if path.suffix.lower() in FORMATS)
     counts, differing = Counter(), []
     for path in files:

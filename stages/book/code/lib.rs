@@ -1,12 +1,14 @@
 //! The book of the course.
 //!
 //! The text is Markdown in `src`, one chapter for each part and each task. It reads well as it is;
-//! this crate makes its figures, checks it, and renders it as a site, which is read without a server:
+//! this crate makes its figures, checks it, and renders it as a site, which is read without a
+//! server:
 //!
 //! - [`drawing`]: a figure as SVG. [`figures`]: the figures, drawn by code that calls `kit`.
 //! - [`chapter`]: a chapter's sections, formulas, links and code blocks, as the tests read them.
 //! - [`symbols`]: the index of symbols in the glossary.
-//! - [`page`]: a chapter as HTML, with formulas by [`maths`]. [`site`]: all pages, and what they need.
+//! - [`page`]: a chapter as HTML, with formulas by [`maths`]. [`site`]: all pages, and what they
+//!   need.
 //!
 //! The tests in `tests` compare the text with the course: titles, points, signatures, mistakes,
 //! numbers, links. The code blocks of the chapters are compiled as documentation tests.

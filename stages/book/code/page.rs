@@ -413,7 +413,8 @@ impl Place<'_> {
         "../".repeat(if self.is_whole_book { 0 } else { depth })
     }
 
-    /// The anchor on this page of the heading with the anchor `id`, or of the chapter if `id` is empty.
+    /// The anchor on this page of the heading with the anchor `id`, or of the chapter if `id` is
+    /// empty.
     pub fn id(&self, id: &str) -> String {
         if !self.is_whole_book {
             return id.to_string();

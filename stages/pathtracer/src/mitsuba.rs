@@ -55,8 +55,7 @@ const MAX_DISTANCE: f64 = 300.0;
 
 /// The largest angle in degrees between the normal of a vertex and that of its triangle. In
 /// Mitsuba, light passes where only shading normals face it, and surfaces are black where their
-/// shading normals face away from the camera: by more than some per cent of the picture from here
-/// on, where only a part of the scene is lit from behind also before.
+/// shading normals face away from the camera. Below this angle, light from behind alone shows it.
 const MAX_TILT: f64 = 45.0;
 
 /// From this angle on, in degrees, a warning tells how far normals are tilted.
@@ -270,7 +269,7 @@ fn check_normals(scene: &Scene, problems: &mut Vec<String>) -> Option<String> {
     Some(format!(
         "object {name}: normals of vertices are up to {tilt:.1} degrees from those of the triangles; \
          Mitsuba lets light through where the two disagree, so its picture is brighter where light \
-         comes from behind; with --normals flat the pictures are equal"
+         comes from behind; with --normals flat the pictures agree"
     ))
 }
 

@@ -3,8 +3,8 @@
 //! Every coordinate is rounded to single precision before the truth is computed, so a library that
 //! works in `f32` loses nothing when it reads the case. Rays at edges start inside a closed mesh,
 //! or above a closed terrain: whatever a library rounds, a miss is wrong. Those of `beside` miss by
-//! far more than single precision rounds: a hit is wrong. So no ray is undecidable, apart from those
-//! of [`Measure::Found`], where libraries have different conventions, and from one in 25 of
+//! far more than single precision rounds: a hit is wrong. So no ray is undecidable, apart from
+//! those of [`Measure::Found`], where libraries have different conventions, and from one in 25 of
 //! `grid_slanted`, which grazes the terrain at a vertex.
 
 use super::case::{Case, Rounded};
@@ -288,8 +288,8 @@ fn from_afar(random: &mut Random, rays: usize, exponent: i32) -> Case {
     Case { mesh, rays }
 }
 
-/// Rays at insides of triangles, with lengths multiplied by 2^`size` and directions by 2^`direction` as
-/// well: no digit changes.
+/// Rays at insides of triangles, with lengths multiplied by 2^`size` and directions by
+/// 2^`direction` as well: no digit changes.
 fn scaled(random: &mut Random, rays: usize, size: i32, direction: i32) -> Case {
     let mut case = from_inside(random, icosphere(3), rays, Aim::Inner);
     let (size, direction) = (2_f64.powi(size), 2_f64.powi(direction));

@@ -54,9 +54,9 @@ fn truth_file(cases: &Path, column: &str) -> PathBuf {
 ///
 /// # Errors
 ///
-/// If a file cannot be read, a column has no case or truth, or a file is not what an adapter writes:
-/// it has no answer or more than the case has rays, is of no column, or is beside an error for the
-/// same column.
+/// If a file cannot be read, a column has no case or truth, or a file is not what an adapter
+/// writes: it has no answer or more than the case has rays, is of no column, or is beside an error
+/// for the same column.
 pub fn judge(cases: &Path, answers: &Path) -> Result<Vec<Row>, GraderError> {
     let mut folders = Vec::new();
     for entry in fs::read_dir(answers).map_err(|e| at(answers, &e))? {

@@ -162,9 +162,9 @@ pub(super) struct Edge {
     pub(super) normals: [Vec3; 2],
 }
 
-/// A truncated pyramid over the plane z = 0, 8 wide and 4 high, and its edges. Two edges of the base
-/// are parallel to an axis and two are not. The base is open: its edges are the rim of the mesh.
-/// Each face is a grid of triangles, with coordinates that are multiples of 1/16.
+/// A truncated pyramid over the plane z = 0, 8 wide and 4 high, and its edges. Two edges of the
+/// base are parallel to an axis and two are not. The base is open: its edges are the rim of the
+/// mesh. Each face is a grid of triangles, with coordinates that are multiples of 1/16.
 pub(super) fn open_pyramid() -> (IndexedMesh, Vec<Edge>) {
     let base =
         [[-4.0, -4.0], [4.0, -4.0], [2.0, 4.0], [-4.0, 2.0]].map(|[x, y]| Vec3::new(x, y, 0.0));

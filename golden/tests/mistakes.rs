@@ -123,7 +123,9 @@ fn a_mistake_about_triangles_is_refused_or_not_judged() {
             let (Work::Triangles(work), Answer::Triangles(right)) = (&spec.work, right) else {
                 panic!("{} is about triangles", spec.name)
             };
-            let TriangleWork { triangles, probes } = work;
+            let TriangleWork {
+                triangles, probes, ..
+            } = work;
             let mut wrong = right.clone();
             for (probe, answer) in probes.iter().zip(&mut wrong) {
                 mistake(&triangles[probe.shape as usize], &probe.ray, answer);

@@ -142,7 +142,7 @@ pub struct Planned {
 pub enum State {
     /// It can be read.
     Unit {
-        /// The hash of what was handed in.
+        /// The hash of the files that were handed in and are graded.
         submission: String,
         /// The key of its unit.
         key: String,
@@ -206,7 +206,7 @@ impl Plan {
             let state = match read {
                 Ok(read) => State::Unit {
                     key: settings.key(&read.hash),
-                    submission: read.hash,
+                    submission: read.files,
                     notes: read.notes,
                     commit: read.commit,
                     as_it_lies,

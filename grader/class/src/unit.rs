@@ -115,7 +115,7 @@ pub fn grade(
     let read = reader
         .read(&class.join(planned.file.raw()), revision)
         .map_err(|unreadable| GraderError::new(unreadable.why()))?;
-    if read.hash != *submission {
+    if read.files != *submission {
         return Err(GraderError::new(format!(
             "{} was changed while the class was graded: run again",
             planned.file.line()

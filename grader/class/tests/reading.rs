@@ -4,6 +4,7 @@
 use base::Workspace;
 use class::plan::{Plan, Settings, State};
 use class::reading::Reader;
+use class::reading::content;
 use class::reading::intake::Revision;
 use class::reading::process::ReadingLimits;
 use grader::course::Course;
@@ -389,4 +390,20 @@ fn the_sandbox_reads_a_class_in_the_same_way() {
     let containment = Containment::choose(&workspace(), false).expect("a sandbox");
     clones_are_read(containment.clone());
     archives_are_read(containment);
+}
+
+/// When the course changes, so does which given files it does not take: nobody handed in others.
+#[test]
+fn files_that_the_course_does_not_take_make_another_unit_and_no_other_submission() {
+    let course = Course::read(&workspace()).expect("the course is sound");
+    let read = |files: &[&str]| {
+        let folder = tempfile::tempdir().expect("a folder");
+        for file in files {
+            write(&folder.path().join(file), b"// mine\n");
+        }
+        content::read(folder.path(), &course, &workspace(), None).expect("it is read")
+    };
+    let [plain, with_more] = [&[LIB][..], &[LIB, "stages/intersect/Cargo.toml"]].map(read);
+    assert_eq!(plain.files, with_more.files);
+    assert_ne!(plain.hash, with_more.hash);
 }

@@ -67,9 +67,9 @@ fn a_class_is_graded_once_and_again_only_on_request() {
     let gradebook = std::fs::read_to_string(out.join("gradebook.csv")).expect("a gradebook");
     let rows: Vec<&str> = gradebook.lines().skip(1).collect();
     let starts = [
-        "anna,,graded,80,80,30.5,30.5,15,1,15,2,30,15,20,12.5,",
-        "bo,,graded,30,80,3,30.5,15,1,15,2,0,0,0,0,",
-        "cleo,,could not be read,,80,,30.5,,,,,,,,,cleo.zip is a damaged",
+        "anna,,graded,80,80,31.5,31.5,15,1,15,2,30,16,20,12.5,",
+        "bo,,graded,30,80,3,31.5,15,1,15,2,0,0,0,0,",
+        "cleo,,could not be read,,80,,31.5,,,,,,,,,cleo.zip is a damaged",
     ];
     assert_eq!(rows.len(), starts.len());
     for (row, start) in rows.iter().zip(starts) {
@@ -100,7 +100,7 @@ fn a_class_is_graded_once_and_again_only_on_request() {
     let (code, printed) = run(course, &[arguments.as_slice(), &["--regrade"]].concat());
     assert_eq!(code, Some(1), "{printed}");
     assert!(
-        printed.contains("bo: 30 of 80 + 3 of 30.5, graded -> 80 of 80 + 30.5 of 30.5, graded"),
+        printed.contains("bo: 30 of 80 + 3 of 31.5, graded -> 80 of 80 + 31.5 of 31.5, graded"),
         "{printed}"
     );
     assert!(
@@ -117,7 +117,7 @@ fn a_class_is_graded_once_and_again_only_on_request() {
     );
     let gradebook = std::fs::read_to_string(out.join("gradebook.csv")).expect("a gradebook");
     assert!(
-        gradebook.contains("bo,,graded,80,80,30.5,30.5,"),
+        gradebook.contains("bo,,graded,80,80,31.5,31.5,"),
         "{gradebook}"
     );
 }

@@ -269,6 +269,7 @@ impl StudentShape for Triangle {
         Work::Triangles(TriangleWork {
             triangles: pairs.iter().map(|(tri, _)| wire_triangle(tri)).collect(),
             probes: probes(pairs),
+            by_record: false,
         })
     }
 

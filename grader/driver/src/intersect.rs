@@ -12,8 +12,11 @@ pub(crate) fn triangles(stage: &Intersect, work: &TriangleWork) -> Vec<TriangleA
         let triangle = convert::triangle(&work.triangles[probe.shape as usize]);
         let mut ray = convert::ray(&probe.ray);
         let test = attempt("test_triangle", || (stage.test_triangle)(&triangle, &ray));
-        let hit = attempt("intersect_triangle", || {
-            (stage.intersect_triangle)(&triangle, PrimId(probe.shape), &mut ray)
+        let id = PrimId(probe.shape);
+        let hit = attempt(work.function(), || match work.by_record {
+            true => (stage.test_triangle)(&triangle, &ray)
+                .map(|hit| (stage.record_triangle)(&triangle, id, &mut ray, hit)),
+            false => (stage.intersect_triangle)(&triangle, id, &mut ray),
         });
         let (test, hit) = (test.flatten(), hit.flatten());
         TriangleAnswer {

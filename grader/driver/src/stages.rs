@@ -50,6 +50,7 @@ pub struct Raygen {
 pub struct Intersect {
     pub test_triangle: fn(&Triangle, &Ray) -> Option<TriangleHit>,
     pub intersect_triangle: fn(&Triangle, PrimId, &mut Ray) -> Option<Hit>,
+    pub record_triangle: fn(&Triangle, PrimId, &mut Ray, TriangleHit) -> Hit,
     pub test_sphere: fn(&Sphere, &Ray) -> Option<f64>,
     pub intersect_sphere: fn(&Sphere, PrimId, &mut Ray) -> Option<Hit>,
 }

@@ -35,6 +35,12 @@ pub fn first_in_a_line(messages: &str) -> Option<String> {
     Some(format!("{place}: {says}"))
 }
 
+/// The file of the first error. `None` if it names no place.
+pub fn first_file(messages: &str) -> Option<String> {
+    let line = first_in_a_line(messages)?;
+    line.split_once(':').map(|(file, _)| file.to_owned())
+}
+
 /// The text without ANSI escape codes, which colour it.
 pub fn plain(text: &str) -> String {
     let mut out = String::new();

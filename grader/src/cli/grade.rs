@@ -334,6 +334,7 @@ impl GradedRun {
             next: next_task::first_open(&known, &tasks).cloned(),
             compiler: self.quiet.then(|| self.graded.compiler.clone()),
             first_error: self.first_error_out_of_sight(),
+            broken_file: compile_errors::first_file(&self.graded.compiler),
             lit: self.graded.lit.as_ref().map(|(path, _)| path.clone()),
             printed: self.graded.printed.clone(),
             changed_given: given::changed(workspace)?,

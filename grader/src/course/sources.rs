@@ -16,7 +16,7 @@ pub struct SourceFile {
 }
 
 /// The place where a task is written.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Default, Debug, PartialEq, Eq)]
 pub struct Place {
     /// The key of the task.
     pub key: String,

@@ -168,7 +168,7 @@ pub fn of_wrong(
         let first_of_many = questions.iter().position(is_of_many);
         let (few, many) = questions.split_at(first_of_many.unwrap_or(questions.len()));
         for questions in [few, many] {
-            let simplest = of_questions(answers, case, questions)?;
+            let simplest = of_questions(answers, case, spec, questions)?;
             if simplest.is_some() {
                 return Ok(simplest);
             }
@@ -182,7 +182,7 @@ pub fn of_wrong(
     for exponent in SCALES {
         for (case, spec) in &extreme {
             let scaled = variations::scaled(spec, exponent);
-            let simplest = of_questions(&mut answers, case, &scaled)?;
+            let simplest = of_questions(&mut answers, case, spec, &scaled)?;
             if let Some(call) = simplest {
                 return Ok(Some(SimplestCall {
                     only: Some(only_at(exponent)),
@@ -246,7 +246,7 @@ fn shortest(
         let mut answers = Answers::of(known.workers, known.choice);
         let found = answered(case, &shorter, answers.to(&shorter)?, known.choice)
             .iter()
-            .find_map(|asked| Some((asked.spec, alike(case, std::slice::from_ref(asked))?)));
+            .find_map(|asked| Some((asked.spec, alike(case, spec, std::slice::from_ref(asked))?)));
         let Some((spec, call)) = found else {
             break;
         };
@@ -307,10 +307,11 @@ impl<'a> Answers<'a> {
     }
 }
 
-/// The first of `questions` that shows what is wrong in a failed case.
+/// The first of `questions` that shows what is wrong in a failed case, whose questions are `spec`.
 fn of_questions(
     answers: &mut Answers<'_>,
     case: &CaseResult,
+    spec: &Spec,
     questions: &[Spec],
 ) -> Result<Option<SimplestCall>, GraderError> {
     if questions.is_empty() {
@@ -323,7 +324,11 @@ fn of_questions(
         let mut crashed = asked.filter_map(|(spec, ending)| crash(case, spec, ending));
         return Ok(crashed.next());
     }
-    Ok(alike(case, &answered(case, questions, endings, choice)))
+    Ok(alike(
+        case,
+        spec,
+        &answered(case, questions, endings, choice),
+    ))
 }
 
 /// A question with its answer, and what is wrong with it.
@@ -366,13 +371,29 @@ fn answered<'a>(
     answered.collect()
 }
 
-/// The first wrong call that is wrong in the way of the failed case.
-fn alike(case: &CaseResult, answered: &[Asked<'_>]) -> Option<SimplestCall> {
+/// The first wrong call that is wrong in the way of the failed case, whose questions are `spec`.
+/// One under circumstances of the case comes first: no ray from behind shows what is wrong in front.
+fn alike(case: &CaseResult, spec: &Spec, answered: &[Asked<'_>]) -> Option<SimplestCall> {
+    let of_case = (0..spec.calls()).filter_map(|call| spec.circumstances(call));
+    let of_case: BTreeSet<&str> = of_case.flatten().collect();
+    let fits = |asked: &Asked<'_>, fault: &Fault| {
+        let here = asked.spec.circumstances(fault.call as usize);
+        let mut here = here.into_iter().flatten();
+        here.all(|circumstance| of_case.contains(circumstance))
+    };
+    let anything = |_: &Asked<'_>, _: &Fault| true;
+    let accepted: [&dyn Fn(&Asked<'_>, &Fault) -> bool; 2] = [&fits, &anything];
+    let of_likeness = [Likeness::Same, Likeness::Kind];
+    let ways = accepted
+        .iter()
+        .flat_map(|accepts| of_likeness.map(|likeness| (accepts, likeness)));
     let wrong = case.findings.iter().filter(|finding| finding.wrong > 0);
     for target in wrong {
-        for likeness in [Likeness::Same, Likeness::Kind] {
+        for (accepts, likeness) in ways.clone() {
             for asked in answered {
-                let Some(fault) = first_like(target, &asked.findings, likeness) else {
+                let is_accepted = |fault: &Fault| accepts(asked, fault);
+                let fault = first_like(target, &asked.findings, likeness, is_accepted);
+                let Some(fault) = fault else {
                     continue;
                 };
                 let is_told =
@@ -464,12 +485,14 @@ fn first_like<'a>(
     target: &Finding,
     findings: &'a [Finding],
     likeness: Likeness,
+    is_accepted: impl Fn(&Fault) -> bool,
 ) -> Option<&'a Fault> {
     let finding = findings
         .iter()
         .find(|finding| finding.aspect == target.aspect)?;
     let kind = std::mem::discriminant::<Class>;
-    finding.faults.iter().find(|fault| {
+    let mut accepted = finding.faults.iter().filter(|fault| is_accepted(fault));
+    accepted.find(|fault| {
         target.faults.iter().any(|other| {
             fault.function == other.function
                 && match likeness {

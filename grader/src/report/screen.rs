@@ -34,6 +34,8 @@ pub struct Context {
     /// The first error of the compiler in a line, if its messages were printed and are longer than
     /// the page: so they begin out of sight.
     pub first_error: Option<String>,
+    /// The file of the compiler's first error, from the workspace's root.
+    pub broken_file: Option<String>,
     /// The file of the picture with light, if there is one.
     pub lit: Option<PathBuf>,
     /// What the student's code printed.

@@ -39,11 +39,22 @@ pub(crate) fn wrap(text: &str, indent: usize, width: usize) -> Vec<String> {
     lines
 }
 
-/// The words of `text`; code between backticks is one word if it has at most `width` columns.
+/// The words of `text`; code between backticks is one word if it has at most `width` columns, and so
+/// is the command that opens a chapter.
 fn words(text: &str, width: usize) -> Vec<String> {
     let mut words: Vec<String> = Vec::new();
     let mut pending = text.split_whitespace();
     while let Some(word) = pending.next() {
+        let mut rest = pending.clone();
+        let opens = [word, rest.next().unwrap_or(""), rest.next().unwrap_or("")];
+        if opens == ["cargo", "grader", "book"] {
+            let command = format!("cargo grader book {}", rest.next().unwrap_or(""));
+            if columns(&command) <= width {
+                words.push(command);
+                pending = rest;
+                continue;
+            }
+        }
         words.push(word.to_owned());
         let is_code = |word: &str| word.matches('`').count() % 2 == 1;
         if !is_code(word) {
@@ -181,6 +192,10 @@ mod tests {
         assert_eq!(wrap(text, 0, 22), ["Run", "`cargo grader part1`,", "now."]);
         assert_eq!(wrap(text, 0, 12), ["Run `cargo", "grader", "part1`, now."]);
         assert_eq!(wrap("a ` b c", 0, 4), ["a `", "b c"]);
+        let chapter = "Its chapter: cargo grader book rust#errors";
+        let lines = ["Its chapter:", "  cargo grader book rust#errors"];
+        assert_eq!(wrap(chapter, 2, 32), lines);
+        assert!(wrap(chapter, 2, 16).len() > 3);
     }
 
     #[test]

@@ -223,9 +223,20 @@ fn main_aspect(cases: &[&CaseResult]) -> Option<Aspect> {
 }
 
 /// Which fields are always right, where some are. Nobody knows what is right in answers that a
-/// crash took away from one of `all` cases.
+/// crash took away from one of `all` cases, nor in hits that are missing nearly everywhere.
 fn fields(cases: &[&CaseResult], all: &[CaseResult]) -> Option<Shared> {
     if all.iter().any(|case| case.crash().is_some()) {
+        return None;
+    }
+    let findings = || cases.iter().flat_map(|case| &case.findings);
+    let decided = findings().filter(|f| f.aspect.is_decision() && f.wrong > 0);
+    let decisions: u32 = decided.map(|finding| finding.judged).sum();
+    let mut fields: BTreeMap<Aspect, u32> = BTreeMap::new();
+    for finding in findings().filter(|f| !f.aspect.is_decision() && f.aspect != Aspect::RayAfter) {
+        *fields.entry(finding.aspect).or_default() += finding.judged;
+    }
+    let most = fields.into_values().max().unwrap_or_default();
+    if decisions > 4 * most {
         return None;
     }
     let wrong = wrong_by_aspect(cases.iter().copied());
@@ -527,6 +538,24 @@ mod tests {
         let says = fields(&[&case], std::slice::from_ref(&case)).map(|says| says.to_string());
         let expected = "bounding boxes are wrong, all other fields are right";
         assert_eq!(says.as_deref(), Some(expected));
+    }
+
+    #[test]
+    fn fields_of_hits_that_are_missing_are_not_called_right() {
+        let said = |hits: usize| {
+            let mut findings = Findings::default();
+            for call in 0..10 {
+                let missed = (call >= hits).then_some(Class::FalseMiss);
+                findings.judge_class(Aspect::HitOrMiss, call, missed, 1.0, String::new);
+                findings.judge_class(Aspect::RayAfter, call, None, 1.0, String::new);
+                if call < hits {
+                    findings.judge_class(Aspect::T, call, None, 1.0, String::new);
+                }
+            }
+            let case = CaseResult::failed("hits", findings.into_vec());
+            fields(&[&case], std::slice::from_ref(&case)).is_some()
+        };
+        assert_eq!([0, 1, 5].map(said), [false, false, true]);
     }
 
     #[test]

@@ -41,9 +41,9 @@ pub struct Hit {
 pub struct TriangleAnswer {
     /// `test_triangle`: `t`, `b1`, `b2`.
     pub test: Option<[f64; 3]>,
-    /// `intersect_triangle`.
+    /// `intersect_triangle`, or `record_triangle`.
     pub hit: Option<Hit>,
-    /// The ray after `intersect_triangle`.
+    /// The ray after that call.
     pub ray_after: Ray,
 }
 

@@ -157,7 +157,7 @@ kinds! {
     Pixels(PixelWork) -> Vec<PixelAnswer>;
     /// Call `generate_ray` for every camera and every sensor point.
     CameraRays(CameraWork) -> Vec<Ray>;
-    /// Call `test_triangle` and `intersect_triangle` for every probe.
+    /// Call `test_triangle`, and `intersect_triangle` or `record_triangle`, for every probe.
     Triangles(TriangleWork) -> Vec<TriangleAnswer>;
     /// Call `test_sphere` and `intersect_sphere` for every probe.
     Spheres(SphereWork) -> Vec<SphereAnswer>;

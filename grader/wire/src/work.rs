@@ -12,6 +12,19 @@ pub struct TriangleWork {
     pub triangles: Vec<[Xyz; 6]>,
     /// One call of both functions for each probe.
     pub probes: Vec<Probe>,
+    /// Whether `record_triangle`, with the hits of `test_triangle`, is called in place of
+    /// `intersect_triangle`.
+    pub by_record: bool,
+}
+
+impl TriangleWork {
+    /// The function that is called beside `test_triangle`.
+    pub fn function(&self) -> &'static str {
+        match self.by_record {
+            true => "record_triangle",
+            false => "intersect_triangle",
+        }
+    }
 }
 
 /// Rays to test against single spheres.

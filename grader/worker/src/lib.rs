@@ -31,6 +31,7 @@ const STAGES: Stages = Stages {
     intersect: Some(driver::stages::Intersect {
         test_triangle: intersect::test_triangle,
         intersect_triangle: intersect::intersect_triangle,
+        record_triangle: intersect::record_triangle,
         test_sphere: intersect::test_sphere,
         intersect_sphere: intersect::intersect_sphere,
     }),

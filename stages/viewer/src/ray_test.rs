@@ -70,7 +70,11 @@ pub fn of_test(scene: &Scene, record: &RayRecord, test: &Test) -> Result<RayTest
             push(&mut one, &scene.primitive(*prim));
             let (triangles, spheres) = (one.triangles, one.spheres);
             let work = if spheres.is_empty() {
-                Work::Triangles(TriangleWork { triangles, probes })
+                Work::Triangles(TriangleWork {
+                    triangles,
+                    probes,
+                    by_record: false,
+                })
             } else {
                 Work::Spheres(SphereWork { spheres, probes })
             };

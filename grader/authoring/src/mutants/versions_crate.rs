@@ -241,22 +241,21 @@ fn library(versions: &StageVersions<'_>) -> String {
         let arguments = arguments.join(", ");
         // By its path: an argument may be called `choice`, too.
         let _ = writeln!(text, "{signature} {{\n    match crate::choice() {{");
-        for (i, _) in all
-            .iter()
-            .enumerate()
-            .filter(|(_, version)| defines(version, name))
-        {
+        let own = all.iter().enumerate().skip(1);
+        for (i, _) in own.filter(|(_, version)| defines(version, name)) {
             let _ = writeln!(text, "        {i} => {}::{name}({arguments}),", module(i));
         }
         let _ = writeln!(
             text,
-            "        _ => unreachable!(\"the version has no {name}\"),\n    }}\n}}"
+            "        _ => {}::{name}({arguments}),\n    }}\n}}",
+            module(0)
         );
     }
     text
 }
 
-/// Whether a version of a stage has the function `name`: `record_triangle` is not in all.
+/// Whether a version of a stage has the function `name`. One without `record_triangle` gets that of
+/// the first version, which is the reference.
 fn defines(sources: &Sources, name: &str) -> bool {
     let heads = [format!("pub fn {name}("), format!("pub fn {name}<")];
     let has_one = |text: &String| heads.iter().any(|head| text.contains(head));

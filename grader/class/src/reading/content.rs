@@ -17,7 +17,10 @@ use submission::read::Submission;
 pub struct Content {
     /// The files of its stages.
     pub submission: Submission,
-    /// The hash of all that scores and notes depend on.
+    /// The hash of the files that are graded.
+    pub files: String,
+    /// The hash of all that scores and notes depend on: also which files the course does not take,
+    /// because it has others.
     pub hash: String,
     /// The hashes of the source files of each stage.
     pub sources: BTreeMap<String, String>,
@@ -110,7 +113,9 @@ pub fn read(
     for (stage, text) in &submission.examples {
         hasher.part("examples").part(stage).part(text);
     }
-    hasher.part("ignored");
+    let files = hasher.finish();
+    let mut hasher = Hasher::default();
+    hasher.part(&files).part("ignored");
     for path in &submission.ignored {
         hasher.part(path.raw());
     }
@@ -122,6 +127,7 @@ pub fn read(
         .collect();
     Ok(Content {
         submission,
+        files,
         hash: hasher.finish(),
         sources,
         notes,

@@ -205,6 +205,7 @@ mod tests {
             work: Work::Triangles(TriangleWork {
                 triangles: vec![[p0, p1, p2, normal, normal, normal]],
                 probes: vec![Probe { shape: 0, ray }],
+                by_record: false,
             }),
         }
     }

@@ -3,6 +3,7 @@
 use super::{Block, Context};
 use crate::build::compile_errors;
 use crate::course::chapter::Section;
+use crate::course::sources::Place;
 use crate::diagnosis::simplest::SimplestCall;
 use crate::report::links::book_command;
 use crate::report::table::status_text;
@@ -96,7 +97,17 @@ fn not_written(out: &mut Lines, task: &TaskResult, context: &Context) {
 const RUST: [&str; 2] = ["rust", "errors-and-warnings-that-come-up-here"];
 
 fn does_not_compile(out: &mut Lines, task: &TaskResult, context: &Context) {
-    let what = format!("{}: stages/{} does not compile", task.key, task.stage);
+    let mut what = format!("{}: stages/{} does not compile", task.key, task.stage);
+    if let Some(file) = &context.broken_file {
+        // A task that was complete is told so, too: nothing of it can run.
+        what += &format!(", because of {file}");
+        let of_file = |place: &&Place| place.file.as_ref() == Some(file);
+        if let Some(other) = context.places.iter().find(of_file)
+            && other.key != task.key
+        {
+            what += &format!(", the file of {}", other.key);
+        }
+    }
     let [chapter, section] = RUST;
     let means = format!(
         "  What such errors mean, and what to do: {}",

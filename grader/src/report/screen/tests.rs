@@ -422,6 +422,15 @@ fn a_crash_says_how_and_a_stage_that_does_not_compile_shows_the_first_error() {
         compiler: Some("warning: x\n\nerror: expected `;`\n --> a.rs:1\n\nerror: more\n".into()),
         ..context("part1.task3")
     };
+    let of_another_task = Context {
+        broken_file: Some("src/sphere.rs".into()),
+        places: vec![Place {
+            key: "part1.task4".into(),
+            file: Some("src/sphere.rs".into()),
+            ..Place::default()
+        }],
+        ..context("part1.task3")
+    };
     // Of messages longer than a page the first is repeated below them.
     let long = Context {
         first_error: Some("a.rs:1:5: error: expected `;`".into()),
@@ -430,10 +439,11 @@ fn a_crash_says_how_and_a_stage_that_does_not_compile_shows_the_first_error() {
     let findings = reveal(HintLevel::Findings);
     shows(
         "crashes_and_errors",
-        "the panic and its call; of the stage: where the messages are, the first of many, and the first error itself with the number of the others",
+        "the panic and its call; of the stage: where the messages are, the file of another task, the first of many, and the first error itself with the number of the others",
         &[
             screen_of(triangles(3.0, vec![crashed]), HintLevel::Findings),
             screen_of(broken.clone(), HintLevel::Findings),
+            screen(vec![broken.clone()], &of_another_task, findings),
             screen(vec![broken.clone()], &long, findings),
             screen(vec![broken], &with_messages, findings),
         ],

@@ -225,6 +225,7 @@ impl RayExample {
                 Work::Triangles(TriangleWork {
                     triangles: vec![vectors.map(Into::into)],
                     probes,
+                    by_record: false,
                 })
             }
             Shape::Sphere(of) => Work::Spheres(SphereWork {

@@ -30,6 +30,7 @@ pub(super) const SIGMAS: f64 = 6.5;
 pub(crate) fn pixels(findings: &mut Findings, work: &PixelWork, answers: &[PixelAnswer]) {
     // Students often write a path of its own for a single sample, with mistakes of its own.
     findings.answers_of(match work.ns_aa {
+        0 => "ns_aa=0",
         1 => "ns_aa=1",
         _ => "ns_aa>1",
     });

@@ -5,17 +5,17 @@ use crate::tools::findings::Aspect::*;
 use crate::tools::findings::Findings;
 use crate::tools::truth::expected::Expected;
 use wire::answer::TriangleAnswer;
-use wire::work::Probe;
+use wire::work::TriangleWork;
 
-/// Judges `test_triangle` and `intersect_triangle`.
+/// Judges `test_triangle` and the function beside it.
 pub(crate) fn triangles(
     findings: &mut Findings,
-    probes: &[Probe],
+    work: &TriangleWork,
     expected: &[Expected],
     answers: &[TriangleAnswer],
 ) {
-    let [test, intersect] = ["test_triangle", "intersect_triangle"];
-    let calls = probes.iter().zip(expected).zip(answers);
+    let [test, intersect] = ["test_triangle", work.function()];
+    let calls = work.probes.iter().zip(expected).zip(answers);
     for (number, ((probe, expected), answer)) in calls.enumerate() {
         expect(findings, expected, true);
         let is_tested = findings.is_written(test, &[HitOrMiss, T, Barycentrics]);
@@ -68,7 +68,7 @@ mod tests {
     use crate::tools::{convert, truth};
     use kit::Vec3;
     use wire::answer::Hit;
-    use wire::work::Ray;
+    use wire::work::{Probe, Ray};
 
     const TRIANGLE: [[f64; 3]; 6] = [
         [0.0, 0.0, 0.0],
@@ -119,8 +119,12 @@ mod tests {
         let mut answer = answer(&ray);
         spoil(&mut answer);
         let mut findings = Findings::default();
-        let probe = Probe { shape: 0, ray };
-        triangles(&mut findings, &[probe], &[expected(&ray)], &[answer]);
+        let work = TriangleWork {
+            triangles: vec![TRIANGLE],
+            probes: vec![Probe { shape: 0, ray }],
+            by_record: false,
+        };
+        triangles(&mut findings, &work, &[expected(&ray)], &[answer]);
         let list = findings.into_vec().into_iter();
         let wrong = list.filter(|finding| finding.wrong > 0);
         wrong.map(|finding| finding.aspect).collect()

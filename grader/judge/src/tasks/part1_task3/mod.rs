@@ -33,6 +33,7 @@ impl Check for kind::Triangles {
         Some(TriangleWork {
             triangles: work.triangles.clone(),
             probes: vec![*work.probes.get(call)?],
+            by_record: work.by_record,
         })
     }
 
@@ -53,6 +54,7 @@ impl Check for kind::Triangles {
         TriangleWork {
             triangles: work.triangles.iter().map(|t| by.triangle(t)).collect(),
             probes: work.probes.iter().map(|probe| by.probe(probe)).collect(),
+            by_record: work.by_record,
         }
     }
 
@@ -82,7 +84,7 @@ impl Check for kind::Triangles {
         answers: &Vec<TriangleAnswer>,
     ) {
         let expected = case.expected(tier, || Self::expected(work, tier, case.enclosed));
-        judge::triangles(findings, &work.probes, expected, answers);
+        judge::triangles(findings, work, expected, answers);
     }
 
     fn lines(work: &TriangleWork, answers: &Vec<TriangleAnswer>) -> Option<Content> {
@@ -119,7 +121,7 @@ impl Check for kind::Triangles {
     }
 
     fn repro(tier: Tier, work: &TriangleWork, call: usize) -> Option<String> {
-        repro::triangle(tier, &work.triangles, work.probes.get(call)?)
+        repro::triangle(tier, work, work.probes.get(call)?)
     }
 
     fn colours(answers: &Vec<TriangleAnswer>) -> Option<Vec<Xyz>> {
@@ -139,7 +141,7 @@ impl Check for kind::Triangles {
         numbers::rays(&mut work.probes, change);
     }
 
-    fn simple(_: &TriangleWork) -> Vec<TriangleWork> {
-        simple::questions()
+    fn simple(work: &TriangleWork) -> Vec<TriangleWork> {
+        simple::questions(work.by_record)
     }
 }

@@ -66,8 +66,8 @@ fn turned(triangle: &[Xyz; 6], d: Xyz) -> Xyz {
     permuted(d, (axis.unwrap_or(2) + 1) % 3)
 }
 
-/// The simple questions about single triangles.
-pub(crate) fn questions() -> Vec<TriangleWork> {
+/// The simple questions about single triangles, to `record_triangle` if `by_record`.
+pub(crate) fn questions(by_record: bool) -> Vec<TriangleWork> {
     let triangles = triangles();
     let mut decided = Vec::new();
     let mut conventions = Vec::new();
@@ -108,7 +108,11 @@ pub(crate) fn questions() -> Vec<TriangleWork> {
     let mut probes = sorted(decided, numbers);
     probes.truncate(MOST);
     probes.extend(sorted(conventions, numbers));
-    vec![TriangleWork { triangles, probes }]
+    vec![TriangleWork {
+        triangles,
+        probes,
+        by_record,
+    }]
 }
 
 /// The most questions in which no convention decides.

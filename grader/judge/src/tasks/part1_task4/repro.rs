@@ -18,7 +18,10 @@ pub(crate) fn sphere(tier: Tier, spheres: &[(Xyz, f64)], probe: &Probe) -> Optio
         &mut text,
         &expected,
         "intersect::test_sphere(&s, &ray)",
-        "intersect::intersect_sphere(&s",
+        &format!(
+            "intersect::intersect_sphere(&s, PrimId({}), &mut after)",
+            probe.shape
+        ),
         probe.shape,
         &probe.ray,
     )?;

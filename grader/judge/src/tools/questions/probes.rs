@@ -181,6 +181,7 @@ impl Probes {
         TriangleWork {
             triangles: self.triangles,
             probes: self.probes,
+            by_record: false,
         }
     }
 

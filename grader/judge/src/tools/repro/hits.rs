@@ -35,7 +35,6 @@ pub(crate) fn asserts(
     prim: u32,
     ray: &Ray,
 ) -> Option<()> {
-    let intersect = format!("{intersect}, PrimId({prim}), &mut after)");
     match (expected.hits.as_slice(), expected.miss) {
         ([], _) => {
             let _ = writeln!(text, "// It misses: {}.", expected.why_miss);

@@ -1,9 +1,10 @@
 //! Cases of triangles that textbook kernels fail: [`closed`] meshes with gaps, [`scale`] and angles
 //! that cost digits, and [`odd`] input.
 
-use super::{case, closed, heap_case, odd, scale};
+use super::{case, closed, heap_case, hits, odd, scale};
 use crate::tools::findings::Aspect::{Barycentrics, HitOrMiss, Normal, Position, T};
 use crate::tools::spec::Spec;
+use wire::work::TriangleWork;
 
 /// The robust cases of `part1.task3`.
 pub(super) fn cases(seed: u64) -> Vec<Spec> {
@@ -98,6 +99,15 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
             odd::cancelling_normals(),
         )
         .only(&[Normal]),
+        case(
+            "record_of_a_test",
+            "record_triangle with what test_triangle answers: each field of the hit, and max_t, as \
+             of intersect_triangle. Part 6 and the renderer call it.",
+            TriangleWork {
+                by_record: true,
+                ..hits::interpolated_normals()
+            },
+        ),
         case(
             "fresh_hard_triangles",
             "Random slivers and grazing rays, of all sizes and offsets, that depend on the seed.",

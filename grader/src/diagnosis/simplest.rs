@@ -381,17 +381,13 @@ fn alike(case: &CaseResult, spec: &Spec, answered: &[Asked<'_>]) -> Option<Simpl
         let mut here = here.into_iter().flatten();
         here.all(|circumstance| of_case.contains(circumstance))
     };
-    let anything = |_: &Asked<'_>, _: &Fault| true;
-    let accepted: [&dyn Fn(&Asked<'_>, &Fault) -> bool; 2] = [&fits, &anything];
-    let of_likeness = [Likeness::Same, Likeness::Kind];
-    let ways = accepted
-        .iter()
-        .flat_map(|accepts| of_likeness.map(|likeness| (accepts, likeness)));
+    let ways = [true, false]
+        .map(|must_fit| [Likeness::Same, Likeness::Kind].map(|likeness| (must_fit, likeness)));
     let wrong = case.findings.iter().filter(|finding| finding.wrong > 0);
     for target in wrong {
-        for (accepts, likeness) in ways.clone() {
+        for (must_fit, likeness) in ways.into_iter().flatten() {
             for asked in answered {
-                let is_accepted = |fault: &Fault| accepts(asked, fault);
+                let is_accepted = |fault: &Fault| !must_fit || fits(asked, fault);
                 let fault = first_like(target, &asked.findings, likeness, is_accepted);
                 let Some(fault) = fault else {
                     continue;

@@ -121,6 +121,37 @@ fn ray_hits_the_sphere_that_it_left_only_from_inside() {
     }
 }
 
+#[test]
+fn another_triangle_of_the_plane_does_not_block() {
+    let corners = [[-2.0, -2.0], [2.0, -2.0], [2.0, 2.0], [-2.0, 2.0]];
+    let planes: [fn([f64; 2]) -> Vec3; 4] = [
+        |[a, b]| Vec3::new(0.0, a, b),
+        |[a, b]| Vec3::new(b, 0.0, a),
+        |[a, b]| Vec3::new(a, b, 0.0),
+        |[a, b]| Vec3::new(a, b, 0.001 * a),
+    ];
+    let mut random = Random::new(8);
+    for plane in planes {
+        let [p0, p1, p2, p3] = corners.map(plane);
+        let own = Triangle::flat(p0, p1, p2);
+        // The next one, and its own back, as files have it that show both sides.
+        for other in [Triangle::flat(p0, p2, p3), Triangle::flat(p0, p2, p1)] {
+            for _ in 0..300 {
+                let along = 4.0 * random.square().x - 2.0;
+                let mut ray = Ray::new(plane([along, along]) + 3.0 * own.n0, -own.n0);
+                let Some(hit) = intersect_triangle(&own, PrimId(0), &mut ray) else {
+                    continue;
+                };
+                let surface = Surface::new(&hit, Primitive::Triangle(&own), &DIFFUSE);
+                let w = random.direction();
+                let mut ray = surface.leave(w);
+                let again = intersect_triangle(&other, PrimId(1), &mut ray);
+                assert_eq!(again, None, "{ray:?}");
+            }
+        }
+    }
+}
+
 fn lamp(height: f64) -> (Triangle, Emitter) {
     let corner = |x: f64, z: f64| Vec3::new(x, height, z);
     let tri = Triangle::flat(corner(-1.0, -1.0), corner(1.0, -1.0), corner(0.0, 1.0));

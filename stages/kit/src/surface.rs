@@ -40,6 +40,10 @@ pub struct Surface<'a> {
 /// than the reference.
 pub const POSITION_ERROR: f64 = 64.0 * (0.5 * f64::EPSILON);
 
+/// Rays start at least this part of the largest coordinate's error away from a surface: sixteen
+/// roundings of it, a few times what the distance to a triangle is off.
+pub const LEAST_STEP: f64 = 0.25;
+
 /// Relative length by which a shadow ray is shortened, so that the light does not block itself.
 ///
 /// It is well above the rounding error of any `t` (about 1e-15) and well below any gap in a scene:
@@ -105,10 +109,12 @@ impl<'a> Surface<'a> {
         Ray::new(self.p + offset, w)
     }
 
-    /// How far rays start from the surface.
+    /// How far rays start from the surface: at least a part of the largest error. In a plane such as
+    /// `y = 0` the point has no error, but a test of another triangle in this plane has.
     #[inline]
     fn step(&self) -> f64 {
-        self.error.dot(self.ng.abs())
+        let least = LEAST_STEP * self.error.max_element();
+        self.error.dot(self.ng.abs()).max(least)
     }
 
     /// The ray from this point to a sampled point of a light. Its range ends just before the light,

@@ -3,7 +3,7 @@
 use crate::real::{Mask, Real};
 use crate::shapes::Sphere;
 use crate::vec3::Vec3;
-use kit::surface::{POSITION_ERROR, SHADOW_GAP, SHADOW_ROUNDINGS};
+use kit::surface::{LEAST_STEP, POSITION_ERROR, SHADOW_GAP, SHADOW_ROUNDINGS};
 
 /// A point on a surface that rays leave.
 ///
@@ -56,10 +56,11 @@ impl<R: Real> Departure<R> {
     #[inline(always)]
     fn new(p: Vec3<R>, ng: Vec3<R>, largest: Vec3<R>) -> Departure<R> {
         let error = largest * p.x.constant(POSITION_ERROR);
+        let least = error.x.max(error.y).max(error.z) * p.x.constant(LEAST_STEP);
         Departure {
             p,
             ng,
-            distance: error.dot(ng.abs()),
+            distance: error.dot(ng.abs()).max(least),
         }
     }
 

@@ -252,6 +252,20 @@ fn flags_and_lights_without_effect_are_noted() {
     fs::write(folder.path().join("point.dae"), point).expect("a scene file");
     let (_, output) = pathtracer(folder.path(), "-f a.png -r 4 4 -H point.dae");
     assert!(output.contains("-H never hits them"), "{output}");
+    let glass = SCENE.replace(
+        "</profile_COMMON></effect>",
+        "</profile_COMMON><extra><technique profile=\"CGL\"><glass><reflectance>1 1 1</reflectance>\
+         <transmittance>1 1 1</transmittance><roughness>0.005</roughness><ior>1.5</ior></glass>\
+         </technique></extra></effect>",
+    );
+    fs::write(folder.path().join("glass.dae"), glass).expect("a scene file");
+    let (_, output) = pathtracer(folder.path(), "-f a.png -r 4 4 glass.dae");
+    assert!(
+        output.contains("is nearly smooth: without --mis"),
+        "{output}"
+    );
+    let (_, output) = pathtracer(folder.path(), "-f a.png -r 4 4 --mis glass.dae");
+    assert!(!output.contains("nearly smooth"), "{output}");
 }
 
 /// The lamp of the scene, and lamps of other units.

@@ -234,7 +234,8 @@ fn next_open_task(
         let (full, incomplete): (Vec<_>, Vec<_>) =
             (report.tasks.drain(..)).partition(|task| task.result.is_complete());
         complete.extend(full);
-        if let Some(task) = to_go_on_with(incomplete, &known) {
+        let broken = compile_errors::first_file(&run.graded.compiler);
+        if let Some(task) = to_go_on_with(incomplete, &known, broken.as_deref()) {
             let what = task.result.key.clone();
             complete.push(task);
             let place = |task: &TaskReport| {
@@ -249,20 +250,25 @@ fn next_open_task(
     }
 }
 
-/// The first of the `incomplete` tasks of a stage. If the stage does not compile, all are, so one
-/// that was not complete before comes first.
-fn to_go_on_with(incomplete: Vec<TaskReport>, known: &[Known]) -> Option<TaskReport> {
-    let was_complete = |task: &TaskReport| {
-        let of_task = known
-            .iter()
-            .find(|known| known.place.key == task.result.key);
-        of_task.is_some_and(Known::was_complete)
+/// The first of the `incomplete` tasks of a stage. If the stage does not compile, all are, so that
+/// of the `broken` file comes first, then one that was not complete before.
+fn to_go_on_with(
+    mut incomplete: Vec<TaskReport>,
+    known: &[Known],
+    broken: Option<&str>,
+) -> Option<TaskReport> {
+    let known = |task: &TaskReport| known.iter().find(|it| it.place.key == task.result.key);
+    let is_in_broken_file = |task: &TaskReport| {
+        let file = known(task).and_then(|known| known.place.file.as_deref());
+        file.is_some() && file == broken
     };
-    let mut tasks = incomplete.into_iter();
-    let first = tasks.next()?;
-    let is_broken = first.result.status == Status::DoesNotCompile && was_complete(&first);
-    let other = tasks.find(|task| is_broken && !was_complete(task));
-    Some(other.unwrap_or(first))
+    let was_complete = |task: &TaskReport| known(task).is_some_and(Known::was_complete);
+    let at = match incomplete.first()?.result.status {
+        Status::DoesNotCompile => (incomplete.iter().position(is_in_broken_file))
+            .or_else(|| incomplete.iter().position(|task| !was_complete(task))),
+        _ => None,
+    };
+    Some(incomplete.swap_remove(at.unwrap_or(0)))
 }
 
 /// Writes `report.json`, the results of its tasks, whose code had these fingerprints, and the
@@ -351,13 +357,13 @@ mod tests {
 
     /// The key of the task that a stage goes on with, whose tasks have these results; `scores` are
     /// those of the reports before, of at most 5.
-    fn gone_on_with(status: Status, scores: [f64; 2]) -> String {
+    fn gone_on_with(status: Status, scores: [f64; 2], broken: Option<&str>) -> String {
         let keys = ["part1.task1", "part1.task2"];
         let known = keys.iter().zip(scores).map(|(key, score)| Known {
             place: Place {
                 key: (*key).into(),
                 title: String::new(),
-                file: None,
+                file: Some(format!("{key}.rs")),
                 open: Vec::new(),
                 has_hole: false,
             },
@@ -378,17 +384,22 @@ mod tests {
                 cases: Vec::new(),
             })
         });
-        let task = to_go_on_with(reports.into(), &known.collect::<Vec<_>>());
+        let task = to_go_on_with(reports.into(), &known.collect::<Vec<_>>(), broken);
         task.expect("one is incomplete").result.key
     }
 
     #[test]
     fn a_stage_that_does_not_compile_is_that_of_the_task_in_work() {
         let broken = Status::DoesNotCompile;
-        assert_eq!(gone_on_with(broken.clone(), [5.0, 1.0]), "part1.task2");
-        assert_eq!(gone_on_with(broken.clone(), [1.0, 1.0]), "part1.task1");
-        assert_eq!(gone_on_with(broken, [5.0, 5.0]), "part1.task1");
+        let first = |scores| gone_on_with(broken.clone(), scores, None);
+        assert_eq!(first([5.0, 1.0]), "part1.task2");
+        assert_eq!(first([1.0, 1.0]), "part1.task1");
+        assert_eq!(first([5.0, 5.0]), "part1.task1");
+        let of_file = |file| gone_on_with(broken.clone(), [1.0, 1.0], Some(file));
+        assert_eq!(of_file("part1.task2.rs"), "part1.task2");
+        assert_eq!(of_file("lib.rs"), "part1.task1");
         // A wrong answer is that of its own task.
-        assert_eq!(gone_on_with(Status::Failed, [5.0, 1.0]), "part1.task1");
+        let wrong = gone_on_with(Status::Failed, [5.0, 1.0], Some("part1.task2.rs"));
+        assert_eq!(wrong, "part1.task1");
     }
 }

@@ -174,11 +174,12 @@ fn hint_command() -> Command {
                 .value_name("TASK")
                 .help("The task, such as `part1.task3` [default: the next open task]"),
         )
+        .arg(grade::hint_argument(HintLevel::Mistake))
 }
 
 /// Grades what `grader hint` names, with the likely mistake.
 fn hint(rest: &ArgMatches) -> Result<Exit, GraderError> {
-    let level = HintLevel::Mistake.number().to_string();
+    let level = grade::hint(rest).number().to_string();
     let mut line = vec!["grader".to_owned(), "--hint".into(), level];
     line.extend(rest.get_one::<String>("what").cloned());
     let matches = command().try_get_matches_from(line);

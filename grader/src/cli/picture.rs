@@ -13,6 +13,7 @@ use crate::workers::worker_set::WorkerSet;
 use base::program::Exit;
 use base::{GraderError, Workspace, keys, out, outln};
 use clap::{Arg, ArgMatches, Command};
+use judge::pictures::Differences;
 use judge::plural;
 use pictures::Image;
 use pictures::terminal::{self, Colours};
@@ -153,7 +154,10 @@ fn legend(task: &Task, rendered: &Rendered, colours: Option<Colours>) -> String 
     for (kind, marks) in rendered.picture.panels.iter().zip(counts) {
         let _ = write!(text, "  {}:", kind.about);
         if marks.is_empty() {
-            text.push_str(" as expected\n");
+            text.push_str(match kind.differences {
+                Differences::Noise => " as expected on average; single pixels are not compared\n",
+                _ => " as expected\n",
+            });
             continue;
         }
         text.push('\n');

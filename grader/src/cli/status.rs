@@ -124,7 +124,11 @@ fn state(known: &Known, is_given: bool) -> String {
         None => "not graded yet".to_owned(),
         Some(last) => {
             let points = format!("{}/{}", number(last.score), number(last.max_score));
-            let changed = if *changed { " before edit" } else { "" };
+            let changed = if *changed && last.attempted {
+                " before edit"
+            } else {
+                ""
+            };
             format!("{points}{changed}")
         }
     };

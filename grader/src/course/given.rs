@@ -134,8 +134,12 @@ pub fn sentence(changed: &[String]) -> Option<String> {
         1 => ("Given file", "differs", "original"),
         _ => ("Given files", "differ", "originals"),
     };
+    let crates = match changed.iter().any(|path| path.ends_with("Cargo.toml")) {
+        true => " What you hand in cannot use crates that you added: it would not compile.",
+        false => "",
+    };
     Some(format!(
-        "{files} {named}{more} {differ} from the handout. You are graded with the {originals}: README.md says how to restore them."
+        "{files} {named}{more} {differ} from the handout. You are graded with the {originals}: README.md says how to restore them.{crates}"
     ))
 }
 

@@ -234,6 +234,10 @@ pub fn diagnose(known: &[Known], student: &Signature) -> Option<Diagnosis> {
         true => Certainty::Perhaps,
         false => Certainty::of(likeness, student),
     };
+    // Whoever overflows the stack does so for one of many reasons.
+    if certainty == Certainty::Perhaps && student.is_alike_in_crashes_only(&best.signature) {
+        return None;
+    }
     let claim = match certainty {
         Certainty::Perhaps if !is_extra => Claim::MostAlike,
         _ => Claim::Alike(student.evidence()),
@@ -506,6 +510,23 @@ mod tests {
         };
         assert_eq!(certainty("5 1*a"), Some(Certainty::Perhaps));
         assert_eq!(certainty("5 2*a"), Some(Certainty::Likely));
+    }
+
+    #[test]
+    fn crashes_alone_are_no_guess() {
+        let crashes = [("one crashed", "1*ffff"), ("two crashed", "1*ffff")];
+        let [third, t] = [("three crashed", "1*ffff"), ("four t", "9*a")];
+        let named = |mistake: &[(&str, &str)], student: &[(&str, &str)]| {
+            let [mistake, student] = [mistake, student].map(|own| {
+                let all = [&crashes[..], own].concat();
+                signature(&all)
+            });
+            diagnose(&[known("this", mistake)], &student).map(|diagnosis| diagnosis.certainty)
+        };
+        assert!(named(&[third], &[third]).is_some());
+        assert_eq!(named(&[], &[third, ("five crashed", "1*ffff")]), None);
+        let nearly = named(&[t], &[("four t", "8*a 1*b")]);
+        assert_eq!(nearly, Some(Certainty::Perhaps));
     }
 
     #[test]

@@ -138,6 +138,7 @@ pub(super) fn one_of_several(ranked: &[Ranked], student: &Signature) -> Option<D
     let (best, Alone { shown: equal, .. }) = ranked
         .iter()
         .filter(|one| one.known.mistakes.len() == 1)
+        .filter(|one| !student.is_alike_in_crashes_only(&one.known.signature))
         .map(|one| (one, student.shows(&one.known.signature)))
         .filter(|(_, Alone { of, shown })| {
             *shown >= FEWEST_OF_SEVERAL

@@ -214,8 +214,12 @@ const SCALES: [i32; 7] = [-2, 2, -4, 4, -6, -8, 6];
 fn only_at(exponent: i32) -> String {
     let factor = 10_u64.pow(exponent.unsigned_abs());
     match exponent < 0 {
-        true => format!("only for small lengths: no call {factor} times as large shows it"),
-        false => format!("only for large lengths: no call {factor} times as small shows it"),
+        true => {
+            format!("of the simple questions only small ones show it: none {factor} times as large")
+        }
+        false => {
+            format!("of the simple questions only large ones show it: none {factor} times as small")
+        }
     }
 }
 
@@ -260,7 +264,7 @@ fn shortest(
 }
 
 /// What is said of a call of a failed case with fewer digits.
-const SHORTEST: &str = "no simpler call shows it: this is one of the case, rounded";
+const SHORTEST: &str = "no simple question shows it: this is a call of the case, rounded";
 
 /// The digits in the input of a question with one call.
 fn digits(spec: &Spec) -> usize {

@@ -178,6 +178,8 @@ fn instead(wrong: &WrongCall, right: &str) -> String {
         Some(Class::Negated) => "has the opposite sign",
         Some(Class::OtherSide) => "is on the other side",
         Some(Class::WrongLength) => "has another length",
+        Some(Class::TooShort) => "is too short",
+        Some(Class::TooLong) => "is too long",
         Some(Class::Swapped) => "has its numbers swapped",
         Some(Class::Ratio(1)) => "is about twice the right one",
         Some(Class::Ratio(-1)) => "is about half the right one",

@@ -9,13 +9,17 @@ use std::fmt::Write;
 pub(super) fn line(task: &TaskResult) -> Option<String> {
     let has_hole = |result: &FunctionResult| result.status == FunctionStatus::Hole;
     task.functions.iter().any(has_hole).then(|| {
-        let results: Vec<String> = task.functions.iter().map(one).collect();
+        let crashed = task.cases.iter().any(|case| case.crash().is_some());
+        let results = task.functions.iter().map(|function| one(function, crashed));
+        let results: Vec<String> = results.collect();
         results.join("; ")
     })
 }
 
-fn one(result: &FunctionResult) -> String {
+/// `crashed` says whether a case of the task has no answers: nobody knows whose fault that is.
+fn one(result: &FunctionResult, crashed: bool) -> String {
     let status = match &result.status {
+        FunctionStatus::Right if crashed => "right in the cases that do not crash".into(),
         FunctionStatus::Right => "right in all cases".into(),
         FunctionStatus::Wrong { of, wrong } => format!("wrong in {wrong} of {of} cases"),
         FunctionStatus::Hole => "not written yet".into(),
@@ -64,6 +68,14 @@ mod tests {
                 "test_triangle: right in all cases; intersect_triangle: wrong in 3 of 12 cases; \
                  record_triangle: not written yet"
             )
+        );
+        let mut crashed = CaseResult::failed("head_on", Vec::new());
+        crashed.status = crate::score::Status::Crashed("panicked".into());
+        task.cases.push(crashed);
+        let says = line(&task).unwrap_or_default();
+        assert!(
+            says.starts_with("test_triangle: right in the cases that do not crash;"),
+            "{says}"
         );
     }
 }

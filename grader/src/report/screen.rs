@@ -73,7 +73,7 @@ pub fn format_screen(report: &Report, context: &Context, reveal: Reveal, page: P
     match first_to_mend(report, reveal.extra) {
         Some(task) => {
             blocks.extend(detail::blocks(task, context, reveal, page));
-            blocks.push(score(report, page));
+            blocks.push(score(report, context, page));
             // Without answers there is no more to say.
             let has_run = !matches!(
                 task.result.status,
@@ -85,7 +85,7 @@ pub fn format_screen(report: &Report, context: &Context, reveal: Reveal, page: P
         }
         None => {
             blocks.extend(success(report, context, page));
-            blocks.push(score(report, page));
+            blocks.push(score(report, context, page));
         }
     }
     if let Some(sentence) = given::sentence(&context.changed_given) {
@@ -273,9 +273,16 @@ fn right_so_far(task: &TaskResult) -> String {
 }
 
 /// The points, and one line about extra credit.
-fn score(report: &Report, page: Page) -> Block {
+fn score(report: &Report, context: &Context, page: Page) -> Block {
     let points = |score: f64, max: f64| format!("{} of {}", number(score), number(max));
-    let mut text = format!("score {}", points(report.score, report.max_score));
+    // Without an argument, whatever is open of a stage is graded with the first open task.
+    let of = match report.tasks.len() {
+        graded @ 2.. if context.what.contains(".task") && !context.what.contains(',') => {
+            format!(" of these {graded} tasks: ")
+        }
+        _ => " ".to_owned(),
+    };
+    let mut text = format!("score{of}{}", points(report.score, report.max_score));
     if report.robust_max_score > 0.0 {
         let extra = points(report.robust_score, report.robust_max_score);
         text.push_str(&format!("; extra credit {extra}"));

@@ -286,6 +286,7 @@ pub(crate) fn told_class(aspect: Aspect, class: Class) -> Class {
         Class::Off(power) if power <= SINGLE_PRECISION && HAS_A_SIZE.contains(&aspect) => {
             Class::Rounded
         }
+        Class::TooShort | Class::TooLong => Class::WrongLength,
         class => class,
     }
 }

@@ -157,6 +157,8 @@ pub(super) static TELLING_KINDS: LazyLock<HashMap<u16, Class>> = LazyLock::new(|
         Class::SlightlyLess,
         Class::SlightlyMore,
         Class::WrongLength,
+        Class::TooShort,
+        Class::TooLong,
         Class::Swapped,
     ];
     let all = ratios.chain(greys).chain(others);

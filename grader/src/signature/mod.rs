@@ -234,15 +234,25 @@ impl Signature {
     /// The fields, and the functions that gave them, in which both are wrong in the same way on a
     /// call.
     pub fn places_alike(&self, other: &Signature) -> BTreeSet<(Aspect, Option<String>)> {
+        let places = self.keys_alike(other).filter_map(|key| key.side.place());
+        places
+            .map(|(aspect, function)| (aspect, function.map(str::to_owned)))
+            .collect()
+    }
+
+    /// Whether both only crash in the same cases, which code does for many reasons.
+    pub fn is_alike_in_crashes_only(&self, other: &Signature) -> bool {
+        let mut keys = self.keys_alike(other).peekable();
+        keys.peek().is_some() && keys.all(|key| key.side.place().is_none())
+    }
+
+    fn keys_alike<'a>(&'a self, other: &'a Signature) -> impl Iterator<Item = &'a SignatureKey> {
         let keys = self.cases().iter().filter(|(key, codes)| {
             let others = codes_at(other.cases(), key).iter();
             let mut pairs = codes.0.iter().zip(others);
             pairs.any(|(a, b)| *a != 0 && a == b)
         });
-        let places = keys.filter_map(|(key, _)| key.side.place());
-        places
-            .map(|(aspect, function)| (aspect, function.map(str::to_owned)))
-            .collect()
+        keys.map(|(key, _)| key)
     }
 
     /// The part of the signature whose keys satisfy `is_kept`.

@@ -5,6 +5,7 @@
 
 use crate::tools::aspects::independence::{self, PixelSamples};
 use crate::tools::findings::{Aspect, Class, Findings, Message, told_apart};
+use crate::tools::plural;
 use std::collections::{HashMap, HashSet};
 use wire::answer::PixelAnswer;
 use wire::work::{PixelWork, PixelWorld};
@@ -80,8 +81,8 @@ fn calls(findings: &mut Findings, call: usize, [x, y]: [u32; 2], ns_aa: u32, ans
     });
     findings.judge_class(Aspect::Calls, call, class, off as f64, || {
         Message::new(format!(
-            "your result: {points} calls of camera_ray, {traced} of trace_ray, and {} samples in the estimate; expected: {ns_aa} each",
-            answer.samples
+            "your result: {points} calls of camera_ray, {traced} of trace_ray, and {} in the estimate; expected: {ns_aa} each",
+            plural(answer.samples as usize, "sample", "samples")
         ))
         .asked(input.clone())
     });

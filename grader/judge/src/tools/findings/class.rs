@@ -30,8 +30,12 @@ pub enum Class {
     Negative,
     /// A direction on the other side of the surface.
     OtherSide,
-    /// The right direction with another length.
+    /// The right direction, or any of chance, with another length.
     WrongLength,
+    /// The right direction, and shorter than 1.
+    TooShort,
+    /// The right direction, and longer than 1.
+    TooLong,
     /// A number that is about 2 to this power times the right one.
     Ratio(i8),
     /// A number that is too small by less than a factor of the square root of 2.
@@ -68,6 +72,8 @@ impl Class {
             | Class::Negative
             | Class::OtherSide
             | Class::WrongLength
+            | Class::TooShort
+            | Class::TooLong
             | Class::Ratio(_)
             | Class::SlightlyLess
             | Class::SlightlyMore
@@ -169,7 +175,11 @@ impl Class {
         } else if (answered.normalize_or_zero() - right).length() < SAME
             && (answered.length() - 1.0).abs() > SAME
         {
-            Class::WrongLength
+            // Different mistakes: a normal as long as the radius, or divided by its square.
+            match answered.length() < 1.0 {
+                true => Class::TooShort,
+                false => Class::TooLong,
+            }
         } else if (answered - right).length() < ROUNDED {
             Class::Rounded
         } else {

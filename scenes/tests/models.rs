@@ -191,6 +191,17 @@ fn textures_of_gltf_are_found() {
     assert_eq!(scene.textures.coordinates[0][1], Vec2::new(2.5, 0.0));
 }
 
+/// A texture without an image is valid: an extension such as `EXT_texture_webp` has it.
+#[test]
+fn textures_of_gltf_without_an_image_are_named() {
+    let material =
+        r#"{"pbrMetallicRoughness":{"metallicFactor":0,"baseColorTexture":{"index":0}}}"#;
+    let read = loaded(&[("a.glb", &square(material, "", r#","textures":[{}]"#))]);
+    assert!(read.scene.textures.files.is_empty());
+    let expected = ["textures whose image is in no format of glTF itself"];
+    assert_eq!(titles(&read), expected);
+}
+
 /// Lights and cameras; Blender's lamps are in lumens of 683 to the watt.
 #[test]
 fn lights_and_cameras_of_gltf_are_read() {
@@ -463,7 +474,7 @@ fn obj_files_in_other_dialects_are_the_same_scene() {
         OBJ.as_bytes(),
         &format!("{MTL}map_Kd -s 2 2 1 my tiles.png\n"),
     );
-    assert_eq!(optional.2, ["options of map_Kd"]);
+    assert_eq!(optional.2, ["`Kd` beside `map_Kd`", "options of map_Kd"]);
     let foreign = scene_of(OBJ.as_bytes(), &format!("{MTL}Tr 0.5\nPm 1\n"));
     let told = ["Pm", "Tr"].map(|name| format!("the parameter `{name}` of materials"));
     assert_eq!(foreign.2, told);
@@ -556,6 +567,26 @@ fn materials_of_obj_become_those_of_the_course() {
         ("a.mtl", b"newmtl red\nmap_Kd maps\\wall.png\n"),
     ]);
     assert_eq!(textured.scene.textures.files, ["maps/wall.png"]);
+    for (mtl, reflectance, warning) in [
+        ("", 1.0, ""),
+        ("Kd 1 1 1", 1.0, ""),
+        ("Kd 0.5 0.5 0.5", 0.5, "`Kd` beside `map_Kd`"),
+        ("Kd 0 0 0", 1.0, "a black `Kd` beside `map_Kd`"),
+        (
+            "# Blender 4.1.1 MTL File: 'a.blend'\nKd 0.8 0.8 0.8",
+            1.0,
+            "",
+        ),
+    ] {
+        let (comment, color) = mtl.split_once('\n').unwrap_or(("", mtl));
+        let mtl = format!("{comment}\nnewmtl red\n{color}\nmap_Kd a.png\n");
+        let mtl = mtl.trim_start();
+        let loaded = loaded(&[("a.obj", OBJ.as_bytes()), ("a.mtl", mtl.as_bytes())]);
+        let reflectance = Spectrum::grey(reflectance);
+        let expected = Material::Diffuse { reflectance };
+        assert_eq!(loaded.scene.materials[0].material, expected, "{mtl}");
+        assert_eq!(titles(&loaded).join(", "), warning, "{mtl}");
+    }
     let missing = loaded(&[("a.obj", OBJ.as_bytes())]);
     assert_eq!(
         titles(&missing),
@@ -606,6 +637,56 @@ fn ply_files_are_read_as_text_and_in_binary() {
     let outside = PLY.replace("4 0 1 2 3", "4 0 1 2 9");
     assert!(message(outside.as_bytes()).contains("refers to vertex 9, but has 4"));
     assert!(message(b"plx").contains("not a valid PLY file"));
+}
+
+/// Texture coordinates of vertices, and of faces with several textures.
+#[test]
+fn textures_of_ply_are_read() {
+    let comment = "format ascii 1.0\ncomment TextureFile my maps\\wall.png";
+    let of_vertices = PLY
+        .replace("format ascii 1.0", comment)
+        .replace("property uchar red", "property float s\nproperty float t")
+        .replace("0 0 0 255", "0 0 0 0 0")
+        .replace(
+            "0 0 0\n1 1 0 0\n0 1 0 0\n",
+            "0 0 1 0\n1 1 0 1 1\n0 1 0 0 1\n",
+        );
+    let read = loaded(&[("a.ply", of_vertices.as_bytes())]);
+    assert!(read.warnings.is_empty(), "{of_vertices}");
+    assert_eq!(read.scene.textures.files, ["my maps/wall.png"]);
+    let reflectance = Spectrum::WHITE;
+    let white = Material::Diffuse { reflectance };
+    assert_eq!(read.scene.materials[0].material, white);
+    let corners = [Vec2::ZERO, Vec2::X, Vec2::ONE];
+    assert_eq!(read.scene.textures.coordinates[0], corners);
+
+    let of_faces = PLY
+        .replace(
+            "format ascii 1.0",
+            &format!("{comment}\ncomment TextureFile b.png"),
+        )
+        .replace("element face 1", "element face 3")
+        .replace(
+            "vertex_indices",
+            "vertex_indices\nproperty list uchar float texcoord\nproperty int texnumber",
+        )
+        .replace(
+            "4 0 1 2 3",
+            "3 0 1 2 6 0 0 1 0 1 1 1\n3 0 2 3 6 0 0 0 1 0 2 0\n3 0 1 3 0 -1",
+        );
+    let read = loaded(&[("a.ply", of_faces.as_bytes())]);
+    assert_eq!(titles(&read), ["the colours of vertices are ignored"]);
+    let textures = &read.scene.textures;
+    assert_eq!(textures.files, ["my maps/wall.png", "b.png"]);
+    assert_eq!(
+        textures.coordinates[0],
+        [Vec2::ZERO, Vec2::Y, Vec2::Y * 2.0]
+    );
+    assert_eq!(textures.coordinates[1], corners);
+    assert_eq!(
+        [0, 1, 2].map(|i| textures.of_material(i)),
+        [Some(0), Some(1), None]
+    );
 }
 
 /// A folder is no file, and a file that is missing says so.

@@ -206,7 +206,12 @@ pub(super) fn add(
                 "they are repeated",
             );
         }
-        texture = Some(image(builder, file, &info)?);
+        texture = image(builder, file, &info)?;
+        if texture.is_none() {
+            let title = "textures whose image is in no format of glTF itself";
+            let result = "the colour without the texture is used: export PNG or JPEG images";
+            builder.warn(title, &name, result);
+        }
     }
     Ok(ReadMaterial {
         index: builder.add_material(&name, material, texture),
@@ -214,13 +219,16 @@ pub(super) fn add(
     })
 }
 
-/// The name of the image of a texture. Images inside of the file are stored in the builder.
+/// The name of the image of a texture; `None` if only an extension has one. Images inside of the
+/// file are stored in the builder.
 fn image(
     builder: &mut Builder<'_>,
     file: &File<'_>,
     info: &Info<'_>,
-) -> Result<String, SceneError> {
-    let image = info.texture().source();
+) -> Result<Option<String>, SceneError> {
+    let Some(image) = info.texture().source() else {
+        return Ok(None);
+    };
     let name = format!("image {} of {}", image.index(), builder.file);
     let bytes = match image.source() {
         Source::View { view, .. } => {
@@ -228,10 +236,10 @@ fn image(
             bytes.to_vec()
         }
         Source::Uri { uri, .. } if uri.starts_with("data:") => file.data(uri)?,
-        Source::Uri { uri, .. } => return Ok(file.path(uri)),
+        Source::Uri { uri, .. } => return Ok(Some(file.path(uri))),
     };
     builder.textures.embedded.insert(name.clone(), bytes);
-    Ok(name)
+    Ok(Some(name))
 }
 
 fn color(channels: [f32; 3]) -> Spectrum {

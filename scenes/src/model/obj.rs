@@ -1,7 +1,11 @@
 //! OBJ, with its MTL file beside it.
 //!
 //! Polygons are triangulated. A surface is a lamp if its `Ke` is not black, glass with `illum` 4,
-//! 6, 7 or 9, a mirror of colour `Ks` with `illum` 3 or 5, and else diffuse, with `Kd` or `map_Kd`.
+//! 6, 7 or 9, a mirror of colour `Ks` with `illum` 3 or 5, and else diffuse.
+//!
+//! `Kd` and `map_Kd` are multiplied, as the format says, and as three.js and assimp do. The texture
+//! alone is used beside a black `Kd`, which exporters write for "see the texture", and in files of
+//! Blender, whose `Kd` beside a texture is a colour that Blender itself does not show.
 
 use super::builder::{Builder, Corner, MeshData};
 use crate::Loaded;
@@ -10,7 +14,7 @@ use crate::collada::transform::Affine;
 use crate::diagnostic::SceneError;
 use crate::limited_file;
 use kit::{Material, Spectrum, Vec2, Vec3};
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::io::BufReader;
 use std::path::Path;
 use tobj::LoadOptions;
@@ -33,9 +37,11 @@ pub(super) fn read(name: &str, folder: &Path, bytes: &[u8]) -> Result<Loaded, Sc
         builder.warn("points and lines", "", "they are left out");
     }
     let problems = RefCell::new(Vec::new());
+    let is_of_blender = Cell::new(false);
     let library = |path: &Path| {
         let (text, missing) = libraries(folder, &path.to_string_lossy().replace('\\', "/"));
         let (text, left_out) = plain(&text);
+        is_of_blender.set(is_of_blender.get() || text.starts_with("# Blender"));
         let mut problems = problems.borrow_mut();
         problems.extend(missing.into_iter().map(|file| {
             let result = "keep it beside the .obj file; surfaces are grey";
@@ -64,7 +70,7 @@ pub(super) fn read(name: &str, folder: &Path, bytes: &[u8]) -> Result<Loaded, Sc
     });
     let numbers: Vec<u32> = materials
         .iter()
-        .map(|m| add_material(&mut builder, m))
+        .map(|m| add_material(&mut builder, m, is_of_blender.get()))
         .collect();
     let mut counter = TestCounter::default();
     for model in &models {
@@ -226,7 +232,7 @@ fn push<'a>(lines: &mut String, word: &'a str, rest: impl Iterator<Item = &'a st
     lines.push('\n');
 }
 
-fn add_material(builder: &mut Builder<'_>, given: &tobj::Material) -> u32 {
+fn add_material(builder: &mut Builder<'_>, given: &tobj::Material, is_of_blender: bool) -> u32 {
     let color = |channels: Option<[f64; 3]>, default: f64| {
         Spectrum::from(
             channels
@@ -237,6 +243,8 @@ fn add_material(builder: &mut Builder<'_>, given: &tobj::Material) -> u32 {
     let reflected = |c: Spectrum| Spectrum::new(c.r.min(1.0), c.g.min(1.0), c.b.min(1.0));
     let emission = color(given.emissive, 0.0);
     let specular = reflected(color(given.specular, 1.0));
+    // That of a texture.
+    let diffuse = reflected(color(given.diffuse, 1.0));
     let material = match given.illumination_model {
         _ if !emission.is_black() => Material::Emission { radiance: emission },
         Some(3 | 5) => Material::Mirror {
@@ -253,12 +261,14 @@ fn add_material(builder: &mut Builder<'_>, given: &tobj::Material) -> u32 {
         },
         _ => Material::Diffuse {
             reflectance: match given.diffuse_texture {
-                Some(_) => Spectrum::WHITE,
+                Some(_) if is_of_blender || diffuse.is_black() => Spectrum::WHITE,
+                Some(_) => diffuse,
                 None => reflected(color(given.diffuse, 0.5)),
             },
         },
     };
     let is_diffuse = matches!(material, Material::Diffuse { .. });
+    let is_tinted = is_diffuse && given.diffuse_texture.is_some() && diffuse != Spectrum::WHITE;
     let mut warn = |is_so: bool, title: &str, result: &str| {
         if is_so {
             builder.warn(title, &given.name, result);
@@ -270,6 +280,16 @@ fn add_material(builder: &mut Builder<'_>, given: &tobj::Material) -> u32 {
         transparent && !is_glass,
         "materials with transparent parts",
         "they are opaque",
+    );
+    warn(
+        is_tinted && diffuse.is_black(),
+        "a black `Kd` beside `map_Kd`",
+        "the texture alone is used",
+    );
+    warn(
+        is_tinted && !diffuse.is_black() && !is_of_blender,
+        "`Kd` beside `map_Kd`",
+        "they are multiplied; some programs show the texture alone: `Kd 1 1 1` does the same here",
     );
     warn(
         given.normal_texture.is_some(),

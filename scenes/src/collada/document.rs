@@ -194,12 +194,17 @@ pub(super) fn descendant<'a>(parent: Element<'a>, path: &[&str]) -> Option<Eleme
 /// The course's extension of COLLADA: the content of `<extra><technique profile="CGL">` (or
 /// `CMU462`).
 pub(super) fn course_technique<'a>(parent: Element<'a>) -> Option<Element<'a>> {
+    technique(parent, &["CGL", "CMU462"])
+}
+
+/// The content of `<extra><technique profile="...">` of one of `profiles`.
+pub(super) fn technique<'a>(parent: Element<'a>, profiles: &[&str]) -> Option<Element<'a>> {
     children(parent)
         .filter(|element| tag(*element) == "extra")
         .flat_map(children)
         .find(|element| {
-            tag(*element) == "technique"
-                && matches!(element.attribute("profile"), Some("CGL" | "CMU462"))
+            let profile = element.attribute("profile").unwrap_or_default();
+            tag(*element) == "technique" && profiles.contains(&profile)
         })
 }
 

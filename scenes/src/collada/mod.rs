@@ -16,7 +16,7 @@
 //!   where only `specular` reflects. Colours and numbers may be parameters of the effect.
 //! - Lights: `area` (the unit square in x and y, emitting to -z), `point`, `spot`, `directional`,
 //!   and `ambient` as a uniform sky. Attenuation elements are ignored: intensity falls with the
-//!   squared distance anyway.
+//!   squared distance anyway. Those of Blender 2.80 and later are as in Cycles.
 //! - Perspective cameras: `xfov`, `yfov`, `aspect_ratio`, `znear`, `zfar`.
 //! - Nested nodes and instances of nodes, with `matrix`, `translate`, `rotate`, `scale`, `skew` and
 //!   `lookat`. Everything is transformed to world space with +y up, whatever `up_axis` is. `unit`

@@ -3,7 +3,8 @@
 //! armature with a skin.
 
 use super::load;
-use kit::{Light, Vec3};
+use kit::{Light, Spectrum, Vec3};
+use std::f64::consts::PI;
 
 const DOCUMENT: &str = r##"<?xml version="1.0" encoding="utf-8"?>
 <COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1" xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance">
@@ -164,10 +165,98 @@ fn everything_that_can_be_shown_is_read() {
     let camera = scene.camera.expect("a camera");
     assert_eq!(camera.pos, Vec3::new(0.0, 0.0, -9.0));
     assert_eq!(camera.h_fov, 39.59775);
-    let Light::Point { position, .. } = scene.lights[0].light else {
-        panic!("expected a point light")
+    let position = Vec3::new(-1.0, 3.0, 2.0);
+    let intensity = Spectrum::grey(1000.0) / (4.0 * PI);
+    let expected = Light::Point {
+        position,
+        intensity,
     };
-    assert_eq!(position, Vec3::new(-1.0, 3.0, 2.0));
+    assert_eq!(scene.lights[0].light, expected);
+}
+
+/// Lights are as bright as in Cycles, from the version on whose lights have watts.
+#[test]
+fn lights_in_watts_are_as_in_cycles() {
+    let light = |more: &str, version: &str| {
+        let extra = r#"<type sid="type" type="int">0</type>"#;
+        let document = DOCUMENT.replace(extra, more).replace("2.93.0", version);
+        let loaded = scenes::parse("blender.dae", &document).expect("a scene");
+        let titles: Vec<String> = loaded.warnings.iter().map(|w| w.0.title().into()).collect();
+        (loaded.scene.lights[0].light, titles.len() - 3)
+    };
+    let watts = Spectrum::grey(1000.0);
+    let position = Vec3::new(-1.0, 3.0, 2.0);
+    for (version, intensity) in [
+        ("2.79.0", watts),
+        ("4.3.2 commit date:2024", watts / (4.0 * PI)),
+    ] {
+        let expected = Light::Point {
+            position,
+            intensity,
+        };
+        assert_eq!(light("<type>0</type>", version), (expected, 0), "{version}");
+    }
+    let area = |shape: u32| {
+        let sizes = "<area_size>0.5</area_size><area_sizey>0.25</area_sizey>";
+        light(
+            &format!("<type>4</type><area_shape>{shape}</area_shape>{sizes}"),
+            "3.6.0",
+        )
+    };
+    for (shape, width, height, warnings) in [
+        (0, 0.5, 0.5, 0),
+        (1, 0.5, 0.25, 0),
+        (4, (PI / 16.0).sqrt(), (PI / 16.0).sqrt(), 1),
+    ] {
+        let (
+            Light::Area {
+                edge_x,
+                edge_y,
+                direction,
+                radiance,
+                ..
+            },
+            told,
+        ) = area(shape)
+        else {
+            panic!("expected an area light")
+        };
+        assert!((edge_x.length() - width).abs() < 1e-12, "{shape}: {edge_x}");
+        assert!(
+            (edge_y.length() - height).abs() < 1e-12,
+            "{shape}: {edge_y}"
+        );
+        // Z_UP: it shines down.
+        assert_eq!((direction, told), (Vec3::NEG_Y, warnings), "{shape}");
+        let expected = 1000.0 / (4.0 * width * height);
+        assert!(
+            (radiance.r / expected - 1.0).abs() < 1e-12,
+            "{shape}: {radiance:?}"
+        );
+    }
+    let spot = DOCUMENT
+        .replace("<point>", "<spot>")
+        .replace(
+            "</point>",
+            "<falloff_exponent>0.15</falloff_exponent></spot>",
+        )
+        .replace(r#"type="int">0</type>"#, "/><spotblend>0.15</spotblend>");
+    let loaded = scenes::parse("blender.dae", &spot).expect("a scene");
+    let Light::Spot {
+        intensity,
+        falloff_exponent,
+        ..
+    } = loaded.scene.lights[0].light
+    else {
+        panic!("expected a spot light")
+    };
+    assert_eq!((intensity, falloff_exponent), (watts / (4.0 * PI), 0.0));
+    assert!(
+        loaded
+            .warnings
+            .iter()
+            .any(|w| w.0.title() == "a spot light with a soft edge")
+    );
 }
 
 #[test]

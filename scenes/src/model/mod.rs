@@ -1,9 +1,9 @@
 //! Readers of models in other formats than COLLADA: glTF (`.glb`, `.gltf`), OBJ and PLY.
 //!
-//! Libraries parse the files (`gltf`, `tobj`, `ply-rs-bw`). Here their contents become a
+//! Libraries parse the files (`gltf`, `ply-rs-bw`; OBJ is read here). Here their contents become a
 //! [`kit::Scene`], and what has no place in it is named in a warning. Reading order: `builder`
 //! (triangles, materials and warnings, for all formats), `accessor`, `gltf_material` and `gltf`,
-//! `obj`, `ply`.
+//! `obj` and `mtl`, `ply`.
 //!
 //! Such files often have no light: then a sky and a sun are added, and [`Loaded::added_light`] is
 //! set. One without a camera is framed, from the right and from above.
@@ -12,6 +12,7 @@ mod accessor;
 mod builder;
 mod gltf;
 mod gltf_material;
+mod mtl;
 mod obj;
 mod ply;
 

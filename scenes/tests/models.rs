@@ -191,6 +191,40 @@ fn textures_of_gltf_are_found() {
     assert_eq!(scene.textures.coordinates[0][1], Vec2::new(2.5, 0.0));
 }
 
+/// Of many instances, of nothing that a file has bytes for, and of an extension in quantised form.
+#[test]
+fn what_gltf_requires_is_bounded_and_checked_once() {
+    let required = r#","extensionsUsed":["KHR_mesh_quantization"],"extensionsRequired":["KHR_mesh_quantization"]"#;
+    assert_eq!(
+        titles(&loaded(&[("a.glb", &square(RED, "", required))])),
+        [""; 0]
+    );
+    let unlit = RED
+        .replace(
+            r#""name":"red""#,
+            r#""extensions":{"KHR_materials_unlit":{}}"#,
+        )
+        .replace(r#","metallicFactor":0"#, "");
+    let read = loaded(&[("a.glb", &square(&unlit, "", ""))]);
+    assert!(matches!(
+        read.scene.materials[0].material,
+        Material::Diffuse { .. }
+    ));
+    assert_eq!(
+        titles(&read),
+        ["materials without light (KHR_materials_unlit)"]
+    );
+    let text = String::from_utf8_lossy(&square(RED, "", "")[20..]).replace(
+        r#""bufferView":0,"componentType":5126,"count":4"#,
+        r#""componentType":5126,"count":70000000"#,
+    );
+    let json = &text[..text.rfind("}]}").expect("the end") + 3];
+    let error = load(&[("a.glb", &glb(json, &square_bytes()))])
+        .unwrap_err()
+        .to_string();
+    assert!(error.contains("vertices and indices"), "{error}");
+}
+
 /// A texture without an image is valid: an extension such as `EXT_texture_webp` has it.
 #[test]
 fn textures_of_gltf_without_an_image_are_named() {
@@ -311,10 +345,7 @@ fn what_gltf_has_and_a_scene_has_not_is_named() {
         r#""emissiveFactor":[1,1,1],"doubleSided":true"#,
     );
     for (file, expected) in [
-        (
-            square(RED, "", more),
-            &["the extension EXT_mesh_gpu_instancing is ignored"][..],
-        ),
+        (square(RED, "", more), &["extensions that are not read"][..]),
         (
             square(&lamp, "", ""),
             &["lamps that shine on both sides", "lamps that reflect light"],
@@ -476,8 +507,7 @@ fn obj_files_in_other_dialects_are_the_same_scene() {
     );
     assert_eq!(optional.2, ["`Kd` beside `map_Kd`", "options of map_Kd"]);
     let foreign = scene_of(OBJ.as_bytes(), &format!("{MTL}Tr 0.5\nPm 1\n"));
-    let told = ["Pm", "Tr"].map(|name| format!("the parameter `{name}` of materials"));
-    assert_eq!(foreign.2, told);
+    assert_eq!(foreign.2, ["parameters of materials that are not read"]);
     let with_line = scene_of(format!("{OBJ}l 1 2 3\n").as_bytes(), MTL);
     assert_eq!(
         (with_line.0, with_line.2),
@@ -488,6 +518,61 @@ fn obj_files_in_other_dialects_are_the_same_scene() {
     let (triangles, material, titles) = scene_of(colored.as_bytes(), MTL);
     assert_eq!((triangles, material), (expected.0, expected.1));
     assert_eq!(titles, ["the colours of vertices are ignored"]);
+}
+
+/// What cannot be read is left out alone and named; an error names the line.
+#[test]
+fn rare_lines_of_obj_are_read_or_named() {
+    let titles_of = |obj: &str, mtl: &str| {
+        let files: [(&str, &[u8]); 2] = [("a.obj", obj.as_bytes()), ("a.mtl", mtl.as_bytes())];
+        let loaded = loaded(&files);
+        assert_eq!(loaded.scene.triangles.len(), 4, "{obj}");
+        let textures = loaded.scene.textures.files.join(", ");
+        (titles(&loaded).join(", "), textures)
+    };
+    let unread = "parameters of materials that cannot be read";
+    for (line, warning) in [
+        ("d -halo 0.7", "materials with transparent parts"),
+        ("Ka spectral a.rfl 1", ""),
+        ("Kd xyz 0.3 0.3 0.3", unread),
+        ("Ns", ""),
+        ("illum 2.0", ""),
+        ("Kd 1 nothing 0", unread),
+        ("Kd -1 2 0.5", "colours of materials below 0, or above 1"),
+    ] {
+        let mtl = format!("{MTL}{line}\n");
+        assert_eq!(titles_of(OBJ, &mtl).0, warning, "{line}");
+    }
+    for (value, file) in [
+        ("-s 1 1 1 tex\\q1.png", "tex/q1.png"),
+        ("-type sphere q.png", "q.png"),
+        ("-imfchan r -mm 0 1 my q.png", "my q.png"),
+        ("q.png   # comment", "q.png"),
+    ] {
+        let mtl = format!("newmtl red\nmap_Kd {value}\n");
+        assert_eq!(titles_of(OBJ, &mtl).1, file, "{value}");
+    }
+    for (line, warning) in [
+        ("vt 0.5", ""),
+        ("cstype bezier", "statements that are not read"),
+        ("f 1 2", "faces of fewer than three corners"),
+    ] {
+        assert_eq!(
+            titles_of(&format!("{OBJ}{line}\n"), MTL).0,
+            warning,
+            "{line}"
+        );
+    }
+    for (line, message) in [
+        ("f 1 2 0", "line 17 is not valid: expected vertices"),
+        ("f -9 -2 -1", "line 17 is not valid: expected vertices"),
+        ("f 1 2 9", "line 17 refers to vertex 9, but there are 5"),
+        ("v 1 2", "line 17 is not valid: expected three numbers"),
+    ] {
+        let obj = format!("{OBJ}# a \\\n comment\n{line}\n");
+        let error = load(&[("a.obj", obj.as_bytes())]).unwrap_err().to_string();
+        assert!(error.contains(message), "{line}: {error}");
+    }
 }
 
 /// Faces without normals in a file with some do not have those of other faces.
@@ -636,6 +721,11 @@ fn ply_files_are_read_as_text_and_in_binary() {
     assert!(message(b"ply\nformat ascii 1.0\nend_header\n").contains("has no faces"));
     let outside = PLY.replace("4 0 1 2 3", "4 0 1 2 9");
     assert!(message(outside.as_bytes()).contains("refers to vertex 9, but has 4"));
+    let flat = PLY.replace("property float z\n", "");
+    assert!(message(flat.as_bytes()).contains("have no property `z`"));
+    let large = (PLY.replace("float x", "int x")).replace("\n1 ", "\n1000000001 ");
+    let large = loaded(&[("a.ply", large.replace("\n0 ", "\n1000000000 ").as_bytes())]);
+    assert_eq!(large.scene.triangles[0].p1.x, 1_000_000_001.0);
     assert!(message(b"plx").contains("not a valid PLY file"));
 }
 

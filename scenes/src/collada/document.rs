@@ -223,7 +223,7 @@ pub(super) fn name_of(element: Element<'_>) -> String {
 }
 
 /// A text, truncated for messages and names.
-pub(super) fn truncated(text: &str) -> String {
+pub(crate) fn truncated(text: &str) -> String {
     let mut chars = text.chars();
     let start: String = chars.by_ref().take(MAX_NAME).collect();
     if chars.next().is_some() {

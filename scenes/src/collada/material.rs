@@ -123,11 +123,13 @@ fn common_material<'a>(
 ) -> Result<TexturedMaterial<'a>, SceneError> {
     let technique = descendant(effect.effect, &["profile_COMMON", "technique"]);
     let shader = technique.and_then(|technique| {
-        children(technique).find(|shader| matches!(tag(*shader), "phong" | "lambert" | "blinn"))
+        children(technique)
+            .find(|shader| matches!(tag(*shader), "phong" | "lambert" | "blinn" | "constant"))
     });
     let diffuse = shader.and_then(|shader| child(shader, "diffuse"));
     let gloss = match shader {
         Some(shader) => {
+            warn_of_emission(doc, effect, shader);
             warn_of_transparency(doc, effect, shader);
             Gloss::read(doc, effect, shader)
         }
@@ -166,14 +168,6 @@ fn common_material<'a>(
             .help("using grey, 0.5 0.5 0.5")
             .warn();
         return Ok(TexturedMaterial::DEFAULT);
-    }
-    if let Some(emission) = shader.and_then(|shader| descendant(shader, &["emission", "color"]))
-        && !color(doc, emission)?.is_black()
-    {
-        let title = "the emission of the common profile is ignored";
-        doc.on(emission, title, "this surface emits no light")
-            .help("write <extra><technique profile=\"CGL\"><emission><radiance> in the effect")
-            .warn();
     }
     Ok(TexturedMaterial::from(Material::Diffuse { reflectance }))
 }
@@ -266,6 +260,23 @@ impl<'a> Gloss<'a> {
                 .help("write <extra><technique profile=\"CGL\"> with <mirror> or <glossy> in the effect")
                 .warn();
         }
+    }
+}
+
+/// Warns if a surface emits light, with a colour or a texture.
+fn warn_of_emission<'a>(doc: &Document<'a>, effect: &EffectInstance<'a>, shader: Element<'a>) {
+    let Some(emission) = child(shader, "emission") else {
+        return;
+    };
+    let of_color = effect.value(emission, COLORS).filter(|element| {
+        let color = color(doc, *element);
+        color.map_or(true, |color| !color.is_black())
+    });
+    if let Some(place) = of_color.or(child(emission, "texture")) {
+        let title = "the emission of the common profile is ignored";
+        doc.on(place, title, "this surface emits no light")
+            .help("write <extra><technique profile=\"CGL\"><emission><radiance> in the effect")
+            .warn();
     }
 }
 

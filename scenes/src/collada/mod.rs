@@ -115,6 +115,7 @@ mod warnings;
 use crate::Loaded;
 use crate::diagnostic::{SceneError, Warning};
 use crate::text_file;
+pub(crate) use document::truncated;
 use document::{Document, Element, children, descendant, tag};
 use kit::Scene;
 use std::path::Path;

@@ -43,7 +43,8 @@ impl Buffers {
                     .ok_or_else(|| past_the_end(accessor))?
             }
             // Sparse accessors without a view change zeros.
-            None => vec![[0.0; N]; count.min(MAX_ZEROS)],
+            None if count <= MAX_ZEROS => vec![[0.0; N]; count],
+            None => return Err(past_the_end(accessor)),
         };
         if let Some(sparse) = accessor.sparse() {
             let (indices, values) = (sparse.indices(), sparse.values());

@@ -11,8 +11,9 @@ use super::accessor::Buffers;
 use super::builder::{Builder, Corner, MeshData};
 use super::gltf_material::{self, ReadMaterial};
 use crate::Loaded;
-use crate::collada::limits::{MAX_DEPTH, MAX_INSTANCES};
+use crate::collada::limits::{MAX_DEPTH, MAX_INSTANCES, MAX_PRIMITIVES};
 use crate::collada::transform::Affine;
+use crate::collada::truncated;
 use crate::collada::uri::percent_decoded;
 use crate::diagnostic::{Diagnostic, SceneError};
 use crate::limited_file;
@@ -21,6 +22,7 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use gltf::buffer::Source;
 use gltf::camera::Projection;
+use gltf::json::validation;
 use gltf::khr_lights_punctual::Kind;
 use gltf::mesh::Mode;
 use gltf::{Accessor, Gltf, Node, Semantic};
@@ -32,6 +34,9 @@ use std::path::Path;
 
 /// Lumens per watt in the files of Blender.
 const BLENDER_LUMENS: f64 = 683.0;
+
+/// Vertices and indices over all instances: some seconds.
+const MAX_ELEMENTS: usize = 4 * MAX_PRIMITIVES;
 
 /// Extensions without which a file is read as it is meant, or with a warning.
 const SUPPORTED: [&str; 7] = [
@@ -113,9 +118,15 @@ fn is_version_1(bytes: &[u8]) -> bool {
     is_of("\"1.") && !is_of("\"2.")
 }
 
-/// Whether a place in a file is that of the smallest or the largest value of an accessor.
-fn is_bound(path: &str) -> bool {
-    path.ends_with(".min") || path.ends_with(".max")
+/// Whether a finding of the library at this place of a file is none: nothing here needs the bounds
+/// of positions, which some exporters leave out, accessors without a view are zeros, and the
+/// extensions have been checked.
+fn is_accepted(path: &str, why: &validation::Error) -> bool {
+    let is_zeros = path.starts_with("accessors") && path.ends_with(".bufferView");
+    path.ends_with(".min")
+        || path.ends_with(".max")
+        || path.starts_with("extensionsRequired")
+        || (is_zeros && *why == validation::Error::Missing)
 }
 
 /// Reads a `.glb` or a `.gltf` file.
@@ -148,9 +159,10 @@ pub(super) fn read(name: &str, folder: &Path, bytes: &[u8]) -> Result<Loaded, Sc
         ));
     }
     let gltf = match Gltf::from_slice(bytes) {
-        // Nothing here needs the bounds of positions, which some exporters leave out.
         Err(gltf::Error::Validation(list))
-            if list.iter().all(|(path, _)| is_bound(path.as_str())) =>
+            if list
+                .iter()
+                .all(|(path, why)| is_accepted(path.as_str(), why)) =>
         {
             unchecked
         }
@@ -167,7 +179,8 @@ pub(super) fn read(name: &str, folder: &Path, bytes: &[u8]) -> Result<Loaded, Sc
         builder: Builder::new(name),
         file,
         materials: HashMap::new(),
-        to_world: Vec::new(),
+        to_world: HashMap::new(),
+        elements: 0,
         lumens: match generator {
             Some(generator) if generator.contains("Blender") => BLENDER_LUMENS,
             _ => 1.0,
@@ -181,8 +194,10 @@ struct Reader<'f> {
     builder: Builder<'f>,
     file: File<'f>,
     materials: HashMap<Option<usize>, ReadMaterial>,
-    /// The nodes of the scene, each with the path to world space.
-    to_world: Vec<(usize, Affine)>,
+    /// For each node of the scene, the path to world space.
+    to_world: HashMap<usize, Affine>,
+    /// The vertices and indices of meshes so far, over all instances.
+    elements: usize,
     /// What intensities of lights are divided by.
     lumens: f64,
 }
@@ -194,10 +209,12 @@ impl Reader<'_> {
         };
         // The old glossiness has a warning of its own.
         let is_known = |name: &&str| SUPPORTED.contains(name) || name.ends_with("Glossiness");
-        for extension in gltf.extensions_used().filter(|name| !is_known(name)) {
-            let title = format!("the extension {extension} is ignored");
+        let unknown: Vec<&str> = gltf.extensions_used().filter(|n| !is_known(n)).collect();
+        if !unknown.is_empty() {
+            let names = truncated(&unknown.join(", "));
+            let result = "the scene is shown without them";
             self.builder
-                .warn(&title, "", "the scene is shown without it");
+                .warn("extensions that are not read", &names, result);
         }
         if gltf.scenes().len() > 1 {
             let result = "the default scene is shown, or the first";
@@ -212,8 +229,8 @@ impl Reader<'_> {
         for root in scene.nodes() {
             self.place(root, Affine::IDENTITY, 0, &mut nodes)?;
         }
-        for (i, node) in nodes.iter().enumerate() {
-            let (_, to_world) = self.to_world[i];
+        for node in &nodes {
+            let to_world = self.to_world[&node.index()];
             let name = node
                 .name()
                 .map_or(format!("node {}", node.index()), str::to_owned);
@@ -245,7 +262,7 @@ impl Reader<'_> {
         if !to_world.stays_in_world() {
             return Err(self.file.damaged("a transform is not finite, or too large"));
         }
-        self.to_world.push((node.index(), to_world));
+        self.to_world.insert(node.index(), to_world);
         nodes.push(node.clone());
         for child in node.children() {
             self.place(child, to_world, depth + 1, nodes)?;
@@ -290,6 +307,15 @@ impl Reader<'_> {
             let Some(positions) = primitive.get(&Semantic::Positions) else {
                 continue;
             };
+            let indices = primitive.indices().map_or(0, |indices| indices.count());
+            self.elements = (self.elements)
+                .saturating_add(positions.count())
+                .saturating_add(indices);
+            if self.elements > MAX_ELEMENTS {
+                let title = format!("the scene has more than {MAX_ELEMENTS} vertices and indices");
+                let help = "use fewer instances, or simplify the mesh";
+                return Err(self.builder.error(title, help));
+            }
             let mut data = MeshData {
                 positions: vectors(&self.numbers(&positions)?),
                 ..MeshData::default()
@@ -369,11 +395,8 @@ impl Reader<'_> {
             None => Vec::new(),
         };
         let place = |(i, joint): (usize, Node<'_>)| {
-            let known = self
-                .to_world
-                .iter()
-                .find(|(node, _)| *node == joint.index());
-            let to_world = known.map_or(Affine::IDENTITY, |(_, to_world)| *to_world);
+            let known = self.to_world.get(&joint.index()).copied();
+            let to_world = known.unwrap_or(Affine::IDENTITY);
             let inverse = inverses.get(i).map(|m| affine(&m.map(|x| x as f32)));
             to_world.after(&inverse.unwrap_or(Affine::IDENTITY))
         };

@@ -3,7 +3,7 @@
 //! A surface has one material here, so the rule is, in this order: emission without a texture makes
 //! it a lamp; a transmission of at least a half, glass; a metal without a texture of its roughness,
 //! a mirror, or a glossy surface if it is rough; else it is diffuse, with the base colour and its
-//! texture.
+//! texture. What is unlit, or of the old specular glossiness, is diffuse.
 
 use super::builder::Builder;
 use super::gltf::File;
@@ -88,7 +88,9 @@ pub(super) fn add(
         .name()
         .map_or(format!("material {number}"), str::to_owned);
     let pbr = given.pbr_metallic_roughness();
-    let [r, g, b, alpha] = pbr.base_color_factor();
+    let old = given.pbr_specular_glossiness();
+    let factor = old.as_ref().map(|old| old.diffuse_factor());
+    let [r, g, b, alpha] = factor.unwrap_or(pbr.base_color_factor());
     let base = color([r, g, b]);
     let emission =
         color(given.emissive_factor()) * f64::from(given.emissive_strength().unwrap_or(1.0));
@@ -96,6 +98,10 @@ pub(super) fn add(
         .transmission()
         .map_or(0.0, |t| t.transmission_factor());
     let roughness = pbr.roughness_factor();
+    let metallic = match given.unlit() || old.is_some() {
+        true => 0.0,
+        false => pbr.metallic_factor(),
+    };
     // Microfacets as wide as this: squared, as the format says.
     let alpha_width = f64::from(roughness * roughness);
     let emits = !emission.is_black() && given.emissive_texture().is_none();
@@ -108,7 +114,7 @@ pub(super) fn add(
             roughness: alpha_width,
             ior: f64::from(given.ior().unwrap_or(DEFAULT_IOR)).max(1.0),
         }
-    } else if pbr.metallic_factor() >= MOSTLY && pbr.metallic_roughness_texture().is_none() {
+    } else if metallic >= MOSTLY && pbr.metallic_roughness_texture().is_none() {
         if roughness < SMOOTH {
             Material::Mirror { reflectance: base }
         } else {
@@ -140,7 +146,7 @@ pub(super) fn add(
         "they emit no light",
     );
     warn(
-        is_diffuse && pbr.metallic_roughness_texture().is_some() && pbr.metallic_factor() > 0.0,
+        is_diffuse && pbr.metallic_roughness_texture().is_some() && metallic > 0.0,
         "materials with a texture of metal and roughness",
         "they are diffuse",
     );
@@ -157,8 +163,8 @@ pub(super) fn add(
     warn(
         is_diffuse
             && !emits
-            && pbr.metallic_factor() > 0.25
-            && pbr.metallic_factor() < MOSTLY
+            && metallic > 0.25
+            && metallic < MOSTLY
             && pbr.metallic_roughness_texture().is_none(),
         "materials that are partly metal",
         "they are diffuse",
@@ -184,16 +190,17 @@ pub(super) fn add(
         "only the texture of a diffuse surface is used",
     );
     warn(
-        given.pbr_specular_glossiness().is_some(),
+        old.is_some(),
         "KHR_materials_pbrSpecularGlossiness",
-        "the metal and roughness of these materials are used instead",
+        "only the diffuse colour of these materials is used",
     );
     let mut placement = TexturePlacement::IDENTITY;
     let mut texture = None;
-    let info = given
-        .pbr_specular_glossiness()
-        .and_then(|old| old.diffuse_texture());
-    if let Some(info) = info.or(pbr.base_color_texture()).filter(|_| is_diffuse) {
+    let info = match old {
+        Some(old) => old.diffuse_texture(),
+        None => pbr.base_color_texture(),
+    };
+    if let Some(info) = info.filter(|_| is_diffuse) {
         placement = TexturePlacement::of(&info);
         let sampler = info.texture().sampler();
         if sampler.mag_filter() == Some(MagFilter::Nearest) {

@@ -9,6 +9,7 @@
 
 use super::builder::Builder;
 use super::obj::{decoded, statements};
+use crate::collada::truncated;
 use kit::{Material, Spectrum};
 use std::collections::BTreeSet;
 
@@ -157,9 +158,14 @@ impl Parameters {
             "textures of lamps, glass and mirrors",
             "only the texture of a diffuse surface is used",
         );
-        for name in &self.unknown {
-            let title = format!("the parameter `{name}` of materials");
-            builder.warn(&title, &self.name, "it is ignored");
+        if !self.unknown.is_empty() {
+            let names = truncated(&Vec::from_iter(self.unknown.iter().map(|s| &**s)).join(", "));
+            let title = "parameters of materials that are not read";
+            builder.warn(
+                title,
+                &format!("{}: {names}", self.name),
+                "they are ignored",
+            );
         }
         let texture = self.texture.as_deref().filter(|_| is_diffuse).map(|value| {
             let file = after_options(value);

@@ -64,6 +64,8 @@ impl PropertyAccess for Vertex {
         };
         *place = match value {
             Property::Double(value) => value,
+            Property::Int(value) => value.into(),
+            Property::UInt(value) => value.into(),
             other => match other.to_f32_lossy() {
                 Some(value) => f64::from(value),
                 None => return PropertyAccessResult::UnsupportedType,
@@ -198,6 +200,11 @@ fn parse(builder: &mut Builder<'_>, bytes: &[u8]) -> Result<Contents, ParseError
                 if element.properties.keys().any(is_color) {
                     let title = "the colours of vertices are ignored";
                     builder.warn(title, "", colors);
+                }
+                let mut axes = ["x", "y", "z"].iter();
+                if let Some(axis) = axes.find(|axis| !element.properties.contains_key(**axis)) {
+                    let why = format!("its vertices have no property `{axis}`");
+                    return Err(io::Error::new(io::ErrorKind::InvalidData, why).into());
                 }
                 let parser = Parser::<Vertex>::new();
                 contents.vertices =

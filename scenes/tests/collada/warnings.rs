@@ -29,6 +29,14 @@ const WARNINGS: &[[&str; 2]] = &[
         "<emission><color>1 1 1 1</color></emission><diffuse>",
     ],
     [
+        "<phong>",
+        r#"<phong><emission><texture texture="t" texcoord="UV"/></emission><specular><color>1 1 1 1</color></specular>"#,
+    ],
+    [
+        "<phong><diffuse><color>0.8 0.1 0.1 1</color></diffuse></phong>",
+        "<constant><emission><color>1 1 1 1</color></emission></constant>",
+    ],
+    [
         "</diffuse>",
         r#"</diffuse><transparent opaque="RGB_ZERO"><texture texture="leaf" texcoord="UV"/></transparent>"#,
     ],

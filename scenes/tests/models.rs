@@ -647,6 +647,44 @@ fn materials_of_obj_become_those_of_the_course() {
         assert_eq!(loaded.scene.materials[0].material, material, "{mtl}");
         assert_eq!(titles(&loaded).join(", "), warning, "{mtl}");
     }
+    // As Blender means them: metal of colour `Kd`, and no glass.
+    let reflectance = Spectrum::new(0.75, 0.125, 0.125);
+    for (mtl, material, warning) in [
+        (
+            "Ka 1 1 1\nNs 1000\nillum 3",
+            Material::Mirror { reflectance },
+            "",
+        ),
+        (
+            "Ka 0.25 0.25 0.25\nNs 250\nillum 3",
+            Material::Diffuse { reflectance },
+            "",
+        ),
+        (
+            "Ns 250\nd 0.5\nillum 9",
+            Material::Diffuse { reflectance },
+            "materials with transparent parts",
+        ),
+    ] {
+        let mtl =
+            format!("# Blender 4.5.3 MTL File: 'None'\nnewmtl red\nKd 0.75 0.125 0.125\n{mtl}\n");
+        let loaded = loaded(&[("a.obj", OBJ.as_bytes()), ("a.mtl", mtl.as_bytes())]);
+        assert_eq!(loaded.scene.materials[0].material, material, "{mtl}");
+        assert_eq!(titles(&loaded).join(", "), warning, "{mtl}");
+    }
+    // Beside a library that is in a folder.
+    let folder = tempfile::tempdir().expect("a folder");
+    fs::create_dir(folder.path().join("sub")).expect("a folder");
+    let obj = OBJ.replace("a.mtl", "sub/a.mtl");
+    for (name, text) in [
+        ("a.obj", &*obj),
+        ("sub/a.mtl", "newmtl red\nmap_Kd a.png\n"),
+        ("sub/a.png", ""),
+    ] {
+        fs::write(folder.path().join(name), text).expect("a file");
+    }
+    let loaded_here = scenes::load(folder.path().join("a.obj")).expect("a scene");
+    assert_eq!(loaded_here.scene.textures.files, ["sub/a.png"]);
     let textured = loaded(&[
         ("a.obj", OBJ.as_bytes()),
         ("a.mtl", b"newmtl red\nmap_Kd maps\\wall.png\n"),

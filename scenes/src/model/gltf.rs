@@ -501,6 +501,10 @@ impl Reader<'_> {
                 .warn("cameras without a valid angle or direction", name, result);
             return;
         };
+        if to_world.m.determinant() < 0.0 {
+            self.builder
+                .warn("cameras that their node mirrors", name, "not mirrored");
+        }
         let near = f64::from(perspective.znear()).max(0.0);
         let far = perspective.zfar().map_or(FAR_AWAY, f64::from);
         self.builder.scene.camera = Some(Camera {

@@ -14,10 +14,10 @@ use gltf::texture::{Info, MagFilter, WrappingMode};
 use kit::{Material, Spectrum, Vec2, math};
 
 /// From this share on a surface is a metal, or glass.
-const MOSTLY: f32 = 0.5;
+pub(super) const MOSTLY: f64 = 0.5;
 
 /// Below this roughness a metal is a mirror.
-const SMOOTH: f32 = 0.1;
+const SMOOTH: f64 = 0.1;
 
 /// The index of refraction of glTF's materials without one.
 const DEFAULT_IOR: f32 = 1.5;
@@ -96,11 +96,11 @@ pub(super) fn add(
         color(given.emissive_factor()) * f64::from(given.emissive_strength().unwrap_or(1.0));
     let transmission = given
         .transmission()
-        .map_or(0.0, |t| t.transmission_factor());
+        .map_or(0.0, |t| f64::from(t.transmission_factor()));
     let roughness = pbr.roughness_factor();
     let metallic = match given.unlit() || old.is_some() {
         true => 0.0,
-        false => pbr.metallic_factor(),
+        false => f64::from(pbr.metallic_factor()),
     };
     // Microfacets as wide as this: squared, as the format says.
     let alpha_width = f64::from(roughness * roughness);
@@ -115,15 +115,7 @@ pub(super) fn add(
             ior: f64::from(given.ior().unwrap_or(DEFAULT_IOR)).max(1.0),
         }
     } else if metallic >= MOSTLY && pbr.metallic_roughness_texture().is_none() {
-        if roughness < SMOOTH {
-            Material::Mirror { reflectance: base }
-        } else {
-            Material::Glossy {
-                reflectance: base,
-                // Lobes of this exponent are as wide as microfacets of this width.
-                shininess: (2.0 / (alpha_width * alpha_width) - 2.0).max(0.0),
-            }
-        }
+        metal(base, f64::from(roughness))
     } else {
         Material::Diffuse { reflectance: base }
     };
@@ -133,6 +125,7 @@ pub(super) fn add(
         }
     };
     let is_diffuse = matches!(material, Material::Diffuse { .. });
+    let is_glass = matches!(material, Material::Glass { .. });
     warn(
         given.alpha_mode() != AlphaMode::Opaque
             && transmission < MOSTLY
@@ -173,6 +166,13 @@ pub(super) fn add(
         transmission > 0.0 && transmission < MOSTLY,
         "materials that let a little light through",
         "they let none through",
+    );
+    let has_texture = |t: &gltf::material::Transmission<'_>| t.transmission_texture().is_some();
+    warn(
+        given.transmission().as_ref().is_some_and(has_texture)
+            || (is_glass && pbr.metallic_roughness_texture().is_some()),
+        "textures of glass and of its roughness",
+        "the glass is the same everywhere",
     );
     warn(
         is_diffuse && given.unlit(),
@@ -224,6 +224,19 @@ pub(super) fn add(
         index: builder.add_material(&name, material, texture),
         placement,
     })
+}
+
+/// A mirror, or a glossy surface if it is rough.
+pub(super) fn metal(reflectance: Spectrum, roughness: f64) -> Material {
+    if roughness < SMOOTH {
+        return Material::Mirror { reflectance };
+    }
+    // Microfacets are as wide as the roughness squared, and lobes of this exponent as wide as they.
+    let shininess = (2.0 / roughness.powi(4) - 2.0).max(0.0);
+    Material::Glossy {
+        reflectance,
+        shininess,
+    }
 }
 
 /// The name of the image of a texture; `None` if only an extension has one. Images inside of the

@@ -6,12 +6,17 @@
 //! `Kd` and `map_Kd` are multiplied, as the format says, and as three.js and assimp do. The texture
 //! alone is used beside a black `Kd`, which exporters write for "see the texture", and in files of
 //! Blender, whose `Kd` beside a texture is a colour that Blender itself does not show.
+//!
+//! Blender means other things by `illum`: metal (3), whose amount is `Ka`, colour `Kd` and roughness
+//! 1 - √(`Ns` / 1000), and transparency without refraction (6 and 9).
 
 use super::builder::Builder;
+use super::gltf_material::{MOSTLY, metal};
 use super::obj::{decoded, statements};
 use crate::collada::truncated;
 use kit::{Material, Spectrum};
 use std::collections::BTreeSet;
+use std::path::Path;
 
 /// The parameters of a material.
 #[derive(Default)]
@@ -22,6 +27,8 @@ struct Parameters {
     emission: Spectrum,
     illumination: u32,
     ior: Option<f64>,
+    metal: f64,
+    exponent: f64,
     is_transparent: bool,
     /// The value of `map_Kd`.
     texture: Option<String>,
@@ -30,8 +37,14 @@ struct Parameters {
     unknown: BTreeSet<String>,
 }
 
-/// Adds the materials of the library `file` to the scene. Returns their names and indices.
-pub(super) fn add(builder: &mut Builder<'_>, file: &str, bytes: &[u8]) -> Vec<(String, u32)> {
+/// Adds the materials of the library `file`, relative to `folder`, to the scene. Returns their names
+/// and indices. A texture is beside the library, or else beside the OBJ file.
+pub(super) fn add(
+    builder: &mut Builder<'_>,
+    folder: &Path,
+    file: &str,
+    bytes: &[u8],
+) -> Vec<(String, u32)> {
     let text = decoded(bytes);
     let is_of_blender = text.starts_with("# Blender");
     let mut materials: Vec<Parameters> = Vec::new();
@@ -52,7 +65,7 @@ pub(super) fn add(builder: &mut Builder<'_>, file: &str, bytes: &[u8]) -> Vec<(S
         }
     }
     let add = |given: Parameters| {
-        let index = given.add(builder, is_of_blender);
+        let index = given.add(builder, folder, Path::new(file), is_of_blender);
         (given.name, index)
     };
     materials.into_iter().map(add).collect()
@@ -72,7 +85,10 @@ impl Parameters {
             }
         };
         match word.to_ascii_lowercase().as_str() {
-            "ka" | "map_ka" | "ns" | "map_ns" => {}
+            // Colours of ambient light are in use for nothing else than Blender's metal.
+            "ka" => self.metal = color().map_or(0.0, |color| color.r),
+            "ns" => self.exponent = number().unwrap_or(0.0),
+            "map_ka" | "map_ns" => {}
             "kd" => self.diffuse = Some(color()?),
             "ks" => self.specular = Some(color()?),
             "ke" => self.emission = color()?,
@@ -88,7 +104,13 @@ impl Parameters {
         Some(())
     }
 
-    fn add(&self, builder: &mut Builder<'_>, is_of_blender: bool) -> u32 {
+    fn add(
+        &self,
+        builder: &mut Builder<'_>,
+        folder: &Path,
+        library: &Path,
+        is_of_blender: bool,
+    ) -> u32 {
         let clamped = |color: Spectrum, most: f64| {
             let channel = |x: f64| x.clamp(0.0, most);
             Spectrum::new(channel(color.r), channel(color.g), channel(color.b))
@@ -96,8 +118,13 @@ impl Parameters {
         let given = self.diffuse.unwrap_or(Spectrum::WHITE);
         let diffuse = clamped(given, 1.0);
         let emission = clamped(self.emission, f64::MAX);
+        let roughness = 1.0 - (self.exponent / 1000.0).clamp(0.0, 1.0).sqrt();
         let material = match self.illumination {
             _ if !emission.is_black() => Material::Emission { radiance: emission },
+            3 if is_of_blender && self.metal >= MOSTLY => metal(diffuse, roughness),
+            3..=9 if is_of_blender => Material::Diffuse {
+                reflectance: diffuse,
+            },
             3 | 5 => Material::Mirror {
                 reflectance: clamped(self.specular.unwrap_or(Spectrum::WHITE), 1.0),
             },
@@ -147,6 +174,18 @@ impl Parameters {
             "`Kd` beside `map_Kd`",
             "they are multiplied; some programs show the texture alone: `Kd 1 1 1` does the same here",
         );
+        warn(
+            !emission.is_black() && self.diffuse.is_some_and(|c| !c.is_black()),
+            "lamps that reflect light",
+            "they reflect none",
+        );
+        warn(
+            matches!(material, Material::Mirror { .. })
+                && !is_of_blender
+                && self.diffuse.is_some_and(|c| !c.is_black()),
+            "the diffuse colour `Kd` of mirrors",
+            "it is ignored: `illum` 3 and 5 are mirrors of colour `Ks`",
+        );
         warn(self.has_normals, "normal maps", "they are ignored");
         warn(
             is_diffuse && !is_plain,
@@ -172,7 +211,12 @@ impl Parameters {
             if file != value {
                 builder.warn("options of map_Kd", &self.name, "they are ignored");
             }
-            file.replace('\\', "/")
+            let file = file.replace('\\', "/");
+            let beside = library.with_file_name(&file);
+            match folder.join(&beside).is_file() {
+                true => beside.to_string_lossy().into_owned(),
+                false => file,
+            }
         });
         builder.add_material(&self.name, material, texture)
     }

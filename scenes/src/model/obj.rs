@@ -173,7 +173,7 @@ fn read_libraries(builder: &mut Builder<'_>, folder: &Path, names: &str) -> Vec<
     let mut materials = Vec::new();
     for name in if is_several { several } else { vec![&*names] } {
         match limited_file::read(&folder.join(name)) {
-            Ok(bytes) => materials.extend(mtl::add(builder, name, &bytes)),
+            Ok(bytes) => materials.extend(mtl::add(builder, folder, name, &bytes)),
             Err(_) => {
                 let result = "keep it beside the .obj file; surfaces are grey";
                 builder.warn("material libraries that cannot be read", name, result);

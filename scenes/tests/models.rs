@@ -225,6 +225,24 @@ fn what_gltf_requires_is_bounded_and_checked_once() {
     assert!(error.contains("vertices and indices"), "{error}");
 }
 
+/// Attributes of an application, and an empty mesh beside another.
+#[test]
+fn what_gltf_allows_beside_its_own_is_read() {
+    let text = String::from_utf8_lossy(&square(RED, "", "")[20..])
+        .replace(r#""TEXCOORD_0":1"#, r#""TEXCOORD_0":1,"_BATCHID":1"#)
+        .replace(
+            r#""primitives":["#,
+            r#""primitives":[{"attributes":{"POSITION":3}},"#,
+        )
+        .replace(
+            r#""count":6,"type":"SCALAR"}"#,
+            r#""count":6,"type":"SCALAR"},{"bufferView":0,"componentType":5126,"count":0,"type":"VEC3"}"#,
+        );
+    let json = &text[..text.rfind("}]}").expect("the end") + 3];
+    let scene = loaded(&[("a.glb", &glb(json, &square_bytes()))]).scene;
+    assert_eq!(scene.triangles.len(), 2);
+}
+
 /// A texture without an image is valid: an extension such as `EXT_texture_webp` has it.
 #[test]
 fn textures_of_gltf_without_an_image_are_named() {
@@ -234,6 +252,14 @@ fn textures_of_gltf_without_an_image_are_named() {
     assert!(read.scene.textures.files.is_empty());
     let expected = ["textures whose image is in no format of glTF itself"];
     assert_eq!(titles(&read), expected);
+    let more = |image: &str| format!(r#","textures":[{{"source":0}}],"images":[{image}]"#);
+    let nowhere = loaded(&[("a.glb", &square(material, "", &more("{}")))]);
+    assert_eq!(titles(&nowhere), expected);
+    let untyped = square(material, "", &more(r#"{"bufferView":2}"#));
+    assert_eq!(
+        loaded(&[("a.glb", &untyped)]).scene.textures.embedded.len(),
+        1
+    );
 }
 
 /// Lights and cameras; Blender's lamps are in lumens of 683 to the watt.
@@ -488,6 +514,8 @@ fn obj_files_in_other_dialects_are_the_same_scene() {
         OBJ.replace("usemtl red", "usemtl\tred").into(),
         OBJ.replace("v 1 0 0\n", "v 1 0 0 # the second\n").into(),
         OBJ.replace("a.mtl", ".\\a.mtl").into(),
+        OBJ.replace("a.mtl", "C:\\models\\A.MTL").into(),
+        OBJ.replace("a.mtl", "\"a.mtl\"").into(),
     ] {
         let text = String::from_utf8_lossy(&obj);
         assert_eq!(scene_of(&obj, MTL), expected, "{text}");

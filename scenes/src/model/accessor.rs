@@ -106,6 +106,9 @@ fn read<const N: usize>(
     count: usize,
     kind: DataType,
 ) -> Option<Vec<[f64; N]>> {
+    if count == 0 {
+        return Some(Vec::new());
+    }
     let size = size_of_number(kind);
     let last = stride.checked_mul(count.checked_sub(1)?)?;
     let end = offset.checked_add(last)?.checked_add(N * size)?;

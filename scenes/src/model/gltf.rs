@@ -22,10 +22,11 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use gltf::buffer::Source;
 use gltf::camera::Projection;
-use gltf::json::validation;
+use gltf::json::image::MimeType;
+use gltf::json::{Index, Root, validation};
 use gltf::khr_lights_punctual::Kind;
 use gltf::mesh::Mode;
-use gltf::{Accessor, Gltf, Node, Semantic};
+use gltf::{Accessor, Document, Gltf, Node, Semantic};
 use kit::camera::scale_fov;
 use kit::scene::NamedLight;
 use kit::{Camera, Light, Mat3, Spectrum, Vec3};
@@ -71,7 +72,7 @@ impl File<'_> {
 
     /// The path of a file that this one refers to, relative to its folder.
     pub(super) fn path(&self, uri: &str) -> String {
-        percent_decoded(uri).into_owned()
+        percent_decoded(uri).replace('\\', "/")
     }
 
     fn read_buffers(&mut self, gltf: &Gltf) -> Result<(), SceneError> {
@@ -129,6 +130,22 @@ fn is_accepted(path: &str, why: &validation::Error) -> bool {
         || (is_zeros && *why == validation::Error::Missing)
 }
 
+/// Gives images what the library takes for granted: a type, which is not used here, and a place. A
+/// texture of an image that is nowhere has no image.
+fn repair(json: &mut Root) {
+    for image in &mut json.images {
+        let png = || MimeType("image/png".to_owned());
+        image.mime_type.get_or_insert_with(png);
+    }
+    let images = &json.images;
+    for texture in &mut json.textures {
+        let image = images.get(texture.source.value());
+        if image.is_some_and(|image| image.uri.is_none() && image.buffer_view.is_none()) {
+            texture.source = Index::new(u32::MAX);
+        }
+    }
+}
+
 /// Reads a `.glb` or a `.gltf` file.
 pub(super) fn read(name: &str, folder: &Path, bytes: &[u8]) -> Result<Loaded, SceneError> {
     let unchecked = Gltf::from_slice_without_validation(bytes).map_err(|why| {
@@ -145,29 +162,26 @@ pub(super) fn read(name: &str, folder: &Path, bytes: &[u8]) -> Result<Loaded, Sc
         let help = "export it without this extension, such as without compression";
         return Err(Diagnostic::about_file(name, title).help(help).into());
     }
-    let accessors = unchecked.document.as_json().accessors.len();
-    let meshes = unchecked.document.as_json().meshes.iter();
-    let mut primitives = meshes.flat_map(|mesh| &mesh.primitives);
-    if primitives.any(|p| {
-        p.attributes
-            .values()
-            .any(|index| index.value() >= accessors)
-    }) {
-        return Err(damaged(
-            name,
-            "a mesh refers to an accessor that is not in the file",
-        ));
+    let blob = unchecked.blob;
+    let mut json = unchecked.document.into_json();
+    repair(&mut json);
+    let primitives = json.meshes.iter().flat_map(|mesh| &mesh.primitives);
+    let mut indices = primitives.flat_map(|primitive| primitive.attributes.values());
+    if indices.any(|index| index.value() >= json.accessors.len()) {
+        let why = "a mesh refers to an accessor that is not in the file";
+        return Err(damaged(name, why));
     }
-    let gltf = match Gltf::from_slice(bytes) {
+    let document = match Document::from_json(json.clone()) {
         Err(gltf::Error::Validation(list))
             if list
                 .iter()
                 .all(|(path, why)| is_accepted(path.as_str(), why)) =>
         {
-            unchecked
+            Document::from_json_without_validation(json)
         }
         checked => checked.map_err(|why| damaged(name, why))?,
     };
+    let gltf = Gltf { document, blob };
     let mut file = File {
         name,
         folder,

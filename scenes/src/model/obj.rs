@@ -11,7 +11,7 @@ use crate::diagnostic::SceneError;
 use crate::limited_file;
 use kit::{Vec2, Vec3};
 use std::collections::{HashMap, HashSet};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Polygons of one name and one material.
 #[derive(Default)]
@@ -166,13 +166,14 @@ fn corner_of(text: &str, data: &MeshData) -> Option<Corner> {
 
 /// The materials of the libraries of an `mtllib` line: one name, which may have blanks, or several.
 fn read_libraries(builder: &mut Builder<'_>, folder: &Path, names: &str) -> Vec<(String, u32)> {
-    let names = names.replace('\\', "/");
-    let is_several = !folder.join(&names).is_file()
-        && (names.split_whitespace()).any(|name| folder.join(name).is_file());
+    let names = names.replace('\\', "/").replace('"', "");
+    let is_several = find(folder, &names).is_none()
+        && (names.split_whitespace()).any(|name| find(folder, name).is_some());
     let several = names.split_whitespace().collect();
     let mut materials = Vec::new();
     for name in if is_several { several } else { vec![&*names] } {
-        match limited_file::read(&folder.join(name)) {
+        let found = find(folder, name).unwrap_or_else(|| folder.join(name));
+        match limited_file::read(&found) {
             Ok(bytes) => materials.extend(mtl::add(builder, folder, name, &bytes)),
             Err(_) => {
                 let result = "keep it beside the .obj file; surfaces are grey";
@@ -181,6 +182,27 @@ fn read_libraries(builder: &mut Builder<'_>, folder: &Path, names: &str) -> Vec<
         }
     }
     materials
+}
+
+/// A file relative to `folder`; else one of its name in `folder`, also in other letters.
+fn find(folder: &Path, name: &str) -> Option<PathBuf> {
+    let path = folder.join(name);
+    if path.is_file() {
+        return Some(path);
+    }
+    let last = name.rsplit('/').next()?;
+    let here = if folder.as_os_str().is_empty() {
+        Path::new(".")
+    } else {
+        folder
+    };
+    let entries = here.read_dir().ok()?.filter_map(Result::ok);
+    let mut files = entries.filter(|entry| {
+        let name = entry.file_name();
+        name.to_str()
+            .is_some_and(|name| name.eq_ignore_ascii_case(last))
+    });
+    files.next().map(|entry| entry.path())
 }
 
 /// The text of a file in UTF-8, UTF-16 or nearly so, with one kind of line ends.

@@ -3,6 +3,8 @@
 
 use super::cost::on;
 use base::Workspace;
+use cost::picture::program::Program;
+use cost::picture::{experiment, plan};
 use cost::report::{KernelRow, RayFamily, Shape};
 use cost::{CostRequest, SampleCounts, measure};
 use std::path::Path;
@@ -69,6 +71,36 @@ fn every_row_of_the_chapter_is_what_is_measured() {
         compared += 1;
     }
     assert!(compared >= 7, "found {compared} rows");
+}
+
+/// Errors and biases are counts of light, the same on each machine; times are not compared.
+#[test]
+#[ignore = "compiles the renderer and renders pictures: minutes of CPU"]
+fn the_clamps_of_the_chapter_are_what_is_measured() {
+    let workspace = workspace();
+    let program = Program::build(workspace.root()).expect("a build");
+    let program = program.expect("the course's renderer");
+    let plans = plan::all(false);
+    let plan = plans.iter().find(|plan| plan.title == "fireflies");
+    let measured = experiment(&workspace, &program, plan.expect("the plan"), 0);
+    let curves = measured.expect("a measurement").curves;
+    let chapter = workspace.root().join("stages/book/src/accuracy.md");
+    let chapter = std::fs::read_to_string(chapter).expect("the chapter");
+    for curve in &curves {
+        let errors = curve.points.iter().map(|p| 100.0 * p.rmse.value);
+        let errors: Vec<String> = errors.map(|error| format!("{error:.1} |")).collect();
+        let bias = curve.points.last().expect("points").mean_difference;
+        let row = match curve.name.strip_prefix("clamp ") {
+            Some(limit) => format!(
+                "| `--clamp {limit}` | {} {:+.1} % |",
+                errors.join(" "),
+                100.0 * bias
+            ),
+            None => format!("| {} | {} |", curve.name, errors.join(" ")),
+        };
+        assert!(chapter.contains(&row), "accuracy.md lacks {row}");
+    }
+    assert_eq!(curves.len(), 6);
 }
 
 /// Builds a worker with the stages of the workspace, as for a student.

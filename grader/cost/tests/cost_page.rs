@@ -118,6 +118,7 @@ fn curve(name: &str, slope: f64, bias: Option<f64>) -> Curve {
         relative_mse: exact(samples.powf(2.0 * slope)),
         variance: samples.powf(2.0 * slope),
         bias,
+        mean_difference: -bias.unwrap_or(0.0),
         efficiency: Some(1e3 / samples.powf(2.0 * slope + 1.0)),
         relative_efficiency: Some(Quartiles::of([1.9, 2.0, 2.2])),
     };

@@ -378,7 +378,14 @@ fn tint<'a>(doc: &Document<'a>, material: Element<'a>, name: &str) -> Result<Spe
 /// The roughness of a course material. If it is missing: 0, a smooth surface.
 fn roughness<'a>(doc: &Document<'a>, material: Element<'a>) -> Result<f64, SceneError> {
     match child(material, "roughness") {
-        Some(_) => number(doc, material, "roughness", 0.0),
+        Some(element) => {
+            let roughness = number(doc, material, "roughness", 0.0)?;
+            if roughness > 1.0 {
+                let title = format!("roughness is {roughness}");
+                doc.on(element, title, "expected 0 to 1; using 1").warn();
+            }
+            Ok(roughness.min(1.0))
+        }
         None => Ok(0.0),
     }
 }

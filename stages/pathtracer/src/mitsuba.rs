@@ -6,7 +6,7 @@
 //! Mitsuba computes in single precision, and its rays start at a distance from surfaces that fits
 //! scenes of some units (`Units`). So the scene is moved and scaled before it is written.
 
-use crate::{Job, LightSettings};
+use crate::{DirectSampling, Job, LightSettings};
 use clip::ClipPlanes;
 use kit::{Aabb, Light, LitScene, Material, Scene, Spectrum, Triangle, Vec3};
 use std::fmt::Write;
@@ -136,9 +136,13 @@ pub fn to_mitsuba(
     check_distance(scene, job.camera.pos, &mut problems);
     let tilt = check_normals(scene, &mut problems);
     check_sizes(scene, &units, &mut problems);
-    for file in &scene.textures.files {
-        problems.push(format!("the texture {file}: textures are not exported"));
+    for (i, file) in scene.textures.files.iter().enumerate() {
+        let mut used = scene.objects.iter().map(|object| object.material);
+        if used.any(|material| scene.textures.of_material(material) == Some(i as u32)) {
+            problems.push(format!("the texture {file}: textures are not exported"));
+        }
     }
+    check_brightness(scene, &mut problems);
     for (i, named) in scene.materials.iter().enumerate() {
         match bsdf(&named.material) {
             Ok(text) => push(&mut xml, &text.replace("ID", &format!("id=\"m{i}\""))),
@@ -182,10 +186,15 @@ pub fn to_mitsuba(
     );
     Ok(MitsubaScene {
         files,
-        warnings: [depth_warning(scene, settings), tilt]
-            .into_iter()
-            .flatten()
-            .collect(),
+        warnings: [
+            depth_warning(scene, settings),
+            tilt,
+            samples_warning(job),
+            glass_warning(scene, settings),
+        ]
+        .into_iter()
+        .flatten()
+        .collect(),
     })
 }
 
@@ -208,6 +217,30 @@ fn depth_warning(scene: &Scene, settings: &LightSettings) -> Option<String> {
          its picture is brighter, the more so the smaller the depth; compare at -m {UNTRUNCATED_DEPTH}",
         object.name
     ))
+}
+
+/// What a single sample means: here it is in the centre of its pixel.
+fn samples_warning(job: &Job) -> Option<String> {
+    let told = "-s 1: one sample is taken in the centre of each pixel here, anywhere in it in Mitsuba: \
+                compare at -s 2 or more";
+    (job.samples == 1).then(|| told.to_owned())
+}
+
+/// What rough glass without MIS misses in pictures of few samples.
+fn glass_warning(scene: &Scene, settings: &LightSettings) -> Option<String> {
+    let is_rough_glass = |number: u32| {
+        let material = &scene.materials[number as usize].material;
+        matches!(material, Material::Glass { .. }) && !material.is_delta()
+    };
+    let mut objects = scene.objects.iter();
+    let object = objects.find(|object| is_rough_glass(object.material))?;
+    (settings.direct_sampling != DirectSampling::Mis).then(|| {
+        format!(
+            "object {}: without --mis, lamps are rarely found through its rough glass, so a picture of \
+             few samples is darker than Mitsuba's: compare with --mis",
+            object.name
+        )
+    })
 }
 
 fn push(xml: &mut String, line: &str) {
@@ -268,9 +301,27 @@ fn check_normals(scene: &Scene, problems: &mut Vec<String>) -> Option<String> {
     }
     Some(format!(
         "object {name}: normals of vertices are up to {tilt:.1} degrees from those of the triangles; \
-         Mitsuba lets light through where the two disagree, so its picture is brighter where light \
-         comes from behind; with --normals flat the pictures agree"
+         Mitsuba lets light through where the two disagree (on half spheres lit from behind, its mean \
+         is larger by 0.3 % at 20 degrees and by 0.9 % at 40, dark places are brighter by more); with \
+         --normals flat the pictures agree"
     ))
+}
+
+/// A problem for the first lamp that is brighter than single precision can say.
+fn check_brightness(scene: &Scene, problems: &mut Vec<String>) {
+    let of_light = |light: &Light| match *light {
+        Light::Point { intensity, .. } | Light::Spot { intensity, .. } => intensity,
+        Light::Directional { irradiance, .. } => irradiance,
+        Light::Area { radiance, .. } | Light::Hemisphere { radiance } => radiance,
+    };
+    let lights = scene.lights.iter().map(|l| (&l.name, of_light(&l.light)));
+    let materials = scene.materials.iter();
+    let mut lamps = lights.chain(materials.map(|m| (&m.name, m.material.emission())));
+    if let Some((name, _)) = lamps.find(|(_, c)| c.max_channel() > f64::from(f32::MAX)) {
+        problems.push(format!(
+            "{name}: too bright for Mitsuba's single precision: make it darker and use --exposure"
+        ));
+    }
 }
 
 /// A problem for the first object that is too small beside the scene.
@@ -319,6 +370,12 @@ fn camera(
     }
     if settings.lens.radius > 0.0 {
         problems.push("the lens: omit --lens-radius".into());
+    }
+    if planes.near >= planes.far {
+        let far = camera.f_clip;
+        problems.push(format!(
+            "the camera: nothing is nearer than zfar {far}: make the scene smaller"
+        ));
     }
     let (forward, up) = (-camera.c2w.z_axis, camera.c2w.y_axis);
     format!(
@@ -377,7 +434,8 @@ fn bsdf(material: &Material) -> Result<String, &'static str> {
             roughness,
             ior,
         } if !material.is_delta() => Ok(format!(
-            "<bsdf type=\"roughdielectric\" ID><string name=\"distribution\" value=\"ggx\"/><float name=\"alpha\" value=\"{roughness:?}\"/><float name=\"int_ior\" value=\"{ior:?}\"/><float name=\"ext_ior\" value=\"1\"/>{}{}</bsdf>",
+            "<bsdf type=\"roughdielectric\" ID><string name=\"distribution\" value=\"ggx\"/><float name=\"alpha\" value=\"{:?}\"/><float name=\"int_ior\" value=\"{ior:?}\"/><float name=\"ext_ior\" value=\"1\"/>{}{}</bsdf>",
+            roughness.min(1.0),
             rgb("specular_reflectance", reflectance),
             rgb("specular_transmittance", transmittance)
         )),

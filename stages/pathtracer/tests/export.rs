@@ -231,12 +231,43 @@ fn what_mitsuba_shows_otherwise_is_refused_or_told() {
         "{:?}",
         tilted.warnings
     );
+    // One sample, and rough glass without MIS.
+    let mut single = job;
+    single.samples = 1;
+    let glass = Material::Glass {
+        reflectance: Spectrum::WHITE,
+        transmittance: Spectrum::WHITE,
+        roughness: 4.0,
+        ior: 1.5,
+    };
+    let lit = LitScene::new(scene(center, 1.0, glass, 0.0), None);
+    let told = to_mitsuba(&lit, &single, &LightSettings::default(), "a").unwrap();
+    assert!(
+        told.warnings[0].starts_with("-s 1: one sample"),
+        "{:?}",
+        told.warnings
+    );
+    assert!(
+        told.warnings[1].contains("compare with --mis"),
+        "{:?}",
+        told.warnings
+    );
+    assert!(told.files[0].text.contains("\"alpha\" value=\"1.0\""));
     let problem = |scene: Scene, stem: &str| export(scene, stem).unwrap_err().join("\n");
     let turned = problem(scene(center, 1.0, GREY, 1.2), "a");
     assert!(
         turned.contains("wall: normals of vertices are 50 degrees"),
         "{turned}"
     );
+    let dazzling = Material::Emission {
+        radiance: Spectrum::grey(1e39),
+    };
+    let dazzled = problem(scene(center, 1.0, dazzling, 0.0), "a");
+    assert!(dazzled.contains("too bright for Mitsuba"), "{dazzled}");
+    // The texture of a material without surfaces.
+    let mut unused = scene(center, 1.0, GREY, 0.0);
+    unused.textures.files = vec!["a.png".into()];
+    assert!(export(unused, "a").is_ok());
     // A ball that is lost in the scene.
     let mut large = scene(center, 1.0, GREY, 0.0);
     let wall = &mut large.triangles[0];

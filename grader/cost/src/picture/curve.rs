@@ -102,6 +102,8 @@ pub struct CurvePoint {
     /// Root mean square bias: the difference of the pictures' mean from the converged picture.
     /// `None` if it is not significant, less than three standard errors from 0.
     pub bias: Option<f64>,
+    /// The pictures' mean value, relative to that of the converged picture, minus 1.
+    pub mean_difference: f64,
     /// 1/(MSE · seconds), where the mean squared error includes the squared bias: see
     /// [`efficiency`](super::efficiency). `None` if the estimate of the error is not positive.
     pub efficiency: Option<f64>,
@@ -220,6 +222,7 @@ mod tests {
             relative_mse: ConfidenceInterval::of_mean(&[rmse * rmse]),
             variance: 1.0,
             bias: None,
+            mean_difference: 0.0,
             efficiency: None,
             relative_efficiency: None,
         }

@@ -71,6 +71,8 @@ impl ConvergedPair {
             ConfidenceInterval::of_mean(&each.collect::<Vec<f64>>())
         });
         let (variance, bias) = self.variance_and_bias(pictures);
+        let values = pictures.iter().flat_map(|picture| picture.pixels.iter());
+        let mean = values.flatten().copied().collect::<Tally>().mean();
         let seconds = Quartiles::of(pictures.iter().map(|picture| picture.seconds));
         let samples: Tally = pictures
             .iter()
@@ -84,6 +86,7 @@ impl ConvergedPair {
             relative_mse,
             variance: variance / (self.mean * self.mean),
             bias: bias.map(|bias| bias / self.mean),
+            mean_difference: mean / self.mean - 1.0,
             efficiency: efficiency(
                 if is_relative { relative_mse } else { mse }.value,
                 seconds.median,
@@ -182,6 +185,8 @@ mod tests {
             (point.bias.expect("a significant bias") - 0.05).abs() < 0.003,
             "{point:?}"
         );
+        let mean = point.mean_difference;
+        assert!((mean - 0.05).abs() < 0.003, "{mean}");
         let mse: f64 = 0.01 + 0.05 * 0.05;
         assert!((point.rmse.value - mse.sqrt()).abs() < 0.003);
         assert!((point.efficiency.expect("an error") - 2.0 / mse).abs() < 6.0);

@@ -49,7 +49,8 @@ pub fn measure(
     })
 }
 
-fn experiment(
+/// Measures one experiment with `program`.
+pub fn experiment(
     workspace: &Workspace,
     program: &Program,
     plan: &ExperimentPlan,

@@ -17,4 +17,4 @@ mod simulated;
 pub mod table;
 
 pub use curve::{ConfidenceInterval, Curve, CurvePoint, Experiment, PictureReport, Thumbnail};
-pub use measure::measure;
+pub use measure::{experiment, measure};

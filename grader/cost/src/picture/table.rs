@@ -9,8 +9,9 @@ use std::fmt::Write;
 const LEGEND: &str = "\
 Errors are in % of the picture's mean (RMSE) and of each pixel's own value (relative); in brackets the 95 % confidence\n\
 interval of the mean error. Slope: exponent of the error as a power of the samples. Bias: significant difference of the\n\
-mean picture from the converged one. Efficiency: 1/(MSE x seconds), relative to the first method's picture of the same round;\n\
-the squared bias is a part of the MSE (in adaptive sampling, of the relative one). ± reaches the farther quartile.\n";
+mean picture from the converged one, pixel by pixel; mean: that of its mean value, which noise may hide. Efficiency:\n\
+1/(MSE x seconds), relative to the first method's picture of the same round; the squared bias is a part of the MSE (in\n\
+adaptive sampling, of the relative one). ± reaches the farther quartile.\n";
 
 /// Formats all experiments.
 pub fn show(pictures: &PictureReport) -> String {
@@ -48,6 +49,7 @@ fn table(experiment: &Experiment) -> Table {
         "relative %",
         "slope",
         "bias %",
+        "mean %",
         "efficiency",
     ]);
     for curve in &experiment.curves {
@@ -65,6 +67,7 @@ fn table(experiment: &Experiment) -> Table {
                 point
                     .bias
                     .map_or(String::new(), |bias| format!("{:.1}", 100.0 * bias)),
+                format!("{:+.1}", 100.0 * point.mean_difference),
                 point
                     .relative_efficiency
                     .map_or(String::new(), |ratio| factor(&ratio)),

@@ -1,6 +1,8 @@
-//! `<controller>`: a mesh that joints or blend shapes deform. It is read without the deformation.
+//! `<controller>`: a mesh that joints or blend shapes deform. It is read without the deformation,
+//! where the first joint of a skin places it.
 
-use super::document::{Document, Element, child, children, describe, tag};
+use super::document::{Document, Element, child, children, describe, tag, text};
+use super::numbers::floats;
 use super::transform::{self, Affine};
 use crate::diagnostic::SceneError;
 
@@ -13,14 +15,16 @@ pub(super) struct ControlledMesh<'a> {
     /// For a skin: from the coordinates of the mesh to those of the visual scene.
     ///
     /// A vertex of a skin is placed by its joints alone, so the node of the instance does not
-    /// transform it. In the bind pose the matrices of each joint and its inverse cancel out, and
-    /// `<bind_shape_matrix>` is left.
+    /// transform it: `<bind_shape_matrix>`, then the inverse matrix of a joint, then the joint. In the
+    /// bind pose all joints place it alike. Without joints, `<bind_shape_matrix>` is left.
     pub(super) bind_shape: Option<Affine>,
 }
 
-/// Follows the sources of a controller to its `<geometry>`. `None`, with a warning, if it has none.
+/// Follows the sources of the controller of `instance` to its `<geometry>`. `None`, with a warning,
+/// if it has none.
 pub(super) fn read<'a>(
     doc: &Document<'a>,
+    instance: Element<'a>,
     controller: Element<'a>,
 ) -> Result<Option<ControlledMesh<'a>>, SceneError> {
     let mut bind_shape = None;
@@ -30,11 +34,12 @@ pub(super) fn read<'a>(
             break;
         };
         if tag(deformer) == "skin" && bind_shape.is_none() {
-            bind_shape = Some(bind_shape_matrix(doc, deformer)?);
+            let joint = first_joint(doc, deformer, instance).unwrap_or(Affine::IDENTITY);
+            bind_shape = Some(joint.after(&bind_shape_matrix(doc, deformer)?));
         }
         let title = format!("<{}> does not deform its mesh", tag(deformer));
         let result = match tag(deformer) {
-            "skin" => "joints are not supported; the mesh is shown in the bind pose",
+            "skin" => "joints are not supported; the mesh is placed as a whole by its first joint",
             _ => "blend shapes are not supported; the mesh is shown without them",
         };
         doc.on(deformer, title, result).warn();
@@ -65,4 +70,29 @@ fn bind_shape_matrix<'a>(doc: &Document<'a>, skin: Element<'a>) -> Result<Affine
         Some(matrix) => transform::matrix(doc, matrix),
         None => Ok(Affine::IDENTITY),
     }
+}
+
+/// The path from the bind pose to the visual scene by the first joint of a skin. `None` if its name,
+/// its node or its inverse matrix cannot be found.
+fn first_joint<'a>(doc: &Document<'a>, skin: Element<'a>, instance: Element<'a>) -> Option<Affine> {
+    let list = |semantic: &str| {
+        let mut inputs = children(child(skin, "joints")?);
+        let input = inputs.find(|input| input.attribute("semantic") == Some(semantic))?;
+        let source = doc.find(input.attribute("source")?, "source")?;
+        children(source).find(|list| tag(*list).ends_with("_array"))
+    };
+    let names = text(list("JOINT")?);
+    let name = names.split_whitespace().next()?;
+    let inverse = floats(doc, list("INV_BIND_MATRIX")?).ok()?;
+    let skeletons = children(instance).filter(|part| tag(*part) == "skeleton");
+    let roots = skeletons.filter_map(|skeleton| doc.find(&text(skeleton), "node"));
+    let mut nodes = roots.flat_map(|root| root.descendants());
+    let joint =
+        nodes.find(|node| [node.attribute("sid"), node.attribute("id")].contains(&Some(name)))?;
+    let path = joint.ancestors().take_while(|node| tag(*node) == "node");
+    let joint = path.map(|node| transform::of_node(doc, node));
+    let joint = joint
+        .reduce(|inner, outer| Ok(outer?.after(&inner?)))?
+        .ok()?;
+    (inverse.len() >= 16).then(|| joint.after(&Affine::of_rows(&inverse)))
 }

@@ -153,7 +153,7 @@ impl<'r, 'a> Library<'r, 'a> {
             }
             "instance_controller" => {
                 let controller = doc.target(part, "url", "controller")?;
-                match controller::read(doc, controller)? {
+                match controller::read(doc, instance, controller)? {
                     Some(mesh) => {
                         let (geometry, bind_shape) = (mesh.geometry, mesh.bind_shape);
                         Some(self.shape_instance(node, instance, geometry, bind_shape)?)

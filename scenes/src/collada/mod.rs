@@ -54,7 +54,7 @@
 //! | a camera that its transform mirrors | not mirrored |
 //! | polygons with fewer than 3 corners or without area, holes outside | ignored |
 //! | a polygon that intersects itself | triangles that may overlap |
-//! | a skin | its mesh in the bind pose |
+//! | a skin | its mesh, placed by its first joint: right in the bind pose |
 //! | a morph | its mesh without blend shapes |
 //! | lines, splines, convex meshes, solid bodies, unknown shapes | left out |
 //! | no `<scene>` | the first visual scene |

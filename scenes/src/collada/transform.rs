@@ -48,6 +48,15 @@ impl Affine {
             .all(in_world)
     }
 
+    /// The matrix of three rows of four numbers; those after them are not read.
+    pub(super) fn of_rows(n: &[f64]) -> Affine {
+        let row = |i: usize| Vec3::new(n[4 * i], n[4 * i + 1], n[4 * i + 2]);
+        Affine {
+            m: Mat3::from_cols(row(0), row(1), row(2)).transpose(),
+            t: Vec3::new(n[3], n[7], n[11]),
+        }
+    }
+
     /// Whether the map changes the handedness.
     pub(super) fn mirrors(&self) -> bool {
         self.m.determinant() < 0.0
@@ -164,11 +173,7 @@ pub(super) fn matrix<'a>(doc: &Document<'a>, element: Element<'a>) -> Result<Aff
             .help("only affine transforms are supported; a column-major matrix must be transposed")
             .into());
     }
-    let row = |i: usize| Vec3::new(numbers[4 * i], numbers[4 * i + 1], numbers[4 * i + 2]);
-    Ok(Affine {
-        m: Mat3::from_cols(row(0), row(1), row(2)).transpose(),
-        t: Vec3::new(numbers[3], numbers[7], numbers[11]),
-    })
+    Ok(Affine::of_rows(&numbers))
 }
 
 /// An axis and an angle in degrees. An angle of 0 needs no axis.

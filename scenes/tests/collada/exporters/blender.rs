@@ -277,3 +277,17 @@ fn skins_are_placed_by_their_bind_shape_not_by_their_node() {
     assert_eq!(skinned.p0, plane.p0 + Vec3::new(0.0, 7.0, 0.0));
     assert_eq!(skinned.n0, Vec3::Y);
 }
+
+/// Joints whose node is elsewhere than in the bind pose take the mesh with them.
+#[test]
+fn skins_follow_their_first_joint() {
+    let inverse = r##"<source id="poses"><float_array id="poses-array" count="16">1 0 0 -2 0 1 0 0 0 0 1 0 0 0 0 1</float_array></source>
+        <joints><input semantic="INV_BIND_MATRIX" source="#poses"/>"##;
+    let document = DOCUMENT.replace("<joints>", inverse);
+    let scene = scenes::parse("blender.dae", &document)
+        .expect("a scene")
+        .scene;
+    // The armature is at x = 50, and the bind shape at z = 7; Z_UP maps (x, y, z) to (-x, z, y).
+    let moved = scene.triangles[2].p0 - scene.triangles[0].p0;
+    assert_eq!(moved, Vec3::new(-48.0, 7.0, 0.0));
+}

@@ -566,6 +566,7 @@ fn rare_lines_of_obj_are_read_or_named() {
         ("Ns", ""),
         ("illum 2.0", ""),
         ("Kd 1 nothing 0", unread),
+        ("map_Kd", unread),
         ("Kd -1 2 0.5", "colours of materials below 0, or above 1"),
     ] {
         let mtl = format!("{MTL}{line}\n");

@@ -27,19 +27,24 @@ pub(super) fn read<'a>(
     instance: Element<'a>,
     controller: Element<'a>,
 ) -> Result<Option<ControlledMesh<'a>>, SceneError> {
-    let mut bind_shape = None;
+    let (mut bind_shape, mut has_joint) = (None, false);
     let mut current = controller;
     for _ in 0..MAX_CHAIN {
         let Some(deformer) = children(current).find(|e| matches!(tag(*e), "skin" | "morph")) else {
             break;
         };
         if tag(deformer) == "skin" && bind_shape.is_none() {
-            let joint = first_joint(doc, deformer, instance).unwrap_or(Affine::IDENTITY);
+            let joint = first_joint(doc, deformer, instance);
+            has_joint = joint.is_some();
+            let joint = joint.unwrap_or(Affine::IDENTITY);
             bind_shape = Some(joint.after(&bind_shape_matrix(doc, deformer)?));
         }
         let title = format!("<{}> does not deform its mesh", tag(deformer));
         let result = match tag(deformer) {
-            "skin" => "joints are not supported; the mesh is placed as a whole by its first joint",
+            "skin" if has_joint => {
+                "joints are not supported; the mesh is placed as a whole by its first joint"
+            }
+            "skin" => "joints are not supported; the mesh is shown in the bind pose",
             _ => "blend shapes are not supported; the mesh is shown without them",
         };
         doc.on(deformer, title, result).warn();

@@ -96,6 +96,7 @@ impl Parameters {
             "ni" => self.ior = Some(number()?),
             "d" => self.is_transparent |= number()? < 0.99,
             "map_d" => self.is_transparent = true,
+            "map_kd" if value.is_empty() => return None,
             "map_kd" => self.texture = Some(value.to_owned()),
             "map_ks" => self.has_specular_texture = true,
             "map_bump" | "bump" | "norm" => self.has_normals = true,

@@ -4,7 +4,7 @@
 use super::cost::on;
 use base::Workspace;
 use cost::picture::program::Program;
-use cost::picture::{experiment, plan};
+use cost::picture::{Curve, experiment, plan};
 use cost::report::{KernelRow, RayFamily, Shape};
 use cost::{CostRequest, SampleCounts, measure};
 use std::path::Path;
@@ -86,20 +86,22 @@ fn the_clamps_of_the_chapter_are_what_is_measured() {
     let curves = measured.expect("a measurement").curves;
     let chapter = workspace.root().join("stages/book/src/accuracy.md");
     let chapter = std::fs::read_to_string(chapter).expect("the chapter");
-    for curve in &curves {
+    let row = |curve: &Curve| {
         let errors = curve.points.iter().map(|p| 100.0 * p.rmse.value);
         let errors: Vec<String> = errors.map(|error| format!("{error:.1} |")).collect();
         let bias = curve.points.last().expect("points").mean_difference;
-        let row = match curve.name.strip_prefix("clamp ") {
-            Some(limit) => format!(
-                "| `--clamp {limit}` | {} {:+.1} % |",
+        match curve.name.strip_prefix("clamp ") {
+            Some(x) => format!(
+                "| `--clamp {x}` | {} {:+.1} % |",
                 errors.join(" "),
                 100.0 * bias
             ),
             None => format!("| {} | {} |", curve.name, errors.join(" ")),
-        };
-        assert!(chapter.contains(&row), "accuracy.md lacks {row}");
-    }
+        }
+    };
+    let rows: Vec<String> = curves.iter().map(row).collect();
+    let lacks = rows.iter().any(|row| !chapter.contains(row));
+    assert!(!lacks, "accuracy.md lacks some of\n{}", rows.join("\n"));
     assert_eq!(curves.len(), 6);
 }
 

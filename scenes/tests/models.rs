@@ -731,8 +731,8 @@ fn materials_of_obj_become_those_of_the_course() {
         ),
     ] {
         let (comment, color) = mtl.split_once('\n').unwrap_or(("", mtl));
-        let mtl = format!("{comment}\nnewmtl red\n{color}\nmap_Kd a.png\n");
-        let mtl = mtl.trim_start();
+        let lines = format!("{comment}\nnewmtl red\n{color}\nmap_Kd a.png\n");
+        let mtl = lines.trim_start();
         let loaded = loaded(&[("a.obj", OBJ.as_bytes()), ("a.mtl", mtl.as_bytes())]);
         let reflectance = Spectrum::grey(reflectance);
         let expected = Material::Diffuse { reflectance };
@@ -790,8 +790,8 @@ fn ply_files_are_read_as_text_and_in_binary() {
     assert!(message(outside.as_bytes()).contains("refers to vertex 9, but has 4"));
     let flat = PLY.replace("property float z\n", "");
     assert!(message(flat.as_bytes()).contains("have no property `z`"));
-    let large = (PLY.replace("float x", "int x")).replace("\n1 ", "\n1000000001 ");
-    let large = loaded(&[("a.ply", large.replace("\n0 ", "\n1000000000 ").as_bytes())]);
+    let far = (PLY.replace("float x", "int x")).replace("\n1 ", "\n1000000001 ");
+    let large = loaded(&[("a.ply", far.replace("\n0 ", "\n1000000000 ").as_bytes())]);
     assert_eq!(large.scene.triangles[0].p1.x, 1_000_000_001.0);
     assert!(message(b"plx").contains("not a valid PLY file"));
 }

@@ -14,6 +14,11 @@ fn workspace() -> Workspace {
     Workspace::above(Path::new(env!("CARGO_MANIFEST_DIR"))).expect("the course")
 }
 
+fn chapter(workspace: &Workspace) -> String {
+    let path = workspace.root().join("stages/book/src/accuracy.md");
+    std::fs::read_to_string(path).expect("the chapter")
+}
+
 /// A row as the chapter writes it.
 fn written(row: &KernelRow) -> String {
     let name = if row.student {
@@ -56,8 +61,7 @@ fn every_row_of_the_chapter_is_what_is_measured() {
     };
     let report = measure(Some(&workspace), &request, &mut |_| Ok(())).expect("a measurement");
     let measured: Vec<String> = report.families[0].rows.iter().map(written).collect();
-    let chapter = workspace.root().join("stages/book/src/accuracy.md");
-    let chapter = std::fs::read_to_string(chapter).expect("the chapter");
+    let chapter = chapter(&workspace);
     let rows = chapter
         .lines()
         .filter(|line| line.contains(", f32 |") || line.contains(", f64 |"));
@@ -78,17 +82,16 @@ fn every_row_of_the_chapter_is_what_is_measured() {
 #[ignore = "compiles the renderer and renders pictures: minutes of CPU"]
 fn the_clamps_of_the_chapter_are_what_is_measured() {
     let workspace = workspace();
-    let program = Program::build(workspace.root()).expect("a build");
-    let program = program.expect("the course's renderer");
+    let built = Program::build(workspace.root()).expect("a build");
+    let program = built.expect("the course's renderer");
     let plans = plan::all(false);
     let plan = plans.iter().find(|plan| plan.title == "fireflies");
     let measured = experiment(&workspace, &program, plan.expect("the plan"), 0);
     let curves = measured.expect("a measurement").curves;
-    let chapter = workspace.root().join("stages/book/src/accuracy.md");
-    let chapter = std::fs::read_to_string(chapter).expect("the chapter");
+    let chapter = chapter(&workspace);
     let row = |curve: &Curve| {
-        let errors = curve.points.iter().map(|p| 100.0 * p.rmse.value);
-        let errors: Vec<String> = errors.map(|error| format!("{error:.1} |")).collect();
+        let percent = curve.points.iter().map(|p| 100.0 * p.rmse.value);
+        let errors: Vec<String> = percent.map(|error| format!("{error:.1} |")).collect();
         let bias = curve.points.last().expect("points").mean_difference;
         match curve.name.strip_prefix("clamp ") {
             Some(x) => format!(

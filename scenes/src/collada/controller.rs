@@ -36,8 +36,11 @@ pub(super) fn read<'a>(
         if tag(deformer) == "skin" && bind_shape.is_none() {
             let joint = first_joint(doc, deformer, instance);
             has_joint = joint.is_some();
-            let joint = joint.unwrap_or(Affine::IDENTITY);
-            bind_shape = Some(joint.after(&bind_shape_matrix(doc, deformer)?));
+            bind_shape = Some(
+                joint
+                    .unwrap_or(Affine::IDENTITY)
+                    .after(&bind_shape_matrix(doc, deformer)?),
+            );
         }
         let title = format!("<{}> does not deform its mesh", tag(deformer));
         let result = match tag(deformer) {
@@ -95,9 +98,9 @@ fn first_joint<'a>(doc: &Document<'a>, skin: Element<'a>, instance: Element<'a>)
     let joint =
         nodes.find(|node| [node.attribute("sid"), node.attribute("id")].contains(&Some(name)))?;
     let path = joint.ancestors().take_while(|node| tag(*node) == "node");
-    let joint = path.map(|node| transform::of_node(doc, node));
-    let joint = joint
+    let transforms = path.map(|node| transform::of_node(doc, node));
+    let to_scene = transforms
         .reduce(|inner, outer| Ok(outer?.after(&inner?)))?
         .ok()?;
-    (inverse.len() >= 16).then(|| joint.after(&Affine::of_rows(&inverse)))
+    (inverse.len() >= 16).then(|| to_scene.after(&Affine::of_rows(&inverse)))
 }

@@ -208,11 +208,11 @@ impl Parameters {
             );
         }
         let texture = self.texture.as_deref().filter(|_| is_diffuse).map(|value| {
-            let file = after_options(value);
-            if file != value {
+            let given = after_options(value);
+            if given != value {
                 builder.warn("options of map_Kd", &self.name, "they are ignored");
             }
-            let file = file.replace('\\', "/");
+            let file = given.replace('\\', "/");
             let beside = library.with_file_name(&file);
             match folder.join(&beside).is_file() {
                 true => beside.to_string_lossy().into_owned(),

@@ -62,8 +62,9 @@ pub(super) fn read(name: &str, folder: &Path, bytes: &[u8]) -> Result<Loaded, Sc
                 for corner in value.split_whitespace() {
                     let expected = "vertices such as 1, 1/2, 1//3 or 1/2/3, none of them 0";
                     let corner = corner_of(corner, &data);
-                    let corner = corner.ok_or_else(|| invalid(&builder, expected))?;
-                    group.corners.push(corner);
+                    group
+                        .corners
+                        .push(corner.ok_or_else(|| invalid(&builder, expected))?);
                 }
                 let size = group.corners.len() - before;
                 if size < 3 {

@@ -397,6 +397,7 @@ fn part5_task2() -> Vec<Claim> {
 /// results of one measurement.
 const GIVEN: &[(&str, &str)] = &[
     ("accuracy.md", "against 8192 Sobol samples"),
+    ("rendering.md", "COLLADA of Blender 2.80 or later"),
     (
         "accuracy.md",
         "(Xeon, 2.5 GHz, AVX-512, beside other programs)",

@@ -16,3 +16,21 @@ pub struct Loaded {
     /// Whether the file has no light, and a sky and a sun were added.
     pub added_light: bool,
 }
+
+/// The number of smoothed meshes that a note names.
+const MAX_NAMED: usize = 3;
+
+impl Loaded {
+    /// That edges look rounded, and of which meshes; `None` of none.
+    pub fn smoothed_note(&self) -> Option<String> {
+        let named = self.smoothed.get(..MAX_NAMED).unwrap_or(&self.smoothed);
+        let others = match self.smoothed.len() - named.len() {
+            0 => String::new(),
+            count => format!(" and {count} more"),
+        };
+        let named = (!named.is_empty()).then(|| named.join(", "))?;
+        Some(format!(
+            "no normals in the file, so edges look rounded: {named}{others}"
+        ))
+    }
+}

@@ -617,6 +617,25 @@ fn obj_faces_without_normals_have_their_own() {
 }
 
 #[test]
+fn obj_faces_without_normals_are_flat_after_s_off() {
+    let roof = |s: &str| {
+        let file = format!("v 0 0 0\nv 0 1 0\nv 1 0 1\nv -1 0 1\no roof\n{s}f 1 3 2\n{s}f 1 2 4\n");
+        loaded(&[("a.obj", file.as_bytes())])
+    };
+    for (s, is_flat) in [
+        ("", false),
+        ("s 1\n", false),
+        ("s off\n", true),
+        ("s 0\n", true),
+    ] {
+        let read = roof(s);
+        let mut triangles = read.scene.triangles.iter();
+        assert_eq!(triangles.all(|t| t.n0 == t.n2), is_flat, "{s}");
+        assert_eq!(read.smoothed_note().is_none(), is_flat, "{s}");
+    }
+}
+
+#[test]
 fn obj_files_have_several_libraries() {
     let file = OBJ.replace("a.mtl", "b.mtl a.mtl none.mtl");
     let blue = MTL.replace("red", "blue");

@@ -46,6 +46,9 @@ fn run(file: &Path, loaded: &Loaded) -> Result<Exit, GraderError> {
     for warning in &loaded.warnings {
         errln!("{warning}");
     }
+    if let Some(note) = loaded.smoothed_note() {
+        errln!("note: {note}: normals keep facets, and so does `s off` in an OBJ file");
+    }
     let workspace = Workspace::above(Path::new("."))?;
     let course = Course::read(&workspace)?;
     let Question { task, count, tiles } = Question::of(file, &loaded.scene, FILM)?;

@@ -1,6 +1,8 @@
 //! OBJ, with its MTL files beside it ([`super::mtl`]).
 //!
-//! Polygons are triangulated. A mesh is what has the same name (`o`, `g`) and the same material.
+//! Polygons are triangulated. Without normals they are smooth, but flat after `s off`; which group
+//! of smoothing they are in does not matter. A mesh is what has the same name (`o`, `g`) and the
+//! same material.
 
 use super::builder::{Builder, Corner, MeshData};
 use super::mtl::{self, split};
@@ -18,19 +20,30 @@ use std::path::{Path, PathBuf};
 struct Group<'t> {
     name: &'t str,
     material: Option<&'t str>,
+    /// Whether `s off` is in force: without normals the polygons are flat.
+    is_flat: bool,
     corners: Vec<Corner>,
     /// For each polygon its line, and how many of the corners it has.
     polygons: Vec<(usize, usize)>,
+}
+
+impl<'t> Group<'t> {
+    /// What follows in force, without polygons.
+    fn emptied(&self) -> Group<'t> {
+        Group {
+            name: self.name,
+            material: self.material,
+            is_flat: self.is_flat,
+            ..Group::default()
+        }
+    }
 }
 
 /// Reads an OBJ file. `folder` is that of its materials.
 pub(super) fn read(name: &str, folder: &Path, bytes: &[u8]) -> Result<Loaded, SceneError> {
     let mut builder = Builder::new(name);
     let text = decoded(bytes);
-    let mut data = MeshData {
-        is_smooth: true,
-        ..MeshData::default()
-    };
+    let mut data = MeshData::default();
     let (mut materials, mut libraries) = (HashMap::new(), HashSet::new());
     let mut groups = vec![Group::default()];
     for (line, word, value) in statements(&text) {
@@ -74,21 +87,18 @@ pub(super) fn read(name: &str, folder: &Path, bytes: &[u8]) -> Result<Loaded, Sc
                 }
                 group.polygons.push((line, size));
             }
-            ("o" | "g", _) => {
-                let material = groups.last().and_then(|group| group.material);
-                groups.push(Group {
-                    name: value,
-                    material,
-                    ..Group::default()
-                });
-            }
-            ("usemtl", _) => {
-                let name = groups.last().map_or("", |group| group.name);
-                groups.push(Group {
-                    name,
-                    material: Some(value),
-                    ..Group::default()
-                });
+            ("o" | "g" | "usemtl" | "s", _) => {
+                let last = groups.last().expect("there is always one");
+                let mut group = last.emptied();
+                match word {
+                    "usemtl" => group.material = Some(value),
+                    "s" => group.is_flat = matches!(value, "off" | "0"),
+                    _ => group.name = value,
+                }
+                // Edges are smooth within a group only.
+                if word != "s" || group.is_flat != last.is_flat {
+                    groups.push(group);
+                }
             }
             ("mtllib", _) => {
                 if libraries.insert(value) {
@@ -96,8 +106,6 @@ pub(super) fn read(name: &str, folder: &Path, bytes: &[u8]) -> Result<Loaded, Sc
                 }
             }
             ("l" | "p", _) => builder.warn("points and lines", "", "they are left out"),
-            // Groups of smoothing: a mesh without normals is smooth.
-            ("s", _) => {}
             _ => builder.warn("statements that are not read", word, "they are ignored"),
         }
     }
@@ -110,6 +118,7 @@ pub(super) fn read(name: &str, folder: &Path, bytes: &[u8]) -> Result<Loaded, Sc
         };
         let mut rest = &group.corners[..];
         data.triangles.clear();
+        data.is_smooth = !group.is_flat;
         for (line, size) in &group.polygons {
             let (polygon, others) = rest.split_at(*size);
             rest = others;

@@ -10,9 +10,6 @@ use scenes::placement;
 use std::io::{IsTerminal, stderr};
 use std::path::Path;
 
-/// The number of smoothed meshes that a note names.
-const MAX_NAMED: usize = 3;
-
 /// Reads the scene and prints its warnings.
 pub(crate) fn load_scene(args: &Args) -> Result<Scene, Failure> {
     let loaded = scenes::load(&args.scene)?;
@@ -23,11 +20,15 @@ pub(crate) fn load_scene(args: &Args) -> Result<Scene, Failure> {
             errln!("{warning}");
         }
     }
+    let note = loaded.smoothed_note();
     let mut scene = loaded.scene;
     match args.normals {
         NormalsName::Flat => scene.flatten_normals(),
-        NormalsName::File if !loaded.smoothed.is_empty() => note_smoothed(&loaded.smoothed),
-        NormalsName::File => {}
+        NormalsName::File => {
+            if let Some(note) = note {
+                errln!("note: {note}: --normals flat keeps facets");
+            }
+        }
     }
     if loaded.added_light && args.environment.is_some() {
         scene.lights.clear();
@@ -35,18 +36,6 @@ pub(crate) fn load_scene(args: &Args) -> Result<Scene, Failure> {
         errln!("note: the file has no light: a sky and a sun are added; -e FILE lights it instead");
     }
     Ok(scene)
-}
-
-/// Prints that the edges of these meshes are smoothed.
-fn note_smoothed(meshes: &[String]) {
-    let named = meshes[..meshes.len().min(MAX_NAMED)].join(", ");
-    let others = match meshes.len().saturating_sub(MAX_NAMED) {
-        0 => String::new(),
-        count => format!(" and {count} more"),
-    };
-    errln!(
-        "note: no normals in the file, so edges look rounded: {named}{others}: --normals flat keeps facets"
-    );
 }
 
 /// Reads the textures of the scene in `file` and prints a warning for each that is not at

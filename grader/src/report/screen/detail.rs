@@ -202,7 +202,13 @@ fn wrong(out: &mut Lines, report: &TaskReport, reveal: Reveal) {
         out.add(1, 2, &format!("  {}: {reduction}", first.name));
     }
     if let Some([copy, test]) = worst_test::commands(report) {
-        let lines = [format!("  As a test: {copy}"), format!("    {test}")]
+        let simplest = report.simplest.as_ref();
+        let of = match simplest.is_none_or(|call| call.test.is_some()) {
+            true => "As a test",
+            // That of the simplest call would be too long.
+            false => "The worst answer as a test",
+        };
+        let lines = [format!("  {of}: {copy}"), format!("    {test}")]
             .map(|line| one_line(&line, out.page.width));
         out.blocks.push(Block {
             rank: 2,

@@ -1,7 +1,7 @@
 //! Assertions that tests of triangles and spheres share.
 
 use super::numbers::{float, unchanged, vec3};
-use crate::tools::truth::expected::{Expected, ExpectedHit};
+use crate::tools::truth::expected::{Expected, ExpectedHit, TrueSurface};
 use kit::Vec3;
 use std::fmt::Write;
 use wire::work::{Ray, Xyz};
@@ -70,6 +70,23 @@ pub(crate) fn hit_asserts(text: &mut String, hit: &ExpectedHit, prim: u32) {
         float(hit.t_bound)
     );
     vector_assert(text, "p", hit.p, hit.p_bound);
+    if let Some((surface, bound)) = hit.surface {
+        let distance = match surface {
+            TrueSurface::Plane(q, n) => {
+                let [q, n] = [q, n].map(|v| vec3(v.into()));
+                format!("(hit.p - {q}).dot({n})")
+            }
+            TrueSurface::Sphere(center, radius) => {
+                let (center, radius) = (vec3(center.into()), float(radius));
+                format!("(hit.p - {center}).length() - {radius}")
+            }
+        };
+        let _ = writeln!(
+            text,
+            "let off = {distance};\nassert!(off.abs() <= {}, \"p is {{off}} off the surface\");",
+            float(bound)
+        );
+    }
     if let Some((uv, bound)) = hit.uv {
         let _ = writeln!(
             text,

@@ -160,7 +160,7 @@ fn a_student_writes_a_task() {
     write(&with("let nothing: u8 = \"text\";"));
     let broken = read_until(&lines, "keys, then Enter");
     assert!(
-        broken.contains("does not compile.\n  error[E0308]"),
+        broken.contains("does not compile, because of") && broken.contains("\n  error[E0308]"),
         "{broken}"
     );
     stdin.write_all(b"h\n").unwrap();

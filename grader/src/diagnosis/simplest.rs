@@ -392,8 +392,8 @@ fn alike(case: &CaseResult, spec: &Spec, answered: &[Asked<'_>]) -> Option<Simpl
         for (must_fit, likeness) in ways.into_iter().flatten() {
             for asked in answered {
                 let is_accepted = |fault: &Fault| !must_fit || fits(asked, fault);
-                let fault = first_like(target, &asked.findings, likeness, is_accepted);
-                let Some(fault) = fault else {
+                let first = first_like(target, &asked.findings, likeness, is_accepted);
+                let Some(fault) = first else {
                     continue;
                 };
                 let is_told =

@@ -10,8 +10,8 @@ pub(super) fn line(task: &TaskResult) -> Option<String> {
     let has_hole = |result: &FunctionResult| result.status == FunctionStatus::Hole;
     task.functions.iter().any(has_hole).then(|| {
         let crashed = task.cases.iter().any(|case| case.crash().is_some());
-        let results = task.functions.iter().map(|function| one(function, crashed));
-        let results: Vec<String> = results.collect();
+        let each = task.functions.iter().map(|function| one(function, crashed));
+        let results: Vec<String> = each.collect();
         results.join("; ")
     })
 }

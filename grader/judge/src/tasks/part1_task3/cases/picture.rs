@@ -1,6 +1,7 @@
 //! The picture among the cases, traced pixel by pixel.
 
 use super::heap_case;
+use crate::tools::findings::Aspect;
 use crate::tools::questions::eye::{SIZE, picture_rays};
 use crate::tools::questions::picture_shapes::{octahedron, ring};
 use crate::tools::questions::probes::brute_force;
@@ -20,5 +21,6 @@ pub(super) fn torus() -> Spec {
              normals.",
             brute_force(&triangles, &[], &rays),
         )
+        .mainly(&[Aspect::T, Aspect::Normal])
     }
 }

@@ -54,6 +54,22 @@ pub(super) fn origin_inside() -> SphereWork {
     probes.of_spheres()
 }
 
+pub(super) fn normals() -> SphereWork {
+    let mut rng = ProbeRng::new("normals of spheres", 0);
+    let mut probes = Probes::default();
+    for _ in 0..40 {
+        let s = rng.sphere();
+        probes.sphere(&s);
+        for _ in 0..4 {
+            let (impact, distance) = (rng.range(0.0, 0.9), s.radius * rng.range(1.1, 5.0));
+            probes.ray(rng.ray_past(&s, impact, distance));
+            let o = s.center + rng.range(0.0, 0.9) * s.radius * rng.direction();
+            probes.ray(Ray::new(o, rng.direction()));
+        }
+    }
+    probes.of_spheres()
+}
+
 pub(super) fn behind() -> SphereWork {
     let mut rng = ProbeRng::new("behind_the_origin spheres", 0);
     let mut probes = Probes::default();

@@ -79,6 +79,13 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
             boundary::abreast(),
         )
         .only(&[HitOrMiss, T]),
+        case(
+            "normals",
+            "The normal at the hit: from the centre to the hit point, of length 1 whatever the \
+             radius, and outwards also where the ray comes from inside.",
+            hits::normals(),
+        )
+        .only(&[Normal, GeometricNormal]),
         heap_case(
             "nearest_of_many",
             "A ray through a heap of spheres in arbitrary order: each hit shortens max_t, and \

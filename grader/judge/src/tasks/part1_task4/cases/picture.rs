@@ -1,6 +1,7 @@
 //! The picture among the cases, traced pixel by pixel.
 
 use super::heap_case;
+use crate::tools::findings::Aspect;
 use crate::tools::questions::eye::{SIZE, picture_rays};
 use crate::tools::questions::picture_shapes::spheres_in_a_pile;
 use crate::tools::questions::probes::brute_force;
@@ -17,5 +18,6 @@ pub(super) fn pile_of_spheres() -> Spec {
             "A pyramid of spheres on a large sphere, coloured by their normals.",
             brute_force(&[], &spheres_in_a_pile(), &rays),
         )
+        .mainly(&[Aspect::T, Aspect::Normal])
     }
 }

@@ -636,6 +636,18 @@ fn obj_faces_without_normals_are_flat_after_s_off() {
 }
 
 #[test]
+fn obj_faces_may_refer_to_what_only_their_exporter_had() {
+    let file = "v 0 0 0\nv 1 0 0\nv 1 1 0\nvn 0 0 1\nf 1/1/2 2/2/1 3/3/1\n";
+    let read = loaded(&[("a.obj", file.as_bytes())]);
+    assert_eq!(read.scene.triangles[0].n0, Vec3::Z);
+    let said: Vec<String> = read.warnings.iter().map(ToString::to_string).collect();
+    for what in ["texture coordinates", "normals"] {
+        let title = format!("faces refer to {what} that are not in the file");
+        assert!(said.iter().any(|line| line.contains(&title)), "{said:?}");
+    }
+}
+
+#[test]
 fn obj_files_have_several_libraries() {
     let file = OBJ.replace("a.mtl", "b.mtl a.mtl none.mtl");
     let blue = MTL.replace("red", "blue");

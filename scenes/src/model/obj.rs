@@ -116,6 +116,7 @@ pub(super) fn read(name: &str, folder: &Path, bytes: &[u8]) -> Result<Loaded, Sc
         } else {
             group.name
         };
+        let mut absent = [false; 2];
         let mut rest = &group.corners[..];
         data.triangles.clear();
         data.is_smooth = !group.is_flat;
@@ -123,25 +124,28 @@ pub(super) fn read(name: &str, folder: &Path, bytes: &[u8]) -> Result<Loaded, Sc
             let (polygon, others) = rest.split_at(*size);
             rest = others;
             for corner in polygon {
-                for (what, index, count) in [
-                    ("vertex", Some(corner.position), data.positions.len()),
-                    (
-                        "texture coordinate",
-                        corner.tex_coords,
-                        data.tex_coords.len(),
-                    ),
-                    ("normal", corner.normal, data.normals.len()),
-                ] {
-                    if let Some(index) = index.filter(|index| *index >= count) {
-                        let index = index.wrapping_add(1);
-                        let title =
-                            format!("line {line} refers to {what} {index}, but there are {count}");
-                        return Err(builder.error(title, "the file is damaged: export it again"));
-                    }
+                let (at, count) = (corner.position, data.positions.len());
+                if at >= count {
+                    let at = at.wrapping_add(1);
+                    let title = format!("line {line} refers to vertex {at}, but there are {count}");
+                    return Err(builder.error(title, "the file is damaged: export it again"));
                 }
+                let is_absent = |index: Option<usize>, count| index.is_some_and(|i| i >= count);
+                absent[0] |= is_absent(corner.tex_coords, data.tex_coords.len());
+                absent[1] |= is_absent(corner.normal, data.normals.len());
             }
             let triangles = builder.triangulated(&data, polygon, &mut counter)?;
             data.triangles.extend(triangles);
+        }
+        let what = [
+            ("texture coordinates", "using 0 0"),
+            ("normals", "using those of the faces"),
+        ];
+        for (what, result) in
+            (what.into_iter().zip(absent)).filter_map(|(what, is_absent)| is_absent.then_some(what))
+        {
+            let title = format!("faces refer to {what} that are not in the file");
+            builder.warn(&title, name, result);
         }
         let known = group.material.and_then(|name| materials.get(name));
         let material = known.copied().unwrap_or_else(|| {

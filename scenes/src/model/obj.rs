@@ -137,15 +137,14 @@ pub(super) fn read(name: &str, folder: &Path, bytes: &[u8]) -> Result<Loaded, Sc
             let triangles = builder.triangulated(&data, polygon, &mut counter)?;
             data.triangles.extend(triangles);
         }
-        let what = [
-            ("texture coordinates", "using 0 0"),
-            ("normals", "using those of the faces"),
-        ];
-        for (what, result) in
-            (what.into_iter().zip(absent)).filter_map(|(what, is_absent)| is_absent.then_some(what))
-        {
-            let title = format!("faces refer to {what} that are not in the file");
-            builder.warn(&title, name, result);
+        for (is_absent, what, result) in [
+            (absent[0], "texture coordinates", "using 0 0"),
+            (absent[1], "normals", "using those of the faces"),
+        ] {
+            if is_absent {
+                let title = format!("faces refer to {what} that are not in the file");
+                builder.warn(&title, name, result);
+            }
         }
         let known = group.material.and_then(|name| materials.get(name));
         let material = known.copied().unwrap_or_else(|| {

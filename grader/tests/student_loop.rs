@@ -398,7 +398,7 @@ fn the_report_of_the_readme(course: &Path) {
 fn a_case_is_explained_with_a_drawing() {
     let (text, output) = run(&root(), &["explain", "part1.task3/back_face"]);
     assert!(output.status.success());
-    assert!(text.contains("2 points, core"), "{text}");
+    assert!(text.contains("1 point, core"), "{text}");
     assert!(
         text.contains("320 rays: 320 must hit. 0 come from the front, 320 from behind."),
         "{text}"

@@ -47,7 +47,9 @@ fn run(file: &Path, loaded: &Loaded) -> Result<Exit, GraderError> {
         errln!("{warning}");
     }
     if let Some(note) = loaded.smoothed_note() {
-        errln!("note: {note}: normals keep facets, and so does `s off` in an OBJ file");
+        errln!(
+            "note: {note}. To keep facets, give the file normals, or an OBJ file the line `s off`"
+        );
     }
     let workspace = Workspace::above(Path::new("."))?;
     let course = Course::read(&workspace)?;

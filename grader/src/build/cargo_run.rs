@@ -43,8 +43,8 @@ pub(crate) fn run_cargo(
         match Message::read(&line) {
             Some(Message::Program(path)) => program = Some(path),
             // The worker is no code of the student's.
-            Some(Message::Warning { of_crate }) if of_crate == WORKER => {}
-            Some(Message::Warning { of_crate }) => warnings.add(&of_crate),
+            Some(Message::Warning { of_crate, .. }) if of_crate == WORKER => {}
+            Some(Message::Warning { of_crate, says }) => warnings.add(&of_crate, says),
             None => {}
             Some(Message::Error {
                 text,
@@ -232,8 +232,8 @@ impl std::fmt::Display for BuildLimit {
 enum Message {
     /// A program was built, or was up to date.
     Program(PathBuf),
-    /// A warning of the compiler about a crate.
-    Warning { of_crate: String },
+    /// A warning of the compiler about a crate: the place and its first sentence.
+    Warning { of_crate: String, says: String },
     /// An error of the compiler in a crate: the whole text and its first sentence.
     Error {
         text: String,
@@ -254,12 +254,16 @@ impl Message {
         let level = diagnostic.get("level")?.as_str()?;
         let text = with_true_advice(diagnostic.get("rendered")?.as_str()?);
         let of_crate = message.get("target")?.get("name")?.as_str()?.to_string();
-        if !level.starts_with("error") {
-            let lint = diagnostic["code"]["code"].as_str();
-            return (lint != Some(ABOUT_DOCS)).then_some(Message::Warning { of_crate });
-        }
         let says = diagnostic.get("message")?.as_str()?.to_string();
         let places = diagnostic.get("spans").and_then(|spans| spans.as_array());
+        if !level.starts_with("error") {
+            // Without a place it is the compiler's count of its messages.
+            let lint = diagnostic["code"]["code"].as_str();
+            let place = places?.first().filter(|_| lint != Some(ABOUT_DOCS))?;
+            let (file, line) = (place["file_name"].as_str()?, &place["line_start"]);
+            let says = format!("{file}:{line}: {says}");
+            return Some(Message::Warning { of_crate, says });
+        }
         Some(Message::Error {
             text,
             says,
@@ -324,16 +328,26 @@ mod tests {
     }
 
     #[test]
-    fn documentation_that_is_missing_is_no_warning_of_a_students_code() {
-        let is_counted = |lint: &str| {
+    fn warnings_have_a_place_and_are_not_about_missing_documentation() {
+        let told = |lint: &str, spans: serde_json::Value| {
             let line = serde_json::json!({
                 "target": { "name": "bvh" },
-                "message": { "level": "warning", "message": "it", "rendered": "it", "code": { "code": lint } },
+                "message": {
+                    "level": "warning", "message": "it", "rendered": "it", "spans": spans,
+                    "code": { "code": lint },
+                },
             });
-            Message::read(&line.to_string()).is_some()
+            match Message::read(&line.to_string()) {
+                Some(Message::Warning { says, .. }) => Some(says),
+                _ => None,
+            }
         };
-        assert!(is_counted("unused_variables"));
-        assert!(!is_counted("missing_docs"));
+        let place = serde_json::json!([{ "file_name": "a.rs", "line_start": 7 }]);
+        let says = told("unused_variables", place.clone());
+        assert_eq!(says.as_deref(), Some("a.rs:7: it"));
+        assert_eq!(told("missing_docs", place), None);
+        // The compiler's last words: how many messages there were.
+        assert_eq!(told("", serde_json::json!([])), None);
     }
 
     #[test]

@@ -396,7 +396,10 @@ fn guesses<'a>(best: &Ranked, twins: impl Iterator<Item = &'a Ranked<'a>>) -> Op
             let says = twin.descriptions.join(", and ");
             let other = format!("; another guess, as likely: code that {says}");
             named.others.push_str(&other);
-            named.hint = format!("{} Or: {}", named.hint, twin.hints.join(" "));
+            let hint = twin.hints.join(" ");
+            if !named.hint.contains(&hint) {
+                named.hint = format!("{} Or: {hint}", named.hint);
+            }
         }
     }
     (guesses <= MOST_GUESSES).then_some(named)

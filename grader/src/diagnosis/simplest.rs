@@ -378,11 +378,11 @@ fn answered<'a>(
 /// The first wrong call that is wrong in the way of the failed case, whose questions are `spec`.
 /// One under circumstances of the case comes first: no ray from behind shows what is wrong in front.
 fn alike(case: &CaseResult, spec: &Spec, answered: &[Asked<'_>]) -> Option<SimplestCall> {
-    let of_case = (0..spec.calls()).filter_map(|call| spec.circumstances(call));
-    let of_case: BTreeSet<&str> = of_case.flatten().collect();
+    let of_calls = (0..spec.calls()).filter_map(|call| spec.circumstances(call));
+    let of_case: BTreeSet<&str> = of_calls.flatten().collect();
     let fits = |asked: &Asked<'_>, fault: &Fault| {
-        let here = asked.spec.circumstances(fault.call as usize);
-        let mut here = here.into_iter().flatten();
+        let of_call = asked.spec.circumstances(fault.call as usize);
+        let mut here = of_call.into_iter().flatten();
         here.all(|circumstance| of_case.contains(circumstance))
     };
     let ways = [true, false]

@@ -327,12 +327,10 @@ fn more(task: &TaskReport, reveal: Reveal, page: Page) -> Block {
             next.adds()
         ));
     }
-    more.push("`--long` for every case".to_owned());
-    if let Some(case) = failed {
-        more.push(format!(
-            "`cargo grader explain {}/{}`",
-            task.result.key, case.name
-        ));
+    more.push("`--long` for more cases".to_owned());
+    let of_call = task.simplest.as_ref().map(|call| &call.case);
+    if let Some(case) = of_call.or(failed.map(|case| &case.name)) {
+        more.push(format!("`cargo grader explain {}/{case}`", task.result.key));
     }
     let text = format!("cargo grader {}: {}", task.result.key, more.join(", "));
     Block {

@@ -400,7 +400,7 @@ mod tests {
             "your result: miss &lt;here&gt;",
             "<figure class=\"figure\"><svg></svg>",
             "<details class=\"hint\"><summary>A hint</summary><p>culling.</p></details>",
-            "miss where there is a surface: 1 pixel",
+            "black where there is a surface: 1 pixel",
         ] {
             assert!(page.contains(text), "no {text:?}");
         }

@@ -42,7 +42,7 @@ impl Mark {
     pub fn label(self) -> &'static str {
         match self {
             Mark::FalseHit => "hit where there is nothing",
-            Mark::FalseMiss => "miss where there is a surface",
+            Mark::FalseMiss => "black where there is a surface",
             Mark::Normal => "another normal",
             Mark::Distance => "another distance",
             Mark::Value => "another value",

@@ -1,8 +1,8 @@
 //! Which function of a task is to blame for a wrong answer.
 //!
 //! A function that calls another one of its task gives its wrong answers on: `intersect_triangle`
-//! misses where `test_triangle` does. And what no case judges by itself, such as `record_triangle`,
-//! is seen in the answers of its caller only.
+//! misses where `test_triangle` does. What no case judges by itself is seen in the answers of its
+//! caller only. And lists of shapes are met by `intersect_triangle` or `intersect_sphere`.
 
 use crate::course::Task;
 use crate::course::sources::{self, SourceFile};
@@ -127,7 +127,12 @@ impl<'a> Blame<'a> {
         finding: &Finding,
         fault: &Fault,
     ) -> Option<&'a str> {
-        let name = fault.counts_for.or(fault.function)?;
+        let is_of_record = OF_A_RECORD.contains(&finding.aspect);
+        let of_lists = || {
+            let mut names = self.functions.iter().map(|function| function.name);
+            names.find(|name| is_of_record && name.starts_with("intersect_"))
+        };
+        let name = (fault.counts_for.or(fault.function)).or_else(of_lists)?;
         let function = self
             .functions
             .iter()
@@ -142,9 +147,8 @@ impl<'a> Blame<'a> {
         if let Some(called) = function.calls.iter().find(gives_on) {
             return Some(called.name);
         }
-        let is_of_record = OF_A_RECORD.contains(&finding.aspect)
-            && !(finding.aspect == Aspect::RayAfter && function.sets_max_t);
-        let record = function.makes_record.filter(|_| is_of_record);
+        let is_set_here = finding.aspect == Aspect::RayAfter && function.sets_max_t;
+        let record = (function.makes_record).filter(|_| is_of_record && !is_set_here);
         Some(record.unwrap_or(function.name))
     }
 }
@@ -240,6 +244,15 @@ mod tests {
             blamed(ALONE, &[(intersect, 2, RayAfter)], false),
             [intersect]
         );
+        // A list of shapes names no function.
+        let course =
+            Course::parse(include_str!("../../../stages/course.toml")).expect("it is valid");
+        let task = (course.tasks().find(|task| task.key == "part1.task4")).expect("spheres");
+        let mut list = Findings::default();
+        list.judge(Normal, 0, false, 1.0, String::new);
+        let case = CaseResult::failed("", list.into_vec());
+        let blame = Blame::new(task, &[], std::slice::from_ref(&case));
+        assert_eq!(blame.functions(&[&case]), ["intersect_sphere"]);
         let two = [both[0], both[1], normal[0]];
         assert_eq!(blamed(CALLER, &two, false), [test, record]);
     }

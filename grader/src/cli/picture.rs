@@ -236,7 +236,7 @@ mod tests {
         let text = legend(task, &rendered, None);
         assert!(
             text.ends_with(
-                "  normals:\n    miss where there is a surface, 1 pixel\n    another normal, 1 pixel\n  distances: as expected\n"
+                "  normals:\n    black where there is a surface, 1 pixel\n    another normal, 1 pixel\n  distances: as expected\n"
             ),
             "{text}"
         );

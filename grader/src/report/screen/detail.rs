@@ -206,7 +206,7 @@ fn wrong(out: &mut Lines, report: &TaskReport, reveal: Reveal) {
         let of = match simplest.is_none_or(|call| call.test.is_some()) {
             true => "As a test",
             // That of the simplest call would be too long.
-            false => "The worst answer as a test",
+            false => "Worst as test",
         };
         let lines = [format!("  {of}: {copy}"), format!("    {test}")]
             .map(|line| one_line(&line, out.page.width));

@@ -65,14 +65,18 @@ pub fn open(known: &[Known]) -> impl Iterator<Item = &Known> {
 }
 
 /// The open task of `known` to go on with, none of `but`: one that was not complete before comes
-/// first, and of these the first after the tasks `but`, if there is one.
+/// first, of these one of the same part as the last of `but`, and of these the first after it.
 pub fn first_open<'a>(known: &'a [Known], but: &[&Task]) -> Option<&'a Place> {
     let position = |key: &str| known.iter().position(|task| task.place.key == key);
     let last = but.iter().filter_map(|task| position(&task.key)).max();
     let others = open(known).filter(|known| but.iter().all(|task| task.key != known.place.key));
-    let later =
-        others.min_by_key(|known| (known.was_complete(), position(&known.place.key) < last));
-    later.map(|known| &known.place)
+    let part = last.map(|at| known[at].part_key());
+    let next = others.min_by_key(|known| {
+        let is_of_another_part = part.is_some_and(|part| part != known.part_key());
+        let is_before = position(&known.place.key) < last;
+        (known.was_complete(), is_of_another_part, is_before)
+    });
+    next.map(|known| &known.place)
 }
 
 /// The first open task of `course`, or its last task if none is open.
@@ -148,6 +152,23 @@ mod tests {
         let all = [known("a", 5.0, true), reset, known("c", -1.0, false)];
         let first = first_open(&all, &[]).map(|place| place.key.as_str());
         assert_eq!(first, Some("b"));
+    }
+
+    #[test]
+    fn a_gap_of_the_same_part_comes_before_the_next_part() {
+        let (_, course) = crate::course::of_this_checkout();
+        let keys = ["part1.task2", "part1.task3", "part1.task4", "part2.task1"];
+        let all = [5.0, 1.0, 5.0, 1.0].map(|score| known("", score, false));
+        let mut all = all.to_vec();
+        for (known, key) in all.iter_mut().zip(keys) {
+            known.place.key = key.into();
+        }
+        let after = |key: &str| {
+            let task = course.tasks().find(|task| task.key == key).expect("a task");
+            first_open(&all, &[task]).map(|place| place.key.clone())
+        };
+        assert_eq!(after("part1.task4").as_deref(), Some("part1.task3"));
+        assert_eq!(after("part1.task3").as_deref(), Some("part2.task1"));
     }
 
     #[test]

@@ -770,12 +770,17 @@ fn materials_of_obj_become_those_of_the_course() {
         assert_eq!(loaded.scene.materials[0].material, expected, "{mtl}");
         assert_eq!(titles(&loaded).join(", "), warning, "{mtl}");
     }
+    let bare = loaded(&[(
+        "a.obj",
+        b"v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 3//1\n",
+    )]);
+    assert_eq!(titles(&bare), [""; 0]);
     let missing = loaded(&[("a.obj", OBJ.as_bytes())]);
     assert_eq!(
         titles(&missing),
         [
             "material libraries that cannot be read",
-            "meshes whose material is in no library, or that have none"
+            "meshes whose material is in no library"
         ]
     );
 }

@@ -4,9 +4,10 @@ use crate::course::Course;
 use crate::progress::next_task::{self, Known};
 use crate::report::links;
 use crate::report::screen;
-use crate::report::table::number;
+use crate::report::table::{number, status_text};
 use crate::report::terminal::{GREEN, Page};
 use crate::report::wrap::{columns, wrap, wrap_to};
+use crate::score::Status;
 use base::program::Exit;
 use base::{GraderError, Workspace, out};
 use clap::Command;
@@ -122,6 +123,8 @@ fn state(known: &Known, is_given: bool) -> String {
     let points = match last {
         None if is_given => "given".to_owned(),
         None => "not graded yet".to_owned(),
+        // Its points are 0 for the fault of any file of the stage.
+        Some(last) if last.status == status_text(&Status::DoesNotCompile) => last.status.clone(),
         Some(last) => {
             let points = format!("{}/{}", number(last.score), number(last.max_score));
             let changed = if *changed && last.attempted {
@@ -180,6 +183,16 @@ mod tests {
             "{text}"
         );
         assert!(lines.iter().all(|line| columns(line) <= 80), "{text}");
+    }
+
+    #[test]
+    fn a_stage_that_does_not_compile_is_told_instead_of_no_points() {
+        let mut task = known("part1.task1", &[], Some(0.0), false);
+        if let Some(last) = &mut task.last {
+            last.status = status_text(&Status::DoesNotCompile);
+        }
+        let text = format_status(&[task], Page::default());
+        assert!(text.contains("written     does not compile"), "{text}");
     }
 
     #[test]

@@ -148,8 +148,10 @@ pub(super) fn read(name: &str, folder: &Path, bytes: &[u8]) -> Result<Loaded, Sc
         }
         let known = group.material.and_then(|name| materials.get(name));
         let material = known.copied().unwrap_or_else(|| {
-            let title = "meshes whose material is in no library, or that have none";
-            builder.warn(title, name, "using grey, 0.5 0.5 0.5");
+            if group.material.is_some() {
+                let title = "meshes whose material is in no library";
+                builder.warn(title, name, "using grey, 0.5 0.5 0.5");
+            }
             builder.default_material()
         });
         builder.add_mesh(name, &data, material, Affine::IDENTITY)?;

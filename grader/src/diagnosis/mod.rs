@@ -234,8 +234,9 @@ pub fn diagnose(known: &[Known], student: &Signature) -> Option<Diagnosis> {
         true => Certainty::Perhaps,
         false => Certainty::of(likeness, student),
     };
-    // Whoever overflows the stack does so for one of many reasons.
-    if certainty == Certainty::Perhaps && student.is_alike_in_crashes_only(&best.signature) {
+    // Whoever overflows the stack does so for one of many reasons, if not where the mistake does.
+    let is_partly = certainty == Certainty::Perhaps && equal < of;
+    if is_partly && student.is_alike_in_crashes_only(&best.signature) {
         return None;
     }
     let claim = match certainty {
@@ -526,7 +527,7 @@ mod tests {
             });
             diagnose(&[known("this", mistake)], &student).map(|diagnosis| diagnosis.certainty)
         };
-        assert!(named(&[third], &[third]).is_some());
+        assert!(named(&[third], &[third]).is_some() && named(&[], &[]).is_some());
         assert_eq!(named(&[], &[third, ("five crashed", "1*ffff")]), None);
         let nearly = named(&[t], &[("four t", "8*a 1*b")]);
         assert_eq!(nearly, Some(Certainty::Perhaps));

@@ -11,8 +11,7 @@ pub(super) fn line(task: &TaskResult) -> Option<String> {
     task.functions.iter().any(has_hole).then(|| {
         let crashed = task.cases.iter().any(|case| case.crash().is_some());
         let each = task.functions.iter().map(|function| one(function, crashed));
-        let results: Vec<String> = each.collect();
-        results.join("; ")
+        each.collect::<Vec<String>>().join("; ")
     })
 }
 

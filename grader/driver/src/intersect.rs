@@ -14,6 +14,7 @@ pub(crate) fn triangles(stage: &Intersect, work: &TriangleWork) -> Vec<TriangleA
         let test = attempt("test_triangle", || (stage.test_triangle)(&triangle, &ray));
         let id = PrimId(probe.shape);
         let hit = attempt(work.function(), || match work.by_record {
+            // Once more: a gap in the test is what the record needs, and is told as that.
             true => (stage.test_triangle)(&triangle, &ray)
                 .map(|hit| (stage.record_triangle)(&triangle, id, &mut ray, hit)),
             false => (stage.intersect_triangle)(&triangle, id, &mut ray),

@@ -26,19 +26,21 @@ pub fn first(messages: &str) -> (String, usize) {
 /// Where the first error is and what it says, in a line: `src/a.rs:3:5: error: mismatched types`.
 /// `None` if it names no place.
 pub fn first_in_a_line(messages: &str) -> Option<String> {
-    let (first, _) = first(messages);
-    let first = plain(&first);
-    let says = first.lines().next()?;
-    let place = first
-        .lines()
-        .find_map(|line| line.trim_start().strip_prefix("--> "))?;
-    Some(format!("{place}: {says}"))
+    let first = plain(&first(messages).0);
+    Some(format!("{}: {}", place(&first)?, first.lines().next()?))
 }
 
 /// The file of the first error. `None` if it names no place.
 pub fn first_file(messages: &str) -> Option<String> {
-    let line = first_in_a_line(messages)?;
-    line.split_once(':').map(|(file, _)| file.to_owned())
+    let first = plain(&first(messages).0);
+    let (file, _) = place(&first)?.split_once(':')?;
+    Some(file.to_owned())
+}
+
+/// The place that a message of the compiler names: `src/a.rs:3:5`.
+fn place(message: &str) -> Option<&str> {
+    let mut lines = message.lines();
+    lines.find_map(|line| line.trim_start().strip_prefix("--> "))
 }
 
 /// The text without ANSI escape codes, which colour it.
@@ -65,6 +67,7 @@ mod tests {
         assert_eq!(plain(&first), "error: no\n --> b.rs:2\n\n");
         assert_eq!(count, 2);
         assert_eq!(first_in_a_line(text).as_deref(), Some("b.rs:2: error: no"));
+        assert_eq!(first_file(text).as_deref(), Some("b.rs"));
         assert_eq!(first_in_a_line("error: no place"), None);
     }
 }

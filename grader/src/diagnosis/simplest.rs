@@ -376,7 +376,8 @@ fn answered<'a>(
 }
 
 /// The first wrong call that is wrong in the way of the failed case, whose questions are `spec`.
-/// One under circumstances of the case comes first: no ray from behind shows what is wrong in front.
+/// One under circumstances of the case comes first: no ray from behind shows what is wrong in
+/// front.
 fn alike(case: &CaseResult, spec: &Spec, answered: &[Asked<'_>]) -> Option<SimplestCall> {
     let of_calls = (0..spec.calls()).filter_map(|call| spec.circumstances(call));
     let of_case: BTreeSet<&str> = of_calls.flatten().collect();

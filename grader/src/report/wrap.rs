@@ -39,8 +39,8 @@ pub(crate) fn wrap(text: &str, indent: usize, width: usize) -> Vec<String> {
     lines
 }
 
-/// The words of `text`; code between backticks is one word if it has at most `width` columns, and so
-/// is the command that opens a chapter.
+/// The words of `text`; code between backticks is one word if it has at most `width` columns, and
+/// so is the command that opens a chapter.
 fn words(text: &str, width: usize) -> Vec<String> {
     let mut words: Vec<String> = Vec::new();
     let mut pending = text.split_whitespace();

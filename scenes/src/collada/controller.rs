@@ -15,8 +15,8 @@ pub(super) struct ControlledMesh<'a> {
     /// For a skin: from the coordinates of the mesh to those of the visual scene.
     ///
     /// A vertex of a skin is placed by its joints alone, so the node of the instance does not
-    /// transform it: `<bind_shape_matrix>`, then the inverse matrix of a joint, then the joint. In the
-    /// bind pose all joints place it alike. Without joints, `<bind_shape_matrix>` is left.
+    /// transform it: `<bind_shape_matrix>`, then the inverse matrix of a joint, then the joint. In
+    /// the bind pose all joints place it alike. Without joints, `<bind_shape_matrix>` is left.
     pub(super) bind_shape: Option<Affine>,
 }
 
@@ -80,8 +80,8 @@ fn bind_shape_matrix<'a>(doc: &Document<'a>, skin: Element<'a>) -> Result<Affine
     }
 }
 
-/// The path from the bind pose to the visual scene by the first joint of a skin. `None` if its name,
-/// its node or its inverse matrix cannot be found.
+/// The path from the bind pose to the visual scene by the first joint of a skin. `None` if its
+/// name, its node or its inverse matrix cannot be found.
 fn first_joint<'a>(doc: &Document<'a>, skin: Element<'a>, instance: Element<'a>) -> Option<Affine> {
     let list = |semantic: &str| {
         let mut inputs = children(child(skin, "joints")?);

@@ -4,10 +4,10 @@
 //! (`ambient`), the radiant intensity of a point or spot light, and the irradiance of a directional
 //! light. Attenuation elements are ignored: intensity falls with the squared distance anyway.
 //!
-//! Blender 2.80 and later write watts as the colour, and area lights as point lights; what they were
-//! is in `<technique profile="blender">`. These lights are as in Cycles (`kernel/light`): of *P*
-//! watts, a point or spot light has the radiant intensity *P*/(4π), an area light of area *A* the
-//! radiance *P*/(4*A*), and a sun of strength *E* has the irradiance *E*.
+//! Blender 2.80 and later write watts as the colour, and area lights as point lights; what they
+//! were is in `<technique profile="blender">`. These lights are as in Cycles (`kernel/light`): of
+//! *P* watts, a point or spot light has the radiant intensity *P*/(4π), an area light of area *A*
+//! the radiance *P*/(4*A*), and a sun of strength *E* has the irradiance *E*.
 
 use super::document::{
     Document, Element, child, children, course_technique, descendant, describe, tag, technique,

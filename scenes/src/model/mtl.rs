@@ -1,14 +1,14 @@
 //! MTL, the material libraries of OBJ.
 //!
-//! A surface is a lamp if its `Ke` is not black, glass with `illum` 4, 6, 7 or 9, a mirror of colour
-//! `Ks` with `illum` 3 or 5, and else diffuse.
+//! A surface is a lamp if its `Ke` is not black, glass with `illum` 4, 6, 7 or 9, a mirror of
+//! colour `Ks` with `illum` 3 or 5, and else diffuse.
 //!
 //! `Kd` and `map_Kd` are multiplied, as the format says, and as three.js and assimp do. The texture
 //! alone is used beside a black `Kd`, which exporters write for "see the texture", and in files of
 //! Blender, whose `Kd` beside a texture is a colour that Blender itself does not show.
 //!
-//! Blender means other things by `illum`: metal (3), whose amount is `Ka`, colour `Kd` and roughness
-//! 1 - √(`Ns` / 1000), and transparency without refraction (6 and 9).
+//! Blender means other things by `illum`: metal (3), whose amount is `Ka`, colour `Kd` and
+//! roughness 1 - √(`Ns` / 1000), and transparency without refraction (6 and 9).
 
 use super::builder::Builder;
 use super::gltf_material::{MOSTLY, metal};
@@ -37,8 +37,8 @@ struct Parameters {
     unknown: BTreeSet<String>,
 }
 
-/// Adds the materials of the library `file`, relative to `folder`, to the scene. Returns their names
-/// and indices. A texture is beside the library, or else beside the OBJ file.
+/// Adds the materials of the library `file`, relative to `folder`, to the scene. Returns their
+/// names and indices. A texture is beside the library, or else beside the OBJ file.
 pub(super) fn add(
     builder: &mut Builder<'_>,
     folder: &Path,

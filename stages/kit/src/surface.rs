@@ -109,8 +109,8 @@ impl<'a> Surface<'a> {
         Ray::new(self.p + offset, w)
     }
 
-    /// How far rays start from the surface: at least a part of the largest error. In a plane such as
-    /// `y = 0` the point has no error, but a test of another triangle in this plane has.
+    /// How far rays start from the surface: at least a part of the largest error. In a plane such
+    /// as `y = 0` the point has no error, but a test of another triangle in this plane has.
     #[inline]
     fn step(&self) -> f64 {
         let least = LEAST_STEP * self.error.max_element();

@@ -264,8 +264,8 @@ fn note_unused(flags: &[&str], why: &str) {
     }
 }
 
-/// Glass that is less rough spreads light by less than a degree or two: a sampled point of a lamp is
-/// hardly ever in the reflection or refraction.
+/// Glass that is less rough spreads light by less than a degree or two: a sampled point of a lamp
+/// is hardly ever in the reflection or refraction.
 const NEARLY_SMOOTH: f64 = 0.03;
 
 /// Prints a note if the scene has lights that `-H` cannot sample, or shows lamps in surfaces that

@@ -101,11 +101,12 @@ pub(super) fn or_known(
     })
 }
 
-/// The answer to all calls of the failed cases, if it is the same in most of them.
+/// The answer to all calls of the failed cases, if it is the same in most of them and no case that
+/// passed has another.
 fn whole_answer(cases: &[CaseResult]) -> Option<Constants> {
-    let failed: Vec<&CaseResult> = cases
-        .iter()
-        .filter(|case| case.tier == Tier::Core && case.status == Status::Failed)
+    let core = || cases.iter().filter(|case| case.tier == Tier::Core);
+    let failed: Vec<&CaseResult> = core()
+        .filter(|case| case.status == Status::Failed)
         .filter(|case| case.findings.iter().any(|finding| finding.wrong > 0))
         .collect();
     let mut calls_with: BTreeMap<&str, (usize, usize)> = BTreeMap::new();
@@ -118,12 +119,20 @@ fn whole_answer(cases: &[CaseResult]) -> Option<Constants> {
     }
     let most = calls_with.iter().max_by_key(|(_, counts)| **counts);
     let (answer, &(count, calls)) = most?;
+    if core().any(|case| passed_with_another(case, answer)) {
+        return None;
+    }
     let is_most = calls >= FEWEST_ANSWERS && count as f64 >= SHARE * failed.len() as f64;
     is_most.then(|| Constants::Answer {
         text: answer.to_string(),
         calls,
         cases: [count, failed.len()],
     })
+}
+
+/// Whether the right answers of a case are not all this one.
+pub(crate) fn passed_with_another(case: &CaseResult, answer: &str) -> bool {
+    case.status == Status::Passed && case.answer_to_all.as_deref() != Some(answer)
 }
 
 /// The fields that are the same in all answers of core cases in which they are wrong, although
@@ -224,6 +233,14 @@ mod tests {
         for cases in others {
             assert!(says(&cases).starts_with(equal), "{}", says(&cases));
         }
+        // Right answers that differ: the code does depend on its arguments.
+        let passed = |answer| CaseResult {
+            status: Status::Passed,
+            ..case("right", 0, answer)
+        };
+        let with = |answer| says(&[case("one", 20, black), passed(answer)]);
+        assert!(with(None).starts_with(equal), "{}", with(None));
+        assert!(with(black).starts_with("your code gives the same answer"));
     }
 
     /// Code that gives nothing does not make a mistake of which only most answers are the same.

@@ -84,7 +84,7 @@ pub enum Claim {
     MostAlike,
     /// Of two mistakes, each explains so many of the wrong values.
     Pair([usize; 2]),
-    /// The mistake explains some of the wrong values, and another, which has no name, the rest.
+    /// The mistake explains some of the wrong values, and not the rest.
     OneOfSeveral(Evidence),
     /// They do not change from call to call.
     Constant(Constants),

@@ -129,7 +129,8 @@ pub(super) fn two_at_once(ranked: &[Ranked], student: &Signature) -> Option<Diag
 }
 
 /// One of several mistakes: nearly all wrong values of code that makes it are also the student's,
-/// and wrong in the same way. The student has other wrong values, too, whose cause has no name.
+/// and wrong in the same way. The student has other wrong values, too: of another form of it, or of
+/// another mistake.
 pub(super) fn one_of_several(ranked: &[Ranked], student: &Signature) -> Option<Diagnosis> {
     if !student.has_core_faults() {
         return None;
@@ -160,7 +161,7 @@ pub(super) fn one_of_several(ranked: &[Ranked], student: &Signature) -> Option<D
     Some(Diagnosis {
         mistakes,
         says: format!(
-            "several mistakes at once: {equal} of {wrong} wrong values {are} those of code that {says}{others}; the cause of the other {} has no name",
+            "{equal} of {wrong} wrong values {are} those of code that {says}{others}; the other {} do not fit: another form of it, or another mistake as well",
             wrong - equal
         ),
         description: says,
@@ -247,8 +248,8 @@ mod tests {
         let one = diagnosis(&known, &[(pdf, "10*a"), (f, "20*b")]).expect("it is one of several");
         assert_eq!(
             one.says,
-            "several mistakes at once: 10 of 30 wrong values equal those of code that does this; \
-             the cause of the other 20 has no name"
+            "10 of 30 wrong values equal those of code that does this; the other 20 do not fit: \
+             another form of it, or another mistake as well"
         );
         assert!(!one.is_likely());
         let others = [

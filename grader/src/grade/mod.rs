@@ -422,11 +422,11 @@ pub fn score_tasks(
                 }
             };
             let result = CaseResult::new(entry, spec.about, status, findings, &holes);
-            let failed = answer.ok().filter(|_| result.status == Status::Failed);
+            let answer = answer.ok();
             case_results.push(CaseResult {
                 with_neighbours: spec.needs_all_stages(),
                 calls: judge::calls(&spec.work),
-                answer_to_all: failed
+                answer_to_all: answer
                     .and_then(|answer| diagnosis::constant::answer_to_all(&spec.work, answer)),
                 ..result
             });

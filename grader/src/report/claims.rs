@@ -7,6 +7,7 @@
 use super::message;
 use super::screen::WHOLE;
 use super::wrap::wrap;
+use crate::diagnosis::constant::passed_with_another;
 use crate::diagnosis::simplest::SimplestCall;
 use crate::diagnosis::{Claim, Constants, Diagnosis};
 use crate::score::regularity::{self, Regularity, Shared, told_class};
@@ -199,6 +200,10 @@ fn contradict_constants(constants: &Constants, cases: &[CaseResult]) -> Option<S
             let wrong = failed.filter(|case| case.findings.iter().any(|of| of.wrong > 0));
             let same = wrong.filter(|case| case.answer_to_all.as_ref() == Some(text));
             let found: usize = same.map(|case| case.calls).sum();
+            let other = core().find(|case| passed_with_another(case, text));
+            if let Some(CaseResult { name, .. }) = other {
+                return Some(format!("{name} has other answers"));
+            }
             (found != *calls).then(|| format!("{found} answers are {text}"))
         }
         Constants::Fields(fields) => fields.iter().find_map(|field| {

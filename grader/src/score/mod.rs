@@ -78,7 +78,7 @@ pub struct CaseResult {
     /// The number of its calls.
     #[serde(skip)]
     pub calls: usize,
-    /// The answer to every one of its calls, as text, if it failed and there is only one.
+    /// The answer to every one of its calls, as text, if there is only one.
     #[serde(skip)]
     pub answer_to_all: Option<String>,
 }

@@ -26,8 +26,11 @@ fn work_on_another_thread_counts_as_time_of_the_build() {
         let task = graded.expect("it is graded").report.scores.tasks.remove(0);
         let cases = task.result.cases.into_iter();
         let mut growth = cases.filter(|case| case.name == "growth_of_the_build_time");
-        growth.next().expect("the case exists").score
+        growth.next().expect("the case exists")
     };
-    assert!(graded("") > 0.0);
-    assert_eq!(graded(WORK), 0.0);
+    assert!(graded("").score > 0.0);
+    let quadratic = graded(WORK);
+    let is_judged = quadratic.undecided().next().is_none();
+    // A busy machine decides nothing, and says so.
+    assert!(!is_judged || quadratic.score == 0.0, "{quadratic:?}");
 }

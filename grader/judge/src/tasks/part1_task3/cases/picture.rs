@@ -6,13 +6,21 @@ use crate::tools::questions::eye::{SIZE, picture_rays};
 use crate::tools::questions::picture_shapes::{octahedron, ring};
 use crate::tools::questions::probes::brute_force;
 use crate::tools::spec::Spec;
-use kit::Vec3;
+use kit::{Triangle, Vec3};
 
-/// A torus with smooth normals, and an octahedron with flat faces in its hole.
+/// A torus with smooth normals, and an octahedron with flat faces in its hole. One more triangle is
+/// behind the eye.
 pub(super) fn torus() -> Spec {
     let mut triangles = ring(24, 10);
     triangles.extend(octahedron(Vec3::new(0.0, 0.35, 0.0), 0.55));
-    let rays = picture_rays(Vec3::new(1.6, 3.1, 4.2), Vec3::ZERO, 45.0);
+    let eye = Vec3::new(1.6, 3.1, 4.2);
+    let behind = |x, y| 1.5 * eye + Vec3::new(x, y, -0.3 * y);
+    triangles.push(Triangle::flat(
+        behind(-3.0, -1.5),
+        behind(3.0, -1.5),
+        behind(0.0, 3.0),
+    ));
+    let rays = picture_rays(eye, Vec3::ZERO, 45.0);
     Spec {
         picture: Some(SIZE),
         ..heap_case(
@@ -21,6 +29,6 @@ pub(super) fn torus() -> Spec {
              normals.",
             brute_force(&triangles, &[], &rays),
         )
-        .mainly(&[Aspect::T, Aspect::Normal])
+        .mainly(&[Aspect::T, Aspect::Position, Aspect::Normal])
     }
 }

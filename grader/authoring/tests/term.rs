@@ -358,14 +358,14 @@ fn an_update_keeps_the_points_that_were_given() {
     let list = root.join(COPY).join("stages/course.toml");
     edit(
         &list,
-        "    { name = \"range\", tier = \"core\", points = 2 },\n    { name = \"range_ends\", tier = \"core\", points = 1 },\n    { name = \"edges_and_vertices\", tier = \"core\", points = 3 },\n",
-        "    { name = \"range\", tier = \"core\", points = 3 },\n    { name = \"edges_and_vertices\", tier = \"core\", points = 3 },\n",
+        "    { name = \"range\", tier = \"core\", points = 1.5 },\n    { name = \"range_ends\", tier = \"core\", points = 0.5 },\n    { name = \"edges_and_vertices\", tier = \"core\", points = 2 },\n",
+        "    { name = \"range\", tier = \"core\", points = 2 },\n    { name = \"edges_and_vertices\", tier = \"core\", points = 2 },\n",
     );
     let update = Update::plan(&first_light(), &root, false).expect("an update");
     assert_eq!(
         update.kept_points,
         [
-            "part1.task3/range: 3 points, and not 2",
+            "part1.task3/range: 2 points, and not 1.5",
             "part1.task3/range_ends, a new case with 1 points, is left out",
         ]
     );
@@ -385,7 +385,7 @@ fn an_update_keeps_the_points_that_were_given() {
     assert_eq!(
         changes,
         [
-            "points: 3 core points -> 2 core points",
+            "points: 2 core points -> 1.5 core points",
             "new: 1 core point"
         ]
     );
@@ -399,7 +399,7 @@ fn an_update_keeps_the_points_that_were_given() {
         .iter()
         .find(|case| case.name == "range")
         .expect("a case");
-    assert_eq!(range.points, 3.0);
+    assert_eq!(range.points, 2.0);
     assert!(course.leaves_out("part1.task3", Some("range_ends")));
     // The teacher's word counts more than what was kept.
     edit(

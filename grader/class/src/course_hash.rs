@@ -124,7 +124,7 @@ mod tests {
     /// Of such changes no submission is compiled or run again: the keys of its units stay.
     #[test]
     fn points_words_and_dates_ask_no_other_question() {
-        let case = "{ name = \"range\", tier = \"core\", points = 2 }";
+        let case = "{ name = \"range\", tier = \"core\", points = 1.5 }";
         let other_points = LIST.replacen(
             case,
             "{ name = \"range\", tier = \"robust\", points = 4.5 }",

@@ -301,7 +301,9 @@ fn explanation(text: &mut String, report: &TaskReport, hint: HintLevel, is_core:
             }
         }
         None if hint >= HintLevel::Mistake && is_core => {
-            text.push_str("  No single known mistake explains the answers.\n");
+            text.push_str(
+                "  No known mistake can be named: none gives these answers, or several do.\n",
+            );
         }
         None => {}
     }

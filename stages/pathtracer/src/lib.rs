@@ -56,6 +56,7 @@ pub use environment_file::{EnvironmentFileError, load_environment};
 pub use exact_sum::{ExactSum, PixelSum};
 pub use lens::Lens;
 pub use lit::{DirectSampling, LightSettings, render_lit};
+pub use materials::nearly_smooth;
 pub use merge::merge;
 pub use mitsuba::to_mitsuba;
 pub use output::{Output, OutputError};

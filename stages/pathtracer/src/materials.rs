@@ -6,9 +6,29 @@ use global::{
 };
 use kit::effects::{Effect, EffectCounts};
 use kit::shading_normal::Sides;
-use kit::{BsdfSample, Material, Scattering, Spectrum, Vec2, Vec3};
+use kit::{BsdfSample, Material, Scattering, Scene, Spectrum, Vec2, Vec3};
 use std::cell::Cell;
 use std::hint::black_box;
+
+/// Glass that is less rough spreads light by less than a degree or two: a sampled point of a lamp
+/// is hardly ever in the reflection or refraction.
+const NEARLY_SMOOTH: f64 = 0.03;
+
+/// The first object in whose surface few samples meet lamps without `--mis`, so that a picture of
+/// few samples is too dark: its name.
+pub fn nearly_smooth(scene: &Scene) -> Option<&str> {
+    let is_nearly_smooth = |material: &Material| match *material {
+        Material::Glass { roughness, .. } | Material::Refraction { roughness, .. } => {
+            roughness < NEARLY_SMOOTH && !material.is_delta()
+        }
+        Material::Glossy { shininess, .. } => shininess > 2.0 / (NEARLY_SMOOTH * NEARLY_SMOOTH),
+        _ => false,
+    };
+    let mut objects = scene.objects.iter();
+    let found = objects
+        .find(|object| is_nearly_smooth(&scene.materials[object.material as usize].material))?;
+    Some(&found.name)
+}
 
 /// Counts the operations of each effect in one tile.
 #[derive(Debug)]

@@ -6,7 +6,7 @@
 //! Mitsuba computes in single precision, and its rays start at a distance from surfaces that fits
 //! scenes of some units (`Units`). So the scene is moved and scaled before it is written.
 
-use crate::{DirectSampling, Job, LightSettings};
+use crate::{DirectSampling, Job, LightSettings, nearly_smooth};
 use clip::ClipPlanes;
 use kit::{Aabb, Light, LitScene, Material, Scene, Spectrum, Triangle, Vec3};
 use std::fmt::Write;
@@ -190,7 +190,7 @@ pub fn to_mitsuba(
             depth_warning(scene, settings),
             tilt,
             samples_warning(job),
-            glass_warning(scene, settings),
+            smooth_warning(scene, settings),
         ]
         .into_iter()
         .flatten()
@@ -226,19 +226,13 @@ fn samples_warning(job: &Job) -> Option<String> {
     (job.samples == 1).then(|| told.to_owned())
 }
 
-/// What rough glass without MIS misses in pictures of few samples.
-fn glass_warning(scene: &Scene, settings: &LightSettings) -> Option<String> {
-    let is_rough_glass = |number: u32| {
-        let material = &scene.materials[number as usize].material;
-        matches!(material, Material::Glass { .. }) && !material.is_delta()
-    };
-    let mut objects = scene.objects.iter();
-    let object = objects.find(|object| is_rough_glass(object.material))?;
+/// What nearly smooth surfaces without MIS miss in pictures of few samples.
+fn smooth_warning(scene: &Scene, settings: &LightSettings) -> Option<String> {
+    let object = nearly_smooth(scene)?;
     (settings.direct_sampling != DirectSampling::Mis).then(|| {
         format!(
-            "object {}: without --mis, lamps are rarely found through its rough glass, so a picture of \
-             few samples is darker than Mitsuba's: compare with --mis",
-            object.name
+            "object {object}: without --mis few samples meet the lamps that it shows, so a picture \
+             of few samples is darker than Mitsuba's: compare with --mis"
         )
     })
 }

@@ -231,17 +231,23 @@ fn what_mitsuba_shows_otherwise_is_refused_or_told() {
         "{:?}",
         tilted.warnings
     );
-    // One sample, and rough glass without MIS.
+    // One sample, and nearly smooth glass without MIS.
     let mut single = job;
     single.samples = 1;
-    let glass = Material::Glass {
-        reflectance: Spectrum::WHITE,
-        transmittance: Spectrum::WHITE,
-        roughness: 4.0,
-        ior: 1.5,
+    let told = |roughness| {
+        let glass = Material::Glass {
+            reflectance: Spectrum::WHITE,
+            transmittance: Spectrum::WHITE,
+            roughness,
+            ior: 1.5,
+        };
+        let lit = LitScene::new(scene(center, 1.0, glass, 0.0), None);
+        to_mitsuba(&lit, &single, &LightSettings::default(), "a").unwrap()
     };
-    let lit = LitScene::new(scene(center, 1.0, glass, 0.0), None);
-    let told = to_mitsuba(&lit, &single, &LightSettings::default(), "a").unwrap();
+    let rough = told(4.0);
+    assert_eq!(rough.warnings.len(), 1, "{:?}", rough.warnings);
+    assert!(rough.files[0].text.contains("\"alpha\" value=\"1.0\""));
+    let told = told(0.01);
     assert!(
         told.warnings[0].starts_with("-s 1: one sample"),
         "{:?}",
@@ -252,7 +258,6 @@ fn what_mitsuba_shows_otherwise_is_refused_or_told() {
         "{:?}",
         told.warnings
     );
-    assert!(told.files[0].text.contains("\"alpha\" value=\"1.0\""));
     let problem = |scene: Scene, stem: &str| export(scene, stem).unwrap_err().join("\n");
     let turned = problem(scene(center, 1.0, GREY, 1.2), "a");
     assert!(

@@ -312,7 +312,11 @@ fn explanation(out: &mut Lines, report: &TaskReport, reveal: Reveal) {
         None if reveal.hint >= HintLevel::Mistake && lost_core && !has_crashed => {
             let common = &report.regularities;
             if !common.iter().any(Regularity::is_of_few_digits) {
-                out.add(2, 1, "  No single known mistake explains the answers.");
+                out.add(
+                    2,
+                    1,
+                    "  No known mistake can be named: none gives these answers, or several do.",
+                );
             }
             if reveal.hint >= HintLevel::Remedy {
                 read_more(out, &report.result.key, Section::Contract);

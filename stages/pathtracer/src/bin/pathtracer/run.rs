@@ -10,11 +10,11 @@ use crate::progress::Progress;
 use crate::{part, pixel, summary, view, window};
 use base::{errln, outln};
 use kit::hole;
-use kit::{Emitter, LitScene, Material};
+use kit::{Emitter, LitScene};
 use pathtracer::args::{Args, Shade};
 use pathtracer::{
     DirectSampling, Job, LightSettings, Passes, Picture, PreparedScene, Rendered, darkness,
-    layers::channels, layers::features, rate_picture,
+    layers::channels, layers::features, nearly_smooth, rate_picture,
 };
 use std::path::Path;
 use std::process::{self, ExitCode};
@@ -264,29 +264,20 @@ fn note_unused(flags: &[&str], why: &str) {
     }
 }
 
-/// Glass that is less rough spreads light by less than a degree or two: a sampled point of a lamp
-/// is hardly ever in the reflection or refraction.
-const NEARLY_SMOOTH: f64 = 0.03;
-
 /// Prints a note if the scene has lights that `-H` cannot sample, or shows lamps in surfaces that
 /// are hard to sample without `--mis`.
 fn note_missing_lights(lit: &LitScene, sampling: DirectSampling) {
-    let is_nearly_smooth = |material: &Material| match *material {
-        Material::Glass { roughness, .. } | Material::Refraction { roughness, .. } => {
-            roughness < NEARLY_SMOOTH && !material.is_delta()
-        }
-        Material::Glossy { shininess, .. } => shininess > 2.0 / (NEARLY_SMOOTH * NEARLY_SMOOTH),
-        _ => false,
-    };
     let has_lamps = !lit.emitters.iter().all(Emitter::is_delta);
-    let mut materials = lit.scene.materials.iter();
+    let instead = match sampling {
+        DirectSampling::Hemisphere => " instead of -H",
+        _ => "",
+    };
     if sampling != DirectSampling::Mis
         && has_lamps
-        && let Some(found) = materials.find(|named| is_nearly_smooth(&named.material))
+        && let Some(object) = nearly_smooth(&lit.scene)
     {
         errln!(
-            "note: `{}` is nearly smooth: without --mis few samples meet the lamps that it shows, and a picture of few samples is too dark: use --mis",
-            found.name
+            "note: `{object}` is nearly smooth: without --mis few samples meet the lamps that it shows, and a picture of few samples is too dark: use --mis{instead}"
         );
     }
     if sampling == DirectSampling::Hemisphere && lit.emitters.iter().any(Emitter::is_delta) {

@@ -1,7 +1,9 @@
 //! Rays that hit triangles in the interior.
 
-use crate::tools::questions::probes::{ProbeRng, Probes, brute_force, through, within};
-use kit::{Ray, Triangle};
+use crate::tools::questions::probes::{
+    ProbeRng, Probes, brute_force, through, wire_triangle, within,
+};
+use kit::{Ray, Triangle, Vec3};
 use wire::work::{BruteForceWork, TriangleWork};
 
 /// The smallest barycentric weight of a target: large enough that every correct kernel hits.
@@ -132,8 +134,15 @@ fn heap(rng: &mut ProbeRng, triangles: usize, rays: usize) -> BruteForceWork {
     brute_force(&triangles, &[], &rays)
 }
 
+/// Behind the heap are a floor and two walls, each parallel to two axes.
 pub(super) fn nearest_of_many() -> BruteForceWork {
-    heap(&mut ProbeRng::new("nearest_of_many", 0), 40, 600)
+    let mut work = heap(&mut ProbeRng::new("nearest_of_many", 0), 40, 600);
+    let corner = Vec3::splat(-2.5);
+    for (a, b) in [(Vec3::X, Vec3::Y), (Vec3::Y, Vec3::Z), (Vec3::Z, Vec3::X)] {
+        let wall = Triangle::flat(corner, corner + 9.0 * a, corner + 9.0 * b);
+        work.triangles.push(wire_triangle(&wall));
+    }
+    work
 }
 
 pub(super) fn fresh(seed: u64) -> BruteForceWork {

@@ -3,7 +3,7 @@
 use super::rustc_message::CrateName;
 use base::{GraderError, child_processes, err, outln};
 use serde_json::Value;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::io::{BufRead, BufReader};
 use std::path::Path;
 use std::process::{Command, Stdio};
@@ -55,6 +55,7 @@ pub fn run(
     let (mut child, _running) = child_processes::start(&mut command)
         .map_err(|e| GraderError::new(format!("cannot run cargo: {e}")))?;
     let mut checked = Checked::default();
+    let mut shown = BTreeSet::new();
     if let Some(stdout) = child.stdout.take() {
         for line in BufReader::new(stdout).lines() {
             let line =
@@ -63,7 +64,7 @@ pub fn run(
             match reader {
                 Reader::Editor if is_shown => outln!("{line}"),
                 Reader::Editor => {}
-                Reader::Person => err!("{}", rendered(&line).unwrap_or_default()),
+                Reader::Person => err!("{}", new_text(&line, &mut shown).unwrap_or_default()),
             }
         }
     }
@@ -88,6 +89,12 @@ impl Checked {
         }
         reason != Some("build-finished")
     }
+}
+
+/// The text of a message that is not `shown` yet. A library is compiled for itself and for its tests,
+/// with the same messages.
+fn new_text(line: &str, shown: &mut BTreeSet<String>) -> Option<String> {
+    rendered(line).filter(|text| shown.insert(text.clone()))
 }
 
 /// The text of a message of the compiler, as a terminal shows it.
@@ -125,7 +132,9 @@ mod tests {
         assert!(checked.read(artifact) && checked.read(&test));
         assert!(checked.read("no JSON"));
         let warning = r#"{"reason":"compiler-message","message":{"rendered":"warning: x\n"}}"#;
-        assert_eq!(rendered(warning).as_deref(), Some("warning: x\n"));
+        let mut shown = BTreeSet::new();
+        let texts = [warning, warning].map(|line| new_text(line, &mut shown));
+        assert_eq!(texts, [Some("warning: x\n".into()), None]);
         assert_eq!(rendered(artifact), None);
         assert!(!checked.read(r#"{"reason":"build-finished","success":true}"#));
         assert_eq!(checked.crates.keys().collect::<Vec<_>>(), ["bvh"]);

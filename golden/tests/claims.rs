@@ -163,7 +163,10 @@ fn no_sentence_is_false_of_planted_mistakes() {
                 continue;
             }
             for shared in [
-                Shared::Fields(Vec::new()),
+                Shared::Fields {
+                    wrong: Vec::new(),
+                    all_judged: true,
+                },
                 Shared::Function("nobody"),
                 Shared::Circumstances(vec!["the moon shines"]),
                 Shared::Manner {

@@ -64,13 +64,20 @@ impl Answers<'_> {
             .collect();
         let findings = || cases.iter().flat_map(|case| &case.findings);
         match shared {
-            Shared::Fields(listed) => {
+            Shared::Fields {
+                wrong: listed,
+                all_judged,
+            } => {
                 if let Some(crashed) = cases.iter().find(|case| case.crash().is_some()) {
                     return Some(format!("{} crashed", crashed.name));
                 }
                 let mut wrong = findings().filter(|finding| finding.wrong > 0);
-                let other = wrong.find(|finding| !listed.contains(&finding.aspect))?;
-                Some(format!("{} is wrong", other.aspect.label()))
+                if let Some(other) = wrong.find(|finding| !listed.contains(&finding.aspect)) {
+                    return Some(format!("{} is wrong", other.aspect.label()));
+                }
+                let mut hidden = findings().filter(|of| of.expected > 0 && of.judged == 0);
+                let hidden = hidden.next().filter(|_| *all_judged)?;
+                Some(format!("{} is not judged", hidden.aspect.label()))
             }
             Shared::Function(only) => {
                 let mut faults = findings().flat_map(|finding| &finding.faults);
@@ -111,6 +118,11 @@ impl Answers<'_> {
                 .specs
                 .iter()
                 .find(|spec| spec.is(self.task, &case.name))?;
+            let is_elsewhere =
+                |place: &&str| regularity::fails_elsewhere((self.task, case), self.specs, place);
+            if places.iter().any(is_elsewhere) {
+                return Some(format!("{} is wrong elsewhere", case.name));
+            }
             let of_calls = case
                 .findings
                 .iter()

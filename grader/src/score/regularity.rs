@@ -43,7 +43,12 @@ pub struct Regularity {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Shared {
     /// These fields are wrong, and all others are right.
-    Fields(Vec<Aspect>),
+    Fields {
+        /// The fields that are wrong.
+        wrong: Vec<Aspect>,
+        /// Whether the others are judged wherever a right answer has them.
+        all_judged: bool,
+    },
     /// The function whose answers alone are wrong, or the path through it (`ns_aa=1`).
     Function(&'static str),
     /// An aspect is wrong in the same way.
@@ -91,14 +96,18 @@ impl Serialize for Regularity {
 impl fmt::Display for Shared {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Shared::Fields(wrong) => {
+            Shared::Fields { wrong, all_judged } => {
                 let verb = match wrong.as_slice() {
                     [aspect] if !aspect.is_plural() => "is",
                     _ => "are",
                 };
                 let each: Vec<&str> = wrong.iter().map(|aspect| aspect.label()).collect();
                 let labels = each.join(", ");
-                write!(f, "{labels} {verb} wrong, all other fields are right")
+                let others = match all_judged {
+                    true => "all other fields",
+                    false => "all other fields that could be judged",
+                };
+                write!(f, "{labels} {verb} wrong, {others} are right")
             }
             Shared::Function(name) => write!(f, "only the answers of {name} are wrong"),
             Shared::Manner {
@@ -131,10 +140,10 @@ pub fn of(task: &str, all: &[CaseResult], specs: &[Spec]) -> Vec<Regularity> {
     let mut shared = Vec::new();
     shared.extend(fields(&cases, all));
     if let Some(aspect) = main_aspect(&cases) {
-        let only = only_function(&cases);
+        let only = only_function(&cases).filter(|_| !all.iter().any(has_crashed));
         shared.extend(only.map(Shared::Function));
         shared.extend(manner(&cases, aspect));
-        shared.extend(where_wrong(task, &cases, aspect, specs, only));
+        shared.extend(where_wrong((task, all), &cases, aspect, specs, only));
     }
     let counts = |case: &CaseResult| cases.iter().any(|other| other.name == case.name);
     let is_wrong = |case: &CaseResult| case.findings.iter().any(|finding| finding.wrong > 0);
@@ -167,8 +176,7 @@ pub(crate) fn joined(regularities: &[Regularity]) -> String {
 /// The core cases, or the robust ones if all core cases are right, that have answers and do not use
 /// other tasks.
 fn that_count(cases: &[CaseResult]) -> Vec<&CaseResult> {
-    let crashed = |case: &CaseResult| case.tier == Tier::Core && case.crash().is_some();
-    let core_crashed = cases.iter().any(crashed);
+    let core_crashed = cases.iter().any(has_crashed);
     let of_tier = |tier: Tier| -> Vec<&CaseResult> {
         let cases = cases
             .iter()
@@ -181,6 +189,11 @@ fn that_count(cases: &[CaseResult]) -> Vec<&CaseResult> {
         true => of_tier(Tier::Robust),
         false => core,
     }
+}
+
+/// Whether the code crashed in a core case: nobody knows what it would have answered.
+fn has_crashed(case: &CaseResult) -> bool {
+    case.tier == Tier::Core && case.crash().is_some()
 }
 
 /// All findings of these cases about one aspect, with the name of the case.
@@ -242,8 +255,10 @@ fn fields(cases: &[&CaseResult], all: &[CaseResult]) -> Option<Shared> {
     let wrong = wrong_by_aspect(cases.iter().copied());
     let (wrong, right): (Vec<_>, Vec<_>) = wrong.into_iter().partition(|(_, wrong)| *wrong > 0);
     let tells = !wrong.is_empty() && wrong.len() <= right.len();
-    let aspects = wrong.into_iter().map(|(aspect, _)| aspect).collect();
-    tells.then_some(Shared::Fields(aspects))
+    let wrong: Vec<Aspect> = wrong.into_iter().map(|(aspect, _)| aspect).collect();
+    let untested = |finding: &Finding| finding.expected > 0 && finding.judged == 0;
+    let all_judged = !wrong.iter().any(|aspect| aspect.hides_others()) && !findings().any(untested);
+    tells.then_some(Shared::Fields { wrong, all_judged })
 }
 
 /// The function whose answers alone are wrong, in tasks of several, or the path through it
@@ -340,8 +355,8 @@ fn instead(aspect: Aspect, class: Class) -> String {
             "where it is wrong whether a path continues, it ends instead of continuing",
         ],
         Aspect::Stop => [
-            "every wrong result is true instead of false",
-            "every wrong result is false instead of true",
+            "when to stop: every wrong result is true instead of false",
+            "when to stop: every wrong result is false instead of true",
         ],
         aspect if COLOURS.contains(&aspect) => [
             "not black where black is right",
@@ -381,7 +396,7 @@ const SINGLE_PRECISION: i8 = -17;
 /// Under which circumstances answers are wrong, if all wrong ones share one that most others, in
 /// which the aspect is right, do not have.
 fn where_wrong(
-    task: &str,
+    (task, all): (&str, &[CaseResult]),
     cases: &[&CaseResult],
     aspect: Aspect,
     specs: &[Spec],
@@ -424,6 +439,11 @@ fn where_wrong(
             *of_wrong == wrong && *of_others as f64 <= TELLING * others as f64
         })
         .filter(|(circumstance, _)| said.as_deref() != Some(circumstance))
+        .filter(|(circumstance, _)| {
+            let tier = cases.first().map(|case| case.tier);
+            let mut failed = all.iter().filter(|case| Some(case.tier) == tier);
+            !failed.any(|case| fails_elsewhere((task, case), specs, circumstance))
+        })
         .map(|(circumstance, [_, of_others])| (of_others, circumstance))
         .collect();
     telling.sort_unstable();
@@ -433,6 +453,25 @@ fn where_wrong(
         .map(|(_, circumstance)| circumstance)
         .collect();
     (!telling.is_empty()).then_some(Shared::Circumstances(telling))
+}
+
+/// Whether a case fails as a whole, in an aspect of all its answers or by a crash, although none of
+/// its calls has the circumstance.
+pub(crate) fn fails_elsewhere(
+    (task, case): (&str, &CaseResult),
+    specs: &[Spec],
+    circumstance: &str,
+) -> bool {
+    let is_of_all = |finding: &Finding| finding.aspect.is_of_all_calls() && finding.wrong > 0;
+    let fails = case.crash().is_some() || case.findings.iter().any(is_of_all);
+    let spec = specs.iter().find(|spec| spec.is(task, &case.name));
+    let has = |spec: &Spec, call| {
+        let here = spec.circumstances(call).unwrap_or_default();
+        here.contains(&circumstance)
+    };
+    fails
+        && !case.with_neighbours
+        && spec.is_some_and(|spec| !(0..spec.calls()).any(|call| has(spec, call)))
 }
 
 /// Drops the circumstances that a wrong call does not have, each given by its own, and what is left
@@ -519,11 +558,71 @@ mod tests {
         assert_eq!(
             missed,
             [
-                "hit or miss is wrong, all other fields are right",
+                "hit or miss is wrong, all other fields that could be judged are right",
                 "where hit or miss is wrong, there is a miss instead of a hit",
                 "wrong only where the ray starts inside the sphere",
             ]
         );
+    }
+
+    /// A case that fails as a whole refutes a circumstance that none of its calls has.
+    #[test]
+    fn a_case_that_fails_as_a_whole_is_among_the_wrong_answers() {
+        let inside = "the ray starts inside the sphere";
+        let mut specs = judge::cases::of(TASK, 0);
+        specs.retain(|spec| matches!(spec.work, wire::Work::Spheres(_)));
+        let wrong_inside = |here: &[&str]| match here.contains(&inside) {
+            true => vec![(Aspect::HitOrMiss, Class::FalseMiss)],
+            false => vec![],
+        };
+        let said = |also: &dyn Fn(&mut CaseResult)| {
+            let mut cases: Vec<CaseResult> =
+                specs.iter().map(|spec| case(spec, wrong_inside)).collect();
+            for case in cases.iter_mut().filter(|case| case.name == "head_on") {
+                also(case);
+            }
+            let sentences = in_words(of(TASK, &cases, &specs));
+            sentences
+                .iter()
+                .any(|says| says.contains("wrong only where"))
+        };
+        let tests = |right: bool| {
+            move |case: &mut CaseResult| {
+                let mut findings = Findings::default();
+                findings.judge(Aspect::Work, 0, right, 1.0, String::new);
+                case.findings.extend(findings.into_vec());
+            }
+        };
+        let crash = |case: &mut CaseResult| {
+            case.status = Status::Crashed("panicked".into());
+            case.findings.clear();
+        };
+        assert!(said(&tests(true)));
+        assert!(!said(&tests(false)) && !said(&crash));
+    }
+
+    /// Of a broken tree, or of rays that are not traced, nothing else is known.
+    #[test]
+    fn only_what_was_judged_is_called_right() {
+        let says = |wrong: Aspect, untested: Option<Aspect>| {
+            let mut findings = Findings::default();
+            for aspect in [wrong, Aspect::Radiance, Aspect::LeafSize] {
+                let class = (aspect == wrong).then_some(Class::Wrong);
+                findings.judge_class(aspect, 0, class, 1.0, String::new);
+            }
+            untested
+                .into_iter()
+                .for_each(|aspect| findings.expect(aspect));
+            let case = CaseResult::failed("any", findings.into_vec());
+            let says = fields(&[&case], std::slice::from_ref(&case)).expect("a sentence");
+            says.to_string()
+        };
+        assert!(says(Aspect::Bounds, None).ends_with("all other fields are right"));
+        let judged = "all other fields that could be judged are right";
+        for wrong in [Aspect::Structure, Aspect::Rays, Aspect::Calls] {
+            assert!(says(wrong, None).ends_with(judged), "{wrong:?}");
+        }
+        assert!(says(Aspect::Bounds, Some(Aspect::Work)).ends_with(judged));
     }
 
     #[test]
@@ -573,6 +672,8 @@ mod tests {
             let says = says(aspect);
             assert!(!says.contains("hit") && !says.contains("miss"), "{says}");
         }
+        // Other fields may be wrong in other ways.
+        assert!(says(Aspect::Stop).starts_with("when to stop: "));
     }
 
     /// Nobody knows what would be right in the answers that a panic took away.

@@ -93,6 +93,16 @@ impl Aspect {
         matches!(self, Aspect::HitOrMiss | Aspect::SampleOrNone)
     }
 
+    /// Whether others of the same answer are judged only in part, or not at all, where the aspect
+    /// is wrong: what is missing cannot be judged.
+    pub fn hides_others(self) -> bool {
+        self.is_decision()
+            || matches!(
+                self,
+                Aspect::Calls | Aspect::Rays | Aspect::Structure | Aspect::Survival
+            )
+    }
+
     /// Whether only an answer that is a hit, or a sample, has the aspect. A false miss lacks it, so
     /// a case about the aspect is also about hit or miss.
     pub(crate) fn needs_a_hit(self) -> bool {

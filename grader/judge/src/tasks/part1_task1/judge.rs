@@ -81,15 +81,17 @@ fn calls(findings: &mut Findings, call: usize, [x, y]: [u32; 2], ns_aa: u32, ans
     });
     findings.judge_class(Aspect::Calls, call, class, off as f64, || {
         Message::new(format!(
-            "your result: {points} calls of camera_ray, {traced} of trace_ray, and {} in the estimate; expected: {ns_aa} each",
-            plural(answer.samples as usize, "sample", "samples")
+            "your result: {} of camera_ray, {traced} of trace_ray, and {} in the estimate; expected: {ns_aa} each",
+            plural(points, "call", "calls"),
+            plural(answer.samples, "sample", "samples")
         ))
         .asked(input.clone())
     });
     let foreign = answer.traced.iter().filter(|from| from.is_none()).count();
     findings.judge(Aspect::Calls, call, foreign == 0, foreign as f64, || {
         Message::new(format!(
-            "trace_ray got {foreign} rays that camera_ray did not return: pass each ray on unchanged"
+            "trace_ray got {} that camera_ray did not return: pass each ray on unchanged",
+            plural(foreign, "ray", "rays")
         ))
         .asked(input.clone())
     });
@@ -97,7 +99,7 @@ fn calls(findings: &mut Findings, call: usize, [x, y]: [u32; 2], ns_aa: u32, ans
     let repeated = traced - foreign - distinct.len();
     findings.judge(Aspect::Calls, call, repeated == 0, repeated as f64, || {
         Message::new(format!(
-            "{repeated} of {traced} traced rays went through a point that was traced before"
+            "your result: {repeated} of {traced} traced rays went through a point that was traced before; expected: each ray through a point of its own"
         ))
         .asked(input.clone())
     });
@@ -249,7 +251,8 @@ fn spread(
         let repeated = all - distinct;
         findings.judge(Aspect::Spread, call, repeated == 0, 1e3, || {
             format!(
-                "only {distinct} of the {all} points of pixel {pixel:?} differ: each sample needs a random point of its own"
+                "the {all} points of pixel {pixel:?} are at only {}: each sample needs a random point of its own",
+                plural(distinct, "place", "places")
             )
         });
     }
@@ -300,6 +303,7 @@ fn spread(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::findings::Finding;
     use kit::{PixelSampler, Vec2};
 
     fn work(ns_aa: u32) -> PixelWork {
@@ -320,6 +324,14 @@ mod tests {
         place: impl Fn(Vec2) -> Vec2,
         spoil: impl Fn(&mut PixelAnswer),
     ) -> Vec<Aspect> {
+        found(ns_aa, place, spoil).wrong_aspects()
+    }
+
+    fn found(
+        ns_aa: u32,
+        place: impl Fn(Vec2) -> Vec2,
+        spoil: impl Fn(&mut PixelAnswer),
+    ) -> Findings {
         let work = work(ns_aa);
         let answer = |&[x, y]: &[u32; 2]| {
             let mut sampler = PixelSampler::new(x, y, 5);
@@ -348,7 +360,7 @@ mod tests {
         let answers: Vec<PixelAnswer> = work.pixels.iter().map(answer).collect();
         let mut findings = Findings::default();
         pixels(&mut findings, &work, &answers);
-        findings.wrong_aspects()
+        findings
     }
 
     fn unchanged(_: &mut PixelAnswer) {}
@@ -403,6 +415,25 @@ mod tests {
         assert_eq!(
             wrong(4, |s| s, |a| a.radiance[1] = f64::NAN),
             [Aspect::Radiance]
+        );
+    }
+
+    /// The number of samples may be right: what is wrong is said.
+    #[test]
+    fn a_sample_that_is_traced_twice_is_told_from_a_wrong_number() {
+        let worst = |spoil: fn(&mut PixelAnswer)| {
+            let list = found(4, |s| s, spoil).into_vec();
+            let calls = list.iter().find(|found| found.aspect == Aspect::Calls);
+            calls.map_or_else(String::new, Finding::to_string)
+        };
+        let says = worst(|answer| answer.traced = vec![Some(0); 4]);
+        let repeated = "your result: 3 of 4 traced rays went through a point that was traced before; expected: each ray through a point of its own";
+        assert!(says.contains(repeated), "{says}");
+        assert!(says.starts_with("samples taken wrong on "), "{says}");
+        let says = worst(|answer| answer.points.truncate(1));
+        assert!(
+            says.contains("your result: 1 call of camera_ray, 4 of"),
+            "{says}"
         );
     }
 

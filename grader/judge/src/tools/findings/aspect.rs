@@ -6,7 +6,8 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Aspect {
-    /// How often the student's code calls `camera_ray` and `trace_ray`.
+    /// How often the student's code calls `camera_ray` and `trace_ray`, each time for another
+    /// sample.
     Calls,
     /// Where the samples lie in the pixel.
     Placement,
@@ -147,7 +148,8 @@ impl Aspect {
     pub fn is_plural(self) -> bool {
         matches!(
             self,
-            Aspect::Placement
+            Aspect::Calls
+                | Aspect::Placement
                 | Aspect::Range
                 | Aspect::Barycentrics
                 | Aspect::Bounds
@@ -160,7 +162,7 @@ impl Aspect {
     /// The name of the aspect in reports.
     pub fn label(self) -> &'static str {
         match self {
-            Aspect::Calls => "number of samples",
+            Aspect::Calls => "samples taken",
             Aspect::Placement => "sample positions",
             Aspect::Spread => "sample distribution",
             Aspect::Independence => "independence of samples",

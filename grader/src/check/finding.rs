@@ -253,11 +253,9 @@ fn counted(task: &TaskResult, call: &SimplestCall) -> Option<String> {
 }
 
 fn wrong_calls(case: &CaseResult, found: &Counted) -> String {
-    let (label, wrong, judged) = (found.aspect.label(), found.wrong, found.judged);
-    format!(
-        "{label} wrong on {wrong} of {judged} calls of {}",
-        case.name
-    )
+    let (label, wrong) = (found.aspect.label(), found.wrong);
+    let calls = judge::plural(found.judged, "call", "calls");
+    format!("{label} wrong on {wrong} of {calls} of {}", case.name)
 }
 
 /// The first wrong aspect of a case with its worst answer, or what else costs its points.

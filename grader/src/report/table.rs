@@ -115,6 +115,12 @@ fn points(score: f64, max_score: f64) -> Cell {
     Cell::new(text).set_alignment(CellAlignment::Right)
 }
 
+/// A number of points, with the noun.
+fn points_of(points: f64) -> String {
+    let noun = if points == 1.0 { "point" } else { "points" };
+    format!("{} {noun}", number(points))
+}
+
 /// A number of points with at most two decimals and no trailing zeros.
 pub(crate) fn number(points: f64) -> String {
     let text = format!("{points:.2}");
@@ -243,16 +249,16 @@ fn details(text: &mut String, report: &TaskReport, Reveal { hint, extra }: Revea
         // These cases often fail for the same reason as the core cases.
         let _ = writeln!(
             text,
-            "  extra credit: {} of {} points; the failed cases are shown once every core case passes",
+            "  extra credit: {} of {}; the failed cases are shown once every core case passes",
             number(task.robust_score),
-            number(task.robust_max_score)
+            points_of(task.robust_max_score)
         );
     } else if !robust.is_empty() && !extra {
         let _ = writeln!(
             text,
-            "  extra credit: {} of {} points; `--extra` shows the failed cases",
+            "  extra credit: {} of {}; `--extra` shows the failed cases",
             number(task.robust_score),
-            number(task.robust_max_score)
+            points_of(task.robust_max_score)
         );
         return;
     } else if !robust.is_empty() {
@@ -458,6 +464,10 @@ mod tests {
         let hidden = shown(&failing, true);
         assert!(hidden.contains("extra credit: 0 of 2 points"), "{hidden}");
         assert!(!hidden.contains("by_a_hair"), "{hidden}");
+        failing.robust_max_score = 1.0;
+        let of_one = shown(&failing, true);
+        assert!(of_one.contains("extra credit: 0 of 1 point;"), "{of_one}");
+        failing.robust_max_score = 2.0;
         failing.cases[0].status = Status::Passed;
         failing.score = failing.max_score;
         let all = shown(&failing, true);

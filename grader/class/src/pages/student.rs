@@ -191,7 +191,8 @@ fn case_card(case: &Case, hint: HintLevel) -> Markup {
                 @if let Some(detail) = &detail { p { "Your code " (detail.trim_end_matches('.')) "." } }
                 @for finding in case.findings.iter().filter(|finding| finding.wrong > 0) {
                     p {
-                        (finding.aspect.label()) " wrong on " (finding.wrong) " of " (finding.judged) " calls."
+                        (finding.aspect.label()) " wrong on " (finding.wrong) " of "
+                        (judge::plural(finding.judged, "call", "calls")) "."
                         @if let Some(worst) = &finding.worst { " " code { (worst.message.line()) } }
                     }
                 }

@@ -241,8 +241,11 @@ fn simplest(out: &mut Lines, task: &TaskResult, call: &SimplestCall) {
 
 fn wrong_calls(out: &mut Lines, case: &str, finding: &Finding) {
     let label = finding.aspect.label();
-    let (wrong, judged) = (finding.wrong, finding.judged);
-    let text = format!("  {case}: {label} wrong on {wrong} of {judged} calls");
+    let (wrong, calls) = (
+        finding.wrong,
+        judge::plural(finding.judged, "call", "calls"),
+    );
+    let text = format!("  {case}: {label} wrong on {wrong} of {calls}");
     out.add(0, 2, &text);
 }
 

@@ -1,6 +1,7 @@
 //! Judges the leaves of a tree: how many primitives each holds.
 
 use super::judge::aabb;
+use crate::plural;
 use crate::tools::findings::{Aspect, Class, Findings};
 use kit::{Aabb, Vec3};
 use wire::work::{NodeKind, Tree, Xyz};
@@ -41,7 +42,8 @@ pub(super) fn judge(findings: &mut Findings, tree: &Tree, bounds: &[[Xyz; 2]], m
                 "The middle of its box separates none of its primitives: if one side of a split is empty, split in another way, for example into two halves of equal size."
             };
             format!(
-                "leaf {at} holds {count} primitives; expected: at most {max_leaf_size}, which is max_leaf_size. {why}"
+                "leaf {at} holds {}; expected: at most {max_leaf_size}, which is max_leaf_size. {why}",
+                plural(count, "primitive", "primitives")
             )
         });
     }

@@ -1,5 +1,6 @@
 //! The structure of a tree that code under test built: nodes reached once, primitives held once.
 
+use crate::plural;
 use wire::work::{NodeKind, Tree};
 
 /// Why the nodes do not form a tree over the primitives.
@@ -35,7 +36,10 @@ pub(super) fn walk(tree: &Tree, primitives: usize) -> Result<Walk, Fault> {
     if tree.nodes.is_empty() && primitives > 0 {
         return Err(Fault::new(
             "no nodes",
-            format!("the tree has no nodes, but there are {primitives} primitives"),
+            format!(
+                "the tree has no nodes; expected: some that hold {}",
+                plural(primitives, "primitive", "primitives")
+            ),
         ));
     }
     let mut next = Vec::from_iter((!tree.nodes.is_empty()).then_some(0));
@@ -56,8 +60,8 @@ pub(super) fn walk(tree: &Tree, primitives: usize) -> Result<Walk, Fault> {
                         return Err(Fault::new(
                             "no such child",
                             format!(
-                                "node {at} has the child {child}, but the tree has {} nodes",
-                                tree.nodes.len()
+                                "node {at} has the child {child}, but the tree has {}",
+                                plural(tree.nodes.len(), "node", "nodes")
                             ),
                         ));
                     }
@@ -119,8 +123,9 @@ fn take_run(
         Fault::new(
             beyond_order(tree, first),
             format!(
-                "leaf {at} holds order[{first} .. {}], but order has {length} entries",
-                first + count
+                "leaf {at} holds order[{first} .. {}], but order has {}",
+                first + count,
+                plural(length, "entry", "entries")
             ),
         )
     })?;
@@ -170,7 +175,8 @@ fn each_once(order: &[u32], primitives: usize) -> Result<(), Fault> {
                     "lost"
                 },
                 format!(
-                    "{lost} of {primitives} primitives are in no leaf, for example primitive {id}: does each go left or right, even if its centroid lies on the split?"
+                    "{lost} of {} in no leaf, for example primitive {id}: does each go left or right, even if its centroid lies on the split?",
+                    plural(primitives, "primitive is", "primitives are")
                 ),
             ))
         }

@@ -1,5 +1,6 @@
 //! Judges a traversal of a tree in a scripted world, whose test results are given.
 
+use crate::plural;
 use crate::tools::aspects::hits;
 use crate::tools::findings::{Aspect, Class, Findings, Message};
 use crate::tools::truth::tree_tests::{ANY_HIT_WORK_FACTOR, Tests, TracedRay, WORK_FACTOR};
@@ -69,7 +70,8 @@ fn beside_the_root(findings: &mut Findings, world: &ScriptedWorld, answers: &[Tr
         let saves = met.prims > 0 || tests == 0;
         findings.judge(Aspect::Work, call, saves, f64::from(tests), || {
             format!(
-                "your result: {function} makes {tests} primitive tests; expected: none, since the ray misses the box of the root. Is it tested, too? {}",
+                "your result: {function} makes {}; expected: none, since the ray misses the box of the root. Is it tested, too? {}",
+                plural(tests, "primitive test", "primitive tests"),
                 hits::show_ray(&scripted.ray)
             )
         });
@@ -103,7 +105,8 @@ fn savings(findings: &mut Findings, world: &ScriptedWorld, answers: &[TraverseAn
         let saves = made as f64 <= SAVINGS_FACTOR * met as f64;
         findings.judge(Aspect::Savings, 0, saves, made as f64, || {
             format!(
-                "your result: {function} makes {made} {what} tests; entering only boxes that the ray meets makes {met}. Without a tree there are {all} primitive tests"
+                "your result: {function} makes {}; entering only boxes that the ray meets makes {met}. Without a tree there are {all} primitive tests",
+                plural(made, &format!("{what} test"), &format!("{what} tests"))
             )
         });
     }
@@ -282,7 +285,8 @@ fn work(findings: &mut Findings, world: &ScriptedWorld, answers: &[TraverseAnswe
             });
             findings.judge_class(Aspect::Work, call, class, times, || {
                 Message::new(format!(
-                    "your result: {function} makes {tests} {what} tests{of_rays}; always the left child first makes {left}, always the right one {right}; expected: at most {most} times their mean, {}",
+                    "your result: {function} makes {}{of_rays}; always the left child first makes {left}, always the right one {right}; expected: at most {most} times their mean, {}",
+                    plural(tests, &format!("{what} test"), &format!("{what} tests")),
                     most * plain
                 ))
                 .asked(hits::show_ray(&world.rays[call].ray))
@@ -547,6 +551,20 @@ mod tests {
         let again = Class::Named("primitives tested again");
         assert_eq!(class(3 * all, all), Some((1, again)));
         assert_eq!(class(3 * all, 0), None);
+    }
+
+    #[test]
+    fn one_test_is_told_in_the_singular() {
+        let world = script("both_children");
+        let mut findings = Findings::default();
+        let answers = right(&world, 9, 1);
+        beside_the_root(&mut findings, &world, &answers);
+        savings(&mut findings, &world, &answers);
+        let list = findings.into_vec();
+        let messages = list.iter().filter_map(|found| found.worst.as_ref());
+        for message in messages.map(|worst| worst.message.to_string()) {
+            assert!(!message.contains(" 1 primitive tests"), "{message}");
+        }
     }
 
     #[test]

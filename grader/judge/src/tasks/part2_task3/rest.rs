@@ -1,6 +1,7 @@
 //! Judges what no case grades about a traversal: the number of tests of each ray.
 
 use super::judge::{in_range, traced};
+use crate::plural;
 use crate::tools::aspects::hits::{SEVERAL_FIRST, show_ray};
 use crate::tools::findings::{Aspect, Findings};
 use crate::tools::truth::tree_tests::{MORE_TESTS, TOO_FEW_TESTS, Tests};
@@ -30,8 +31,8 @@ pub(super) fn traverse(findings: &mut Findings, world: &ScriptedWorld, answers: 
         let odd = answer.unknown_boxes + answer.repeated_prims;
         findings.judge(Aspect::Work, call, odd == 0, f64::from(odd), || {
             format!(
-                "your result: {} tests of boxes that no node has, {} of a primitive for the second time. {}",
-                answer.unknown_boxes,
+                "your result: {} of boxes that no node has, {} of a primitive for the second time. {}",
+                plural(answer.unknown_boxes, "test", "tests"),
                 answer.repeated_prims,
                 show_ray(&scripted.ray)
             )

@@ -2,6 +2,7 @@
 
 use super::judge::PLACE_BOUND;
 use super::truth::Right;
+use crate::plural;
 use crate::tools::aspects::numbers;
 use crate::tools::findings::{Aspect, Class, Findings};
 use kit::{Frame, PixelSampler, Vec3};
@@ -53,7 +54,8 @@ pub(super) fn judge(
             );
         }
         format!(
-            "only {different} of {numbers} random numbers differ: use each once. {}",
+            "the {numbers} random numbers have only {}: use each once. {}",
+            plural(different, "value", "values"),
             about()
         )
     });

@@ -64,7 +64,8 @@ fn rays(
     let class = (traced != wanted).then(|| Class::of_size(traced as f64 - wanted as f64));
     let off = traced.abs_diff(wanted) as f64;
     findings.judge_class(Aspect::Rays, call, class, off, || {
-        Message::new(format!("your result: {traced} rays; expected: {wanted}")).asked(about())
+        let traced = plural(traced, "ray", "rays");
+        Message::new(format!("your result: {traced}; expected: {wanted}")).asked(about())
     });
     for (i, ray) in answer.rays.iter().enumerate().take(wanted) {
         findings.expect(Aspect::Direction);

@@ -2,6 +2,7 @@
 
 use super::placement;
 use super::truth::{converged, right_samples};
+use crate::plural;
 use crate::tools::aspects::independence::{self, PixelSamples};
 use crate::tools::aspects::numbers;
 use crate::tools::findings::{Aspect, Class, Findings, Message};
@@ -103,8 +104,11 @@ fn pixel(findings: &mut Findings, call: usize, work: &AdaptivePixel, answer: &Ad
     let off = f64::from(answer.samples) - f64::from(samples);
     findings.judge_class(Aspect::Calls, call, class, off.abs(), || {
         Message::new(format!(
-            "your result: {} samples in the estimate, {} calls of trace_ray ({} of them with rays that camera_ray did not return), {} of camera_ray; expected: {samples} each",
-            answer.samples, answer.traced, answer.foreign, counts[2]
+            "your result: {} in the estimate, {} of trace_ray ({} of them with rays that camera_ray did not return), {} of camera_ray; expected: {samples} each",
+            plural(answer.samples, "sample", "samples"),
+            plural(answer.traced, "call", "calls"),
+            answer.foreign,
+            counts[2]
         ))
         .asked(about())
     });
@@ -179,9 +183,9 @@ fn questions(
         let called: Vec<_> = answer.rule_calls.iter().take(4).copied().collect();
         let numbers = |call: &(u64, f64, f64, f64)| [call.0 as f64, call.1, call.2, call.3];
         Message::new(format!(
-            "your result: {} calls of the rule, first with (count, mean, variance, tolerance) {called:?}; expected: {} calls, first {wanted:?}",
-            answer.rule_calls.len(),
-            rule_calls.len()
+            "your result: {} of the rule, first with (count, mean, variance, tolerance) {called:?}; expected: {}, first {wanted:?}",
+            plural(answer.rule_calls.len(), "call", "calls"),
+            plural(rule_calls.len(), "call", "calls")
         ))
         .compares(
             called.iter().flat_map(numbers),

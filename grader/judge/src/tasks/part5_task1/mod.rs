@@ -8,6 +8,7 @@ pub(crate) mod repro;
 mod simple;
 mod truth;
 
+use crate::plural;
 use crate::tools::Tier;
 use crate::tools::call_text::{few, point};
 use crate::tools::check::{CaseContext, Check, one_each};
@@ -168,7 +169,10 @@ impl Check for kind::AdaptivePixels {
         let [x, y] = pixel.pixel;
         let rule = match pixel.rule {
             StopRule::From(u64::MAX) => "a rule that never stops".into(),
-            StopRule::From(least) => format!("a rule that stops from {least} samples on"),
+            StopRule::From(least) => format!(
+                "a rule that stops from {} on",
+                plural(least, "sample", "samples")
+            ),
             StopRule::Plain => "the plain rule".into(),
         };
         Some(format!(

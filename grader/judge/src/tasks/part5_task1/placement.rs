@@ -1,5 +1,6 @@
 //! Judges the positions of samples in a pixel.
 
+use crate::plural;
 use crate::tools::aspects::independence::PixelSamples;
 use crate::tools::findings::{Aspect, Class, Findings};
 use std::collections::HashSet;
@@ -83,13 +84,15 @@ pub(crate) fn judge(
     let badness = outside as f64;
     findings.judge_class(Aspect::Placement, call, class, badness, || {
         format!(
-            "{outside} of {all} points lie outside the pixel. {}",
+            "{outside} of {} outside the pixel. {}",
+            plural(all, "point lies", "points lie"),
             about()
         )
     });
     let different: HashSet<_> = answer.points.iter().map(|p| p.map(f64::to_bits)).collect();
     let different = different.len();
     findings.judge(Aspect::Placement, call, different == all, 1e3, || {
-        format!("only {different} of {all} points differ. {}", about())
+        let places = plural(different, "place", "places");
+        format!("the {all} points are at only {places}. {}", about())
     });
 }

@@ -5,6 +5,7 @@
 //! that they always detect: each finding has it, each case states it for students ("A bias of 6 %
 //! is always detected"), and a test of the goldens checks that the two agree.
 
+use crate::plural;
 use crate::tools::findings::{Aspect, Class, DirectionCounts, Findings, told_apart};
 use kit::{Tally, Vec3};
 use statistics::chi_square;
@@ -109,8 +110,9 @@ pub(crate) fn spread(
     findings.judge_class(Aspect::Spread, 0, class, badness, || {
         if repeated {
             return format!(
-                "only {different} of your {} directions differ. {FROM_THE_SAMPLER}",
-                directions.len()
+                "your {} directions have only {}. {FROM_THE_SAMPLER}",
+                directions.len(),
+                plural(different, "value", "different values")
             );
         }
         format!(

@@ -1,6 +1,7 @@
 //! Stopping rules: what the plain rule of `part5.task1` and the waiting rule of `part5.task2`
 //! share.
 
+use crate::plural;
 use crate::tools::call_text::few;
 use crate::tools::findings::{Aspect, Class, Findings};
 use crate::tools::moves::{LightMoves, Move, Symmetries};
@@ -96,9 +97,9 @@ pub(crate) fn verdict(
     findings.judge_class(Aspect::Stop, i, class, 1.0, || {
         let samples = samples(call);
         format!(
-            "your result: {}; expected: {right}. {} samples with the mean {} and the standard error {}, tolerance {}{plain}",
+            "your result: {}; expected: {right}. {} with the mean {} and the standard error {}, tolerance {}{plain}",
             answer.stop,
-            samples.count(),
+            plural(samples.count(), "sample", "samples"),
             samples.mean(),
             samples.standard_error(),
             call.tolerance

@@ -7,6 +7,7 @@
 use super::lamps::{SKY_PDF, ShadingPlace, VisiblePart, environment_map, sample_of_delta_light};
 use super::shadow_targets::{Source, Target, target};
 use super::terms::{self, Term};
+use crate::plural;
 use crate::tools::aspects::chance::{self, MIN_ESTIMATES};
 use crate::tools::aspects::hits::show;
 use crate::tools::aspects::numbers;
@@ -147,8 +148,12 @@ impl Estimate<'_> {
             false => format!(", the geometric normal {:?}", self.point.ng),
         };
         format!(
-            "Point {:?} with the normal {:?}{geometric}, {:?}, seen along wo = {:?}, {} samples",
-            self.point.p, self.point.n, self.point.material, self.point.wo, self.work.samples
+            "Point {:?} with the normal {:?}{geometric}, {:?}, seen along wo = {:?}, {}",
+            self.point.p,
+            self.point.n,
+            self.point.material,
+            self.point.wo,
+            plural(self.work.samples, "sample", "samples")
         )
     }
 
@@ -493,8 +498,8 @@ impl Estimate<'_> {
             } else {
                 format!("{least} to {most}")
             };
-            Message::new(format!("your result: {traced} rays; expected: {right}"))
-                .asked(self.about())
+            let traced = plural(traced, "ray", "rays");
+            Message::new(format!("your result: {traced}; expected: {right}")).asked(self.about())
         });
     }
 
@@ -536,9 +541,61 @@ impl Estimate<'_> {
         let right = all == different;
         findings.judge(Aspect::Spread, self.call, right, 1e3, || {
             Message::new(format!(
-                "only {different} of {all} rays have different directions: each sample needs its own random numbers"
+                "the {all} rays have only {}: each sample needs its own random numbers",
+                plural(different, "direction", "directions")
             ))
             .asked(self.about())
         });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cases;
+    use wire::Work;
+
+    /// Code that traces so many rays along one direction, whatever it is asked.
+    fn messages(rays: usize) -> Vec<String> {
+        let specs = cases::of("part3.task2", 0);
+        let works = specs.iter().filter_map(|spec| match &spec.work {
+            Work::Direct(work) => Some(work),
+            _ => None,
+        });
+        let of = |work: &DirectWork| {
+            let answer = |point: &ShadedPoint| {
+                let ray = wire::work::Ray {
+                    o: point.p,
+                    d: point.n,
+                    min_t: 0.0,
+                    max_t: f64::INFINITY,
+                };
+                let (seen, hit) = ([0.0; 3], false);
+                DirectAnswer {
+                    radiance: seen,
+                    rays: vec![RecordedRay { ray, seen, hit }; rays],
+                }
+            };
+            let answers: Vec<DirectAnswer> = work.points.iter().map(answer).collect();
+            let mut findings = Findings::default();
+            direct(&mut findings, work, &answers);
+            findings.into_vec()
+        };
+        let worst = works.flat_map(of).filter_map(|finding| finding.worst);
+        worst.map(|worst| worst.message.to_string()).collect()
+    }
+
+    #[test]
+    fn one_ray_is_told_in_the_singular() {
+        let [one, two] = [1, 2].map(|rays| messages(rays).join("\n"));
+        assert!(one.contains("your result: 1 ray; expected: "), "{one}");
+        assert!(two.contains("the 2 rays have only 1 direction: "), "{two}");
+        for text in [&one, &two] {
+            let plurals = ["1 rays", "1 directions", "1 samples"];
+            let wrong = plurals
+                .iter()
+                .find(|word| text.contains(&format!(" {word}")));
+            assert_eq!(wrong, None, "{text}");
+        }
     }
 }

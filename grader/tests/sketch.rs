@@ -45,6 +45,10 @@ fn text(call: ShownCall) -> String {
     lines.join("\n")
 }
 
+fn in_a_line(drawn: &str) -> String {
+    drawn.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
 /// Compares drawings with a snapshot. `look_for` says what its reader looks for.
 fn shows(name: &str, look_for: &str, calls: impl IntoIterator<Item = ShownCall>) {
     let drawn: Vec<String> = calls.into_iter().map(text).collect();
@@ -129,6 +133,99 @@ fn a_wrong_point_is_marked_where_it_is() {
         "one place for both answers, then o and x apart, twice",
         shown,
     );
+}
+
+/// A right point does not hide that `t` is wrong: the hit is drawn at its `t`.
+#[test]
+fn a_wrong_t_is_drawn_beside_the_right_one() {
+    let right = Vec3::new(0.0, 0.0, -1.0);
+    let drawn = text(ShownCall::Ray(ShownRay {
+        scene: Scene {
+            spheres: vec![Sphere {
+                center: Vec3::ZERO,
+                radius: 1.0,
+            }],
+            ..Scene::default()
+        },
+        expected: vec![1.0],
+        yours: vec![0.2],
+        points: Some([right; 2]),
+        ..ShownRay::new(Ray::new(Vec3::new(0.0, 0.0, -2.0), Vec3::Z))
+    }));
+    assert!(
+        drawn.contains("o expected, x yours") && !drawn.contains('*'),
+        "{drawn}"
+    );
+}
+
+/// One pair of answers is in one place, the other apart.
+#[test]
+fn what_is_equal_is_not_said_to_be_near() {
+    let drawn = text(ShownCall::Ray(ShownRay {
+        boxes: vec![Aabb {
+            min: Vec3::ZERO,
+            max: Vec3::new(1.0, 2.0, 4.0),
+        }],
+        expected: vec![-4.0, 0.0],
+        yours: vec![-9.0, -0.0],
+        ..ShownRay::new(Ray {
+            min_t: -9.0,
+            max_t: 9.0,
+            ..Ray::new(Vec3::new(0.5, 1.0, 0.0), -Vec3::Z)
+        })
+    }));
+    assert!(drawn.contains("* expected and yours"), "{drawn}");
+    assert!(
+        !drawn.contains("too near") && !drawn.contains("-0"),
+        "{drawn}"
+    );
+    let ended = Ray {
+        max_t: 4.0,
+        ..upwards(1.0, 1.0)
+    };
+    let near = text(ShownCall::Ray(triangle(ended, Some(1.0), Some(1.001))));
+    let says = "too near to be drawn apart";
+    assert!(in_a_line(&near).contains(says), "{near}");
+}
+
+#[test]
+fn what_is_not_finite_is_not_drawn_and_the_legend_says_so() {
+    let infinite = Vec3::new(f64::NEG_INFINITY, f64::INFINITY, f64::INFINITY);
+    let hit = |t: f64| triangle(upwards(1.0, 1.0), Some(1.0), Some(t));
+    let ray = |ray: ShownRay| text(ShownCall::Ray(ray));
+    let bounce = |yours: [f64; 3]| {
+        text(ShownCall::Bounce(ShownBounce {
+            wo: [0.6, 0.0, 0.8],
+            expected: Some([-0.6, 0.0, 0.8]),
+            yours: Some(yours),
+        }))
+    };
+    let point = ray(ShownRay {
+        points: Some([Vec3::new(1.0, 1.0, 0.0), infinite]),
+        ..hit(1.0)
+    });
+    let normal = ray(ShownRay {
+        normals: Some([Vec3::Z, Vec3::NAN]),
+        ..hit(1.0)
+    });
+    for (drawn, what) in [
+        (point, "point"),
+        (ray(hit(f64::NAN)), "t"),
+        (
+            in_a_line(&normal)
+                .replace("* expected and yours", "")
+                .replacen('*', "", 1),
+            "normal",
+        ),
+        (bounce([f64::NAN; 3]), "direction"),
+        (bounce([f64::INFINITY, 0.0, 1.0]), "direction"),
+    ] {
+        assert!(
+            drawn.contains(&format!("your {what} is not finite")),
+            "{drawn}"
+        );
+        assert!(!drawn.contains('*') && !drawn.contains("yours"), "{drawn}");
+    }
 }
 
 #[test]

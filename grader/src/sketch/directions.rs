@@ -52,7 +52,9 @@ pub(super) fn pair(probe: &LambertProbe) -> Sketch {
 
 /// The direction that a mirror or glass sends on.
 pub(super) fn bounce(shown: &ShownBounce) -> Sketch {
-    let answers = [shown.expected, shown.yours].into_iter().flatten();
+    let is_finite = |wi: &Xyz| wi.iter().all(|x| x.is_finite());
+    let yours = shown.yours.filter(is_finite);
+    let answers = [shown.expected, yours].into_iter().flatten();
     let all: Vec<Xyz> = [shown.wo].into_iter().chain(answers).collect();
     let along = across(&all);
     let mut strokes = surface();
@@ -60,11 +62,15 @@ pub(super) fn bounce(shown: &ShownBounce) -> Sketch {
     if let Some(wi) = shown.expected {
         arrow(&mut strokes, along, Ink::Expected, wi, "expected");
     }
-    if let Some(wi) = shown.yours.filter(|wi| Some(*wi) != shown.expected) {
+    if let Some(wi) = yours.filter(|wi| Some(*wi) != shown.expected) {
         let wi = wi.map(|x| x.clamp(-2.0, 2.0));
         arrow(&mut strokes, along, Ink::Yours, wi, "yours");
     }
-    Sketch::new(strokes, FROM_ITS_SIDE, Layout::Shape)
+    let caption = match shown.yours == yours {
+        true => FROM_ITS_SIDE.to_owned(),
+        false => format!("{FROM_ITS_SIDE}; your direction is not finite"),
+    };
+    Sketch::new(strokes, &caption, Layout::Shape)
 }
 
 /// A point among lights, from the side on which the first light is.
@@ -126,13 +132,17 @@ pub(super) fn lit_point(shown: &ShownPoint) -> Option<Sketch> {
     let viewer = place(0.4 * reach * Vec3::from(point.wo));
     strokes.push(Stroke::Arrow(Ink::Ray, [[0.0; 2], viewer]));
     strokes.push(Stroke::Word(viewer, "wo".into()));
-    for traced in rays.iter().take(MOST) {
-        let d = Vec3::from(traced.ray.d).normalize_or_zero();
-        let tip = place(0.6 * reach * d);
+    let directions = rays
+        .iter()
+        .map(|traced| Vec3::from(traced.ray.d).try_normalize());
+    let drawn: Vec<Vec3> = directions.flatten().take(MOST).collect();
+    for d in &drawn {
+        let tip = place(0.6 * reach * *d);
         strokes.push(Stroke::Arrow(Ink::Yours, [[0.0; 2], tip]));
     }
-    let traced = match rays.len() {
-        0 => "your code traced no ray",
+    let traced = match (rays.len(), drawn.len()) {
+        (0, _) => "your code traced no ray",
+        (_, 0) => "your rays have no direction that is finite and not 0",
         _ => "x arrows: your rays",
     };
     let caption = format!("{FROM_ITS_SIDE}; {traced}");

@@ -20,10 +20,14 @@ pub(super) fn ray(shown: &ShownRay) -> Option<Sketch> {
     if shapes == 0 || shapes > MOST_SHAPES {
         return None;
     }
-    let (strokes, caption) = match (&triangles[..], &spheres[..], &shown.boxes[..]) {
+    let (strokes, seen) = match (&triangles[..], &spheres[..], &shown.boxes[..]) {
         ([triangle], [], []) => of_triangle(shown, triangle)?,
         ([], [sphere], []) => of_sphere(shown, sphere)?,
         _ => of_shapes(shown)?,
+    };
+    let caption = match not_finite(shown) {
+        Some(answer) => format!("{seen}; your {answer} is not finite"),
+        None => seen,
     };
     Some(Sketch {
         axis: axis(shown),
@@ -57,12 +61,24 @@ fn differing_normals(shown: &ShownRay) -> Option<[Vec3; 2]> {
     (expected.distance(yours) > VISIBLE_ANGLE && yours.is_finite()).then_some([expected, yours])
 }
 
-/// Where the code's answer says that the hit is, if that is not where the ray is at its `t`.
+/// The part of the code's answer that cannot be drawn, since it is infinite or NaN.
+fn not_finite(shown: &ShownRay) -> Option<&'static str> {
+    let is_finite = |vectors: Option<[Vec3; 2]>| vectors.is_none_or(|[_, yours]| yours.is_finite());
+    match shown.yours.iter().all(|t| t.is_finite()) {
+        false => Some("t"),
+        true if !is_finite(shown.points) => Some("point"),
+        true if !is_finite(shown.normals) => Some("normal"),
+        true => None,
+    }
+}
+
+/// Where the code's answer says that the hit is, if that is not where the ray is at its `t`, and
+/// not the right point either: of a right point it is `t` that is wrong.
 fn stray_point(shown: &ShownRay) -> Option<Vec3> {
     let [expected, yours] = shown.points?;
     let along = shown.yours.first().map(|t| shown.ray.at(*t));
     let far = |p: Vec3| yours.distance(p) > VISIBLE_DISTANCE * expected.length().max(1.0);
-    (yours.is_finite() && along.is_none_or(far)).then_some(yours)
+    (yours.is_finite() && along.is_none_or(|p| far(p) && far(expected))).then_some(yours)
 }
 
 /// Points that differ by less, relative to their distance from the origin, are those of the ray.
@@ -72,6 +88,8 @@ const VISIBLE_DISTANCE: f64 = 1e-9;
 fn your_points(shown: &ShownRay) -> Vec<Vec3> {
     match stray_point(shown) {
         Some(p) => vec![p],
+        // The ray at its t would be another point.
+        None if shown.points.is_some_and(|[_, yours]| !yours.is_finite()) => Vec::new(),
         None => shown.yours.iter().map(|t| shown.ray.at(*t)).collect(),
     }
 }

@@ -39,7 +39,7 @@ impl Plot {
     }
 
     /// The cell of a point: column and row from the top; `None` outside the plot.
-    fn cell(&self, point: [f64; 2]) -> Option<(usize, usize)> {
+    pub(super) fn cell(&self, point: [f64; 2]) -> Option<(usize, usize)> {
         let share =
             [0, 1].map(|axis| (point[axis] - self.min[axis]) / (self.max[axis] - self.min[axis]));
         if !share.iter().all(|share| (0.0..=1.0).contains(share)) {

@@ -46,11 +46,17 @@ pub(super) fn pixel(shown: &ShownPixel) -> Option<Sketch> {
         strokes.push(Stroke::Line(Ink::Shape, [[0.0, at], [w, at]]));
     }
     strokes.extend(right.into_iter().map(|at| Stroke::Mark(Ink::Expected, at)));
+    let all_finite = yours.as_flattened().iter().all(|x| x.is_finite());
     let near = yours
         .into_iter()
         .filter(|p| p[0].abs() < 3.0 * w && p[1].abs() < 3.0 * h);
     strokes.extend(near.map(|at| Stroke::Mark(Ink::Yours, at)));
-    let caption = format!("the film, (0, 0) at the bottom left; samples of pixel ({x}, {y})");
+    let beyond = match all_finite {
+        true => "",
+        false => "; a sample of yours is not finite",
+    };
+    let caption =
+        format!("the film, (0, 0) at the bottom left; samples of pixel ({x}, {y}){beyond}");
     Some(Sketch::new(strokes, &caption, Layout::Shape))
 }
 
@@ -74,6 +80,7 @@ pub(super) fn camera(camera: &Camera, sensor: Vec2, ray: &Ray) -> Sketch {
             strokes.push(Stroke::Mark(Ink::Yours, at));
             seen.to_owned()
         }
+        false if !local.is_finite() => format!("{seen}; your ray is not finite"),
         false => format!("{seen}; your ray does not cross it"),
     };
     Sketch::new(strokes, &caption, Layout::Shape)

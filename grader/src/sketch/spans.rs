@@ -54,9 +54,14 @@ pub(super) fn spans(shown: &ShownSpans) -> Option<Sketch> {
     if strokes.is_empty() {
         return None;
     }
-    for (ink, t) in [(Ink::Expected, shown.expected), (Ink::Yours, shown.yours)] {
+    let yours = shown.yours.filter(|t| t.is_finite());
+    for (ink, t) in [(Ink::Expected, shown.expected), (Ink::Yours, yours)] {
         strokes.extend(t.map(|t| Stroke::Mark(ink, [t, line])));
     }
-    let caption = format!("along {}: {}", shown.along, shown.about);
+    let beyond = match shown.yours.is_some() && yours.is_none() {
+        true => "; your t is not finite",
+        false => "",
+    };
+    let caption = format!("along {}: {}{beyond}", shown.along, shown.about);
     Some(Sketch::new(strokes, &caption, Layout::Rows))
 }

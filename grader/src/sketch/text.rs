@@ -69,7 +69,7 @@ impl Sketch {
         Drawn {
             shapes: plot.lines(),
             axis,
-            signs: self.signs_of_text(|sign| plot.has(sign) || on_axis.contains(&sign)),
+            signs: self.signs_of_text(&plot, |sign| plot.has(sign) || on_axis.contains(&sign)),
         }
     }
 
@@ -157,12 +157,12 @@ impl Sketch {
     }
 
     /// The signs that are drawn, with their meanings.
-    fn signs_of_text(&self, is_drawn: impl Fn(char) -> bool) -> Vec<(char, String)> {
+    fn signs_of_text(&self, plot: &Plot, is_drawn: impl Fn(char) -> bool) -> Vec<(char, String)> {
         let is_shape = self.layout == Layout::Shape;
         let meanings = [
             ('o', self.shows(Ink::Expected), "o expected"),
             ('x', self.shows(Ink::Yours), "x yours"),
-            (BOTH, true, self.both()),
+            (BOTH, true, self.both(plot)),
             ('@', is_shape && self.shows(Ink::Ray), "@ origin"),
             (
                 '+',
@@ -184,8 +184,9 @@ impl Sketch {
             .collect()
     }
 
-    /// The meaning of the sign of both answers: they may be apart by less than a character.
-    fn both(&self) -> &'static str {
+    /// The meaning of the sign of both answers: they may be apart by less than a character. Answers
+    /// in other places do not count.
+    fn both(&self, plot: &Plot) -> &'static str {
         let of = |ink: Ink| {
             self.strokes.iter().filter_map(move |stroke| match stroke {
                 Stroke::Mark(of, at) if *of == ink => Some(*at),
@@ -194,14 +195,24 @@ impl Sketch {
         };
         let is_same = |a: f64, b: f64| (a - b).abs() <= SAME * a.abs().max(b.abs()).max(1.0);
         let marks = of(Ink::Yours).all(|at| {
-            let mut expected = of(Ink::Expected);
-            expected.any(|other| (0..2).all(|i| is_same(at[i], other[i])))
+            let mut there = of(Ink::Expected).filter(|other| plot.cell(*other) == plot.cell(at));
+            let is_right = there.clone().next().is_none()
+                || there.any(|other| (0..2).all(|i| is_same(at[i], other[i])));
+            is_right || plot.cell(at).is_none()
         });
         let on_axis = self.axis.iter().all(|axis| {
-            let mut yours = axis.yours.iter();
-            yours.all(|t| axis.expected.iter().any(|other| is_same(*t, *other)))
+            axis.yours.iter().all(|t| {
+                let expected = axis.expected.iter();
+                let mut there = expected.filter(|other| axis.column(**other) == axis.column(*t));
+                there.clone().next().is_none() || there.any(|other| is_same(*t, *other))
+            })
         });
+        // Seen along the ray, hits at different `t` are in one place.
+        let is_behind = self.axis.iter().any(
+            |axis| matches!((&axis.expected[..], &axis.yours[..]), ([a], [b]) if !is_same(*a, *b)),
+        );
         match marks && on_axis {
+            true if is_behind => "* expected and yours, one behind the other",
             true => "* expected and yours",
             false => "* expected and yours, too near to be drawn apart",
         }
@@ -292,7 +303,8 @@ impl TAxis {
     pub(super) fn marked(&self) -> impl Iterator<Item = f64> {
         let hits = self.expected.iter().chain(&self.yours).copied();
         let all = hits.chain(self.range).chain([0.0]);
-        all.filter(|t| t.is_finite())
+        // The sum of 0 removes the sign of a zero.
+        all.filter(|t| t.is_finite()).map(|t| t + 0.0)
     }
 
     /// The finite values of the axis in increasing order, the origin among them.
@@ -314,13 +326,16 @@ impl TAxis {
         [low - margin, high + margin]
     }
 
+    /// The column of the axis in which a value is.
+    fn column(&self, t: f64) -> usize {
+        let [low, high] = self.extent();
+        let share = ((t - low) / (high - low)).clamp(0.0, 1.0);
+        (share * (AXIS - 1) as f64).round() as usize
+    }
+
     /// The axis with its marks and the values below, and the signs on it.
     fn lines(&self) -> (Vec<String>, Vec<char>) {
-        let [low, high] = self.extent();
-        let column = |t: f64| {
-            let share = ((t - low) / (high - low)).clamp(0.0, 1.0);
-            (share * (AXIS - 1) as f64).round() as usize
-        };
+        let column = |t: f64| self.column(t);
         let [from, to] = self.range;
         let mut line: Vec<char> = (0..AXIS)
             .map(|at| match (column(from)..=column(to)).contains(&at) {

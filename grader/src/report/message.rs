@@ -4,6 +4,7 @@ use super::wrap::{columns, shorten_numbers};
 use crate::diagnosis::simplest::SimplestCall;
 use crate::score::TaskResult;
 use judge::findings::Message;
+use judge::shown::ShownCall;
 
 /// What is said where no case fails but those that also run other stages.
 pub(crate) const WITH_NEIGHBOURS: &str = "Only cases fail that trace whole scenes, with your code \
@@ -17,9 +18,29 @@ pub(super) fn undecided(task: &TaskResult) -> impl Iterator<Item = String> {
     })
 }
 
-/// The input of the simplest call, with whole numbers as one writes them on paper.
+/// The input of the simplest call, with whole numbers as one writes them on paper. At a box the
+/// sign of a zero may be what is wrong.
 pub fn input(call: &SimplestCall) -> String {
-    on_paper(&call.input)
+    let text = on_paper(&call.input);
+    match &call.shown {
+        Some(ShownCall::Ray(ray)) if !ray.boxes.is_empty() => text,
+        _ => without_signs_of_zeros(&text),
+    }
+}
+
+/// Writes 0 for -0, as judges count them.
+pub(crate) fn without_signs_of_zeros(text: &str) -> String {
+    let mut plain = String::new();
+    let mut rest = text;
+    while let Some(at) = rest.find("-0") {
+        let (before, after) = rest.split_at(at);
+        let is_number = before.ends_with(char::is_alphanumeric)
+            || after[2..].starts_with(|c: char| c.is_ascii_digit() || c == '.');
+        plain.push_str(before);
+        plain.push_str(if is_number { "-0" } else { "0" });
+        rest = &after[2..];
+    }
+    plain + rest
 }
 
 /// Writes 3 for 3.0, and `ray` in lower case inside a sentence.
@@ -41,7 +62,7 @@ pub(crate) fn on_paper(text: &str) -> String {
 /// What was found at the simplest call, without the question, in as few digits as show the
 /// difference.
 pub fn found(call: &SimplestCall) -> String {
-    on_paper(&with_telling_digits(&call.result))
+    without_signs_of_zeros(&on_paper(&with_telling_digits(&call.result)))
 }
 
 /// The result with its reason, or without if the reason does not fit in `width` columns.
@@ -131,6 +152,13 @@ mod tests {
         let text = "Ray: o = (3.0, -1.0, 0.05), d = (10.0, 0.5, 2.01), t in [0.0, inf]";
         let plain = "ray o = (3, -1, 0.05), d = (10, 0.5, 2.01), t in [0, inf]";
         assert_eq!(on_paper(text), plain);
+    }
+
+    #[test]
+    fn a_zero_has_no_sign() {
+        let text = "c2w = [(-1, -0, -0.5)], x-0 and 1e-05, t = -0";
+        let plain = "c2w = [(-1, 0, -0.5)], x-0 and 1e-05, t = 0";
+        assert_eq!(without_signs_of_zeros(text), plain);
     }
 
     #[test]

@@ -6,12 +6,13 @@
 
 use crate::tools::aspects::hits::show_ray;
 use kit::Vec3;
+use wire::light::Material;
 use wire::work::{Ray, Xyz};
 
 /// A point or a vector.
 pub(crate) fn point(xyz: Xyz) -> String {
-    // As `Debug` writes it, so that it can be pasted.
-    let [x, y, z] = Vec3::from(xyz).to_array();
+    // As `Debug` writes it, so that it can be pasted. The sum of 0 removes the sign of a zero.
+    let [x, y, z] = xyz.map(|x| x + 0.0);
     format!("({x:?}, {y:?}, {z:?})")
 }
 
@@ -24,6 +25,27 @@ pub(crate) fn direction(unit: Xyz) -> String {
     match is_of_fifths && !is_of_halves {
         true => format!("{} / 5", point(fifths)),
         false => point(unit),
+    }
+}
+
+/// All `parts` in a sentence; "none" if there are none.
+pub(crate) fn all_or_none(parts: impl Iterator<Item = String>) -> String {
+    let parts: Vec<String> = parts.collect();
+    match parts.is_empty() {
+        true => "none".into(),
+        false => parts.join(", then "),
+    }
+}
+
+/// What a surface is made of.
+pub(crate) fn material(material: &Material) -> String {
+    match *material {
+        Material::Diffuse(reflectance) => format!("a diffuse surface of {}", point(reflectance)),
+        Material::Emission(radiance) | Material::PartOfLamp(radiance) => {
+            format!("a lamp of {}", point(radiance))
+        }
+        Material::Mirror(reflectance) => format!("a mirror of {}", point(reflectance)),
+        Material::Glass(ior) => format!("glass with the index {ior:?}"),
     }
 }
 
@@ -95,7 +117,7 @@ mod tests {
     #[test]
     fn a_unit_vector_is_written_in_whole_numbers_if_that_is_exact() {
         assert_eq!(direction([0.6, 0.0, -0.8]), "(3.0, 0.0, -4.0) / 5");
-        assert_eq!(direction([0.0, 0.0, 1.0]), "(0.0, 0.0, 1.0)");
+        assert_eq!(direction([0.0, -0.0, 1.0]), "(0.0, 0.0, 1.0)");
         assert_eq!(direction([0.6, 0.0, 0.81]), "(0.6, 0.0, 0.81)");
     }
 }

@@ -245,13 +245,13 @@ fn spread(
     samples: &[PixelSamples],
 ) {
     findings.expect(Aspect::Spread);
-    for (call, ((pixel, _), answer)) in work.calls().zip(answers).enumerate() {
+    for (call, (([x, y], _), answer)) in work.calls().zip(answers).enumerate() {
         let distinct: HashSet<_> = answer.points.iter().map(|p| p.map(f64::to_bits)).collect();
         let (all, distinct) = (answer.points.len(), distinct.len());
         let repeated = all - distinct;
         findings.judge(Aspect::Spread, call, repeated == 0, 1e3, || {
             format!(
-                "the {all} points of pixel {pixel:?} are at only {}: each sample needs a random point of its own",
+                "the {all} points of pixel ({x}, {y}) are at only {}: each sample needs a random point of its own",
                 plural(distinct, "place", "places")
             )
         });

@@ -1,6 +1,6 @@
 //! One call in words and shown.
 
-use crate::tools::call_text::{direction, few, holding, point, ray_and};
+use crate::tools::call_text::{direction, few, holding, material, point, ray_and};
 use crate::tools::shown::{ShownCall, ShownPath};
 use wire::global::{PathAnswer, ScriptedPath, Step};
 use wire::light::Material;
@@ -36,8 +36,8 @@ fn surface(step: &Step) -> String {
         },
     );
     format!(
-        "{:?}, direct light {}, {sample}",
-        step.material,
+        "{}, direct light {}, {sample}",
+        material(&step.material),
         point(step.direct)
     )
 }

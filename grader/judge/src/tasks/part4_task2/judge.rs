@@ -6,6 +6,7 @@ use super::truth::Right;
 use crate::plural;
 use crate::tools::aspects::hits::show;
 use crate::tools::aspects::numbers;
+use crate::tools::call_text::{all_or_none, material, point};
 use crate::tools::findings::{Aspect, Class, Findings, Message};
 use kit::Vec3;
 use wire::global::{PathAnswer, ScriptedPath, Step};
@@ -22,7 +23,7 @@ pub(crate) fn paths(findings: &mut Findings, paths: &[ScriptedPath], answers: &[
     for (call, (path, answer)) in paths.iter().zip(answers).enumerate() {
         let right = Right::of(path);
         let about = || {
-            let steps = path.steps.iter().map(|step| format!("{:?}", step.material));
+            let steps = path.steps.iter().map(|step| material(&step.material));
             format!(
                 "-m {}, a path of {}: {}",
                 path.max_depth,
@@ -132,16 +133,19 @@ fn direct(
             i == j && (Vec3::from(*wo) - Vec3::from(*right)).length() < PLACE_BOUND
         });
     findings.judge(Aspect::Questions, call, same, 1.0, || {
-        let wanted: Vec<(u32, Vec3)> = wanted.iter().map(|(i, wo)| (*i, Vec3::from(*wo))).collect();
+        let calls = |of: &[(u32, Xyz)]| {
+            let each = of.iter();
+            all_or_none(each.map(|(i, wo)| format!("surface {i} with wo = {}", point(*wo))))
+        };
         let numbers = |(i, wo): &(u32, Xyz)| [f64::from(*i), wo[0], wo[1], wo[2]];
-        let of_wanted = wanted.iter().map(|(i, wo)| (*i, wo.to_array()));
         Message::new(format!(
-            "your calls of direct: (surface, wo) {:?}; expected: {wanted:?}",
-            answer.direct
+            "your calls of direct: {}; expected: {}",
+            calls(&answer.direct),
+            calls(wanted)
         ))
         .compares(
             answer.direct.iter().flat_map(numbers),
-            of_wanted.flat_map(|call| numbers(&call)),
+            wanted.iter().flat_map(numbers),
         )
         .asked(about())
     });

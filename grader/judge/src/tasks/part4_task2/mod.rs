@@ -114,6 +114,45 @@ impl Check for kind::Paths {
 mod tests {
     use super::*;
 
+    /// Calls are told in words, not as code writes them.
+    #[test]
+    fn calls_of_other_functions_are_told_in_words() {
+        let specs = cases::cases(0);
+        let paths = specs.iter().filter_map(|spec| match &spec.work {
+            wire::Work::Paths(paths) => Some(paths),
+            _ => None,
+        });
+        let messages: Vec<String> = paths
+            .flat_map(|paths| {
+                let mut findings = Findings::default();
+                let answer = PathAnswer {
+                    direct: vec![(0, [0.0, -0.0, 1.0])],
+                    roulette_calls: vec![([0.5; 3], 2, 0.25)],
+                    ..PathAnswer::default()
+                };
+                judge::paths(&mut findings, paths, &vec![answer; paths.len()]);
+                let worst = findings
+                    .into_vec()
+                    .into_iter()
+                    .filter_map(|found| found.worst);
+                worst
+                    .map(|worst| worst.message.to_string())
+                    .collect::<Vec<_>>()
+            })
+            .collect();
+        let text = messages.join("\n");
+        for says in [
+            "your calls of direct: surface 0 with wo = (0.0, 0.0, 1.0); expected: ",
+            "your calls of roulette: throughput (0.5, 0.5, 0.5) after 2 bounces; expected: ",
+            "; expected: none",
+        ] {
+            assert!(text.contains(says), "{text}");
+        }
+        for code in ["Vec3", "[(", "([", "-0.0,"] {
+            assert!(!text.contains(code), "{code}: {text}");
+        }
+    }
+
     #[test]
     fn a_sample_at_a_surface_that_is_not_there_does_not_fit() {
         let paths = cases::cases(0)

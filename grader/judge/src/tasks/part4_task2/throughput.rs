@@ -2,11 +2,14 @@
 
 use super::judge::SUM_BOUND;
 use super::truth::Right;
+use crate::plural;
 use crate::tools::aspects::numbers::same_colour;
+use crate::tools::call_text::{all_or_none, point};
 use crate::tools::findings::{Aspect, Class, Findings, Message};
 use kit::{Frame, Vec3};
 use wire::global::{PathAnswer, ScriptedPath, Step};
 use wire::light::BsdfSample;
+use wire::work::Xyz;
 
 /// The arguments of a call of roulette: throughput, bounces, random number.
 type RouletteCall = ([f64; 3], u32, f64);
@@ -86,9 +89,16 @@ pub(crate) fn judge(
     };
     findings.judge_class(Aspect::Throughput, call, class, 1.0 + off, || {
         let throughputs = answer.roulette_calls.iter().flat_map(|call| call.0);
+        let show = |throughput: Xyz, bounces: u32| {
+            let bounces = plural(bounces, "bounce", "bounces");
+            format!("throughput {} after {bounces}", point(throughput))
+        };
+        let calls = answer.roulette_calls.iter();
+        let right = wanted.iter().zip(1..);
         Message::new(format!(
-            "your calls of roulette: (throughput, bounces, u) {:?}; expected: the throughputs {wanted:?} after 1, 2, ... bounces",
-            answer.roulette_calls
+            "your calls of roulette: {}; expected: {}",
+            all_or_none(calls.map(|call| show(call.0, call.1))),
+            all_or_none(right.map(|(after, bounces)| show(after.to_array(), bounces)))
         ))
         .compares(throughputs, wanted.iter().flat_map(Vec3::to_array))
         .asked(about())

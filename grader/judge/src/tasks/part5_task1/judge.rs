@@ -5,6 +5,7 @@ use super::truth::{converged, right_samples};
 use crate::plural;
 use crate::tools::aspects::independence::{self, PixelSamples};
 use crate::tools::aspects::numbers;
+use crate::tools::call_text::all_or_none;
 use crate::tools::findings::{Aspect, Class, Findings, Message};
 use crate::tools::kinds::stopping::verdict;
 use kit::Tally;
@@ -93,8 +94,8 @@ fn pixel(findings: &mut Findings, call: usize, work: &AdaptivePixel, answer: &Ad
     }
     let about = || {
         format!(
-            "Pixel {:?}, ns_aa = {}, batch = {}, tolerance = {}",
-            work.pixel, work.ns_aa, work.batch, work.tolerance
+            "Pixel ({}, {}), ns_aa = {}, batch = {}, tolerance = {}",
+            work.pixel[0], work.pixel[1], work.ns_aa, work.batch, work.tolerance
         )
     };
     let (samples, rule_calls) = right_samples(work);
@@ -181,11 +182,16 @@ fn questions(
         let show = |n: &Tally| (n.count(), n.mean(), n.variance(), work.tolerance);
         let wanted: Vec<_> = rule_calls.iter().take(4).map(show).collect();
         let called: Vec<_> = answer.rule_calls.iter().take(4).copied().collect();
+        let calls = |of: &[(u64, f64, f64, f64)]| {
+            all_or_none(of.iter().map(|call| format!("{call:?}")))
+        };
         let numbers = |call: &(u64, f64, f64, f64)| [call.0 as f64, call.1, call.2, call.3];
         Message::new(format!(
-            "your result: {} of the rule, first with (count, mean, variance, tolerance) {called:?}; expected: {}, first {wanted:?}",
+            "your result: {} of the rule, first with (count, mean, variance, tolerance) = {}; expected: {}, first {}",
             plural(answer.rule_calls.len(), "call", "calls"),
-            plural(rule_calls.len(), "call", "calls")
+            calls(&called),
+            plural(rule_calls.len(), "call", "calls"),
+            calls(&wanted)
         ))
         .compares(
             called.iter().flat_map(numbers),

@@ -1,6 +1,7 @@
 //! Judges the stopping rule that waits until the plain rule is reliable.
 
 use super::truth::plain_decides;
+use crate::tools::call_text::all_or_none;
 use crate::tools::findings::{Aspect, Class, Findings, Message};
 use crate::tools::kinds::stopping::{samples, verdict};
 use wire::adaptive::{StopAnswer, StopCall};
@@ -32,8 +33,8 @@ pub(crate) fn sure_stop(findings: &mut Findings, calls: &[StopCall], answers: &[
             let numbers = |call: &(u64, f64, f64)| [call.0 as f64, call.1, call.2];
             let wanted = answer.rule_calls.iter().map(|_| right);
             Message::new(format!(
-                "your calls of the plain rule: (count, mean, tolerance) {:?}; expected: only {right:?}",
-                answer.rule_calls
+                "your calls of the plain rule: (count, mean, tolerance) = {}; expected: only {right:?}",
+                all_or_none(answer.rule_calls.iter().map(|call| format!("{call:?}")))
             ))
             .compares(
                 answer.rule_calls.iter().flat_map(numbers),

@@ -104,8 +104,21 @@ pub(crate) fn told_apart(yours: f64, expected: f64, decimals: usize) -> [String;
     let with = |decimals: usize| [yours, expected].map(|x| format!("{x:.decimals$}"));
     let mut texts = (decimals..MOST_DECIMALS).map(with);
     let different = texts.find(|[yours, expected]| yours != expected);
-    different.unwrap_or_else(|| with(decimals))
+    let [a, b] = different.unwrap_or_else(|| with(decimals));
+    // Of 0 there are no decimals.
+    [(yours, a), (expected, b)].map(|(x, text)| if x == 0.0 { "0".into() } else { text })
 }
 
 /// More decimals of a number near 1 are not stored.
 const MOST_DECIMALS: usize = 17;
+
+#[cfg(test)]
+mod tests {
+    use super::told_apart;
+
+    #[test]
+    fn a_zero_has_no_decimals_and_no_sign() {
+        assert_eq!(told_apart(-0.0, 0.785398, 5), ["0", "0.78540"]);
+        assert_eq!(told_apart(0.0, 1e-9, 5), ["0", "0.000000001"]);
+    }
+}

@@ -11,6 +11,7 @@ use crate::plural;
 use crate::tools::aspects::chance::{self, MIN_ESTIMATES};
 use crate::tools::aspects::hits::show;
 use crate::tools::aspects::numbers;
+use crate::tools::call_text::{material, point};
 use crate::tools::findings::{Aspect, Class, Findings, Message};
 use kit::{Tally, Vec3};
 use std::collections::HashSet;
@@ -145,14 +146,14 @@ impl Estimate<'_> {
     fn about(&self) -> String {
         let geometric = match self.point.ng == self.point.n {
             true => String::new(),
-            false => format!(", the geometric normal {:?}", self.point.ng),
+            false => format!(", the geometric normal {}", point(self.point.ng)),
         };
         format!(
-            "Point {:?} with the normal {:?}{geometric}, {:?}, seen along wo = {:?}, {}",
-            self.point.p,
-            self.point.n,
-            self.point.material,
-            self.point.wo,
+            "Point {} with the normal {}{geometric}, {}, seen along wo = {}, {}",
+            point(self.point.p),
+            point(self.point.n),
+            material(&self.point.material),
+            point(self.point.wo),
             plural(self.work.samples, "sample", "samples")
         )
     }
@@ -243,7 +244,7 @@ impl Estimate<'_> {
                     "your result: a ray along d = {}{length}; expected: a unit vector on the side of wo",
                     show(d)
                 ))
-                .compares([d.length()], [1.0])
+                .compares((class == Some(Class::WrongLength)).then_some(d.length()), [1.0])
                 .asked(self.about())
             });
             let seen = Vec3::from(recorded.seen);
@@ -590,6 +591,11 @@ mod tests {
         let [one, two] = [1, 2].map(|rays| messages(rays).join("\n"));
         assert!(one.contains("your result: 1 ray; expected: "), "{one}");
         assert!(two.contains("the 2 rays have only 1 direction: "), "{two}");
+        // A direction of the right length is wrong elsewhere: its length is not compared.
+        assert!(
+            !one.contains("Diffuse(") && !one.contains("Point ["),
+            "{one}"
+        );
         for text in [&one, &two] {
             let plurals = ["1 rays", "1 directions", "1 samples"];
             let wrong = plurals

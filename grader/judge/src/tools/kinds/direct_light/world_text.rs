@@ -1,6 +1,6 @@
 //! Lights and surfaces of a scripted world in words.
 
-use crate::tools::call_text::{direction, point};
+use crate::tools::call_text::{self, direction, point};
 use wire::light::{Light, Material, Panel};
 
 pub(super) fn light(light: &Light) -> String {
@@ -62,11 +62,7 @@ pub(super) fn material(material: &Material) -> String {
                 "f = {share}(1/4 + wi.x/10 + wo.y wi.y/20) in the frame of n, 0 through the surface"
             )
         }
-        Material::Emission(radiance) | Material::PartOfLamp(radiance) => {
-            format!("a lamp of {}", point(radiance))
-        }
-        Material::Mirror(reflectance) => format!("a mirror of {}", point(reflectance)),
-        Material::Glass(ior) => format!("glass with the index {ior:?}"),
+        _ => call_text::material(material),
     }
 }
 

@@ -1,6 +1,6 @@
 //! What a screen says about one task that is not complete.
 
-use super::{Block, Context};
+use super::{Block, Context, DIGITS};
 use crate::build::compile_errors;
 use crate::course::chapter::Section;
 use crate::course::sources::Place;
@@ -9,7 +9,7 @@ use crate::report::links::book_command;
 use crate::report::table::status_text;
 use crate::report::terminal::Page;
 use crate::report::worst_test;
-use crate::report::wrap::{columns, numbers_to_fit, one_line, wrap_to};
+use crate::report::wrap::{columns, numbers_to_fit, one_line, shorten_numbers, wrap_to};
 use crate::report::{HintLevel, Reveal, TaskReport};
 use crate::report::{functions, message};
 use crate::score::regularity::{self, Regularity};
@@ -23,11 +23,10 @@ use judge::findings::{Finding, Worst};
 /// The most lines of each kind of text.
 const NAMES: usize = 2;
 const SENTENCES: usize = 3;
-/// Two mistakes, and how many wrong values each explains.
-const MISTAKE: usize = 5;
 const MESSAGE: usize = 9;
 const RESULT: usize = 4;
-/// The simplest call and what was found there are not cut: other blocks are left out before.
+/// The likely mistake, what wrong answers have in common, the simplest call and what was found
+/// there are not cut: other blocks are left out before.
 pub(in crate::report) const WHOLE: usize = 12;
 
 /// How many failed cases are described at the level that shows nothing else.
@@ -258,7 +257,8 @@ fn worst_answer(out: &mut Lines, cases: &[&CaseResult]) {
         return;
     };
     wrong_calls(out, &case.name, finding);
-    let found = format!("    {}", message::with_telling_digits(&worst.message));
+    let found = message::with_telling_digits(&worst.message);
+    let found = format!("    {}", message::without_signs_of_zeros(&found));
     let mut lines = wrap_to(&found, 4, out.page.width, RESULT);
     if !worst.message.question.is_empty() {
         let question = format!("    {}", worst.message.question);
@@ -266,7 +266,10 @@ fn worst_answer(out: &mut Lines, cases: &[&CaseResult]) {
         // The question is cut only where it would push the rest off the page.
         let room = (RESULT + 1).saturating_sub(lines.len());
         match short.ends_with('…') && room > 1 {
-            true => lines.extend(wrap_to(&question, 4, out.page.width, room)),
+            true => {
+                let short = shorten_numbers(&question, DIGITS);
+                lines.extend(wrap_to(&short, 4, out.page.width, room));
+            }
             false => lines.push(short),
         }
     }
@@ -306,9 +309,9 @@ fn explanation(out: &mut Lines, report: &TaskReport, reveal: Reveal) {
     match &report.diagnosis {
         Some(found) if reveal.hint >= HintLevel::Mistake => {
             let label = found.certainty.label();
-            out.add(0, MISTAKE, &format!("  {label}: {}.", found.says));
+            out.add(0, WHOLE, &format!("  {label}: {}.", found.says));
             if reveal.hint >= HintLevel::Remedy {
-                out.add(1, SENTENCES, &format!("  Hint: {}", found.hint));
+                out.add(1, WHOLE, &format!("  Hint: {}", found.hint));
                 read_more(out, &report.result.key, Section::Mistakes);
             }
         }
@@ -332,7 +335,7 @@ fn explanation(out: &mut Lines, report: &TaskReport, reveal: Reveal) {
     }
     if !report.regularities.is_empty() {
         let common = regularity::joined(&report.regularities);
-        out.add(1, SENTENCES, &format!("  In common: {common}."));
+        out.add(1, WHOLE, &format!("  In common: {common}."));
     }
     if report.result.fails_only_with_neighbours() {
         out.add(1, SENTENCES, &format!("  {}.", message::WITH_NEIGHBOURS));

@@ -137,6 +137,51 @@ fn any_report_is_one_screen_or_two_with_a_hint() {
     }
 }
 
+/// The last words name the mistake, or the place: descriptions of cases are left out before.
+#[test]
+fn the_name_of_a_mistake_is_never_cut() {
+    let mistake =
+        "code that passes a copy of the ray to the primitives; another guess, as likely: ";
+    let says = mistake.repeat(6) + "code that ends the loop at its name";
+    let place = "the ray's direction does not have length 1";
+    let common = (0..4).map(|_| common(&format!("{place} and {place}")));
+    let report = TaskReport {
+        regularities: common.collect(),
+        diagnosis: Some(Diagnosis {
+            hint: says.clone(),
+            says: says.clone(),
+            ..Diagnosis::default()
+        }),
+        simplest: None,
+        ..talkative("part1.task1")
+    };
+    let text = screen(vec![report], &context("part1"), reveal(HintLevel::Remedy));
+    let words = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
+    let text = words(&text);
+    assert_eq!(text.matches(&words(&says)).count(), 2, "{text}");
+    assert_eq!(text.matches(place).count(), 8, "{text}");
+}
+
+/// Points with all their digits cannot be read: they are shortened before text is cut.
+#[test]
+fn a_long_question_has_few_digits() {
+    let point = "(0.5963388366707779, 0.7104063649371519, -0.5066769289071882)";
+    let question = format!("Point {point} with the normal {point}, seen along wo = {point}");
+    let message = Message::new("your result: miss".into()).asked(question);
+    let report = task(
+        "part1.task1",
+        "",
+        1.0,
+        vec![case("one", Tier::Core, message)],
+    );
+    let text = screen(vec![report], &context("part1"), reveal(HintLevel::Findings));
+    assert!(text.contains("wo =\n") || text.contains("wo = ("), "{text}");
+    assert!(
+        text.contains("0.5963") && !text.contains("0.59633"),
+        "{text}"
+    );
+}
+
 /// Compares screens with a snapshot. `look_for` says what its reader looks for.
 fn shows(name: &str, look_for: &str, screens: &[String]) {
     let mut settings = insta::Settings::clone_current();

@@ -69,11 +69,11 @@ fn beside_the_root(findings: &mut Findings, world: &ScriptedWorld, answers: &[Tr
         let tests = answer.prim_tests;
         let saves = met.prims > 0 || tests == 0;
         findings.judge(Aspect::Work, call, saves, f64::from(tests), || {
-            format!(
-                "your result: {function} makes {}; expected: none, since the ray misses the box of the root. Is it tested, too? {}",
-                plural(tests, "primitive test", "primitive tests"),
-                hits::show_ray(&scripted.ray)
-            )
+            let tests = plural(tests, "primitive test", "primitive tests");
+            Message::new(format!(
+                "your result: {function} makes {tests}; expected: none, since the ray misses the box of the root. Is it tested, too?"
+            ))
+            .asked(hits::show_ray(&scripted.ray))
         });
     }
 }

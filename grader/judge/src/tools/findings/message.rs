@@ -118,7 +118,7 @@ mod tests {
 
     #[test]
     fn a_zero_has_no_decimals_and_no_sign() {
-        assert_eq!(told_apart(-0.0, 0.785398, 5), ["0", "0.78540"]);
+        assert_eq!(told_apart(-0.0, 0.75, 5), ["0", "0.75000"]);
         assert_eq!(told_apart(0.0, 1e-9, 5), ["0", "0.000000001"]);
     }
 }

@@ -197,7 +197,7 @@ fn cases(failed: &[&FailedCase]) -> String {
     let (full, rest) = groups.split_at(groups.len().min(IN_FULL));
     let mut text: String = full.iter().map(|(_, cases)| group(cases)).collect();
     if !rest.is_empty() {
-        let count = rest.iter().map(|(_, cases)| cases.len()).sum();
+        let count: usize = rest.iter().map(|(_, cases)| cases.len()).sum();
         let _ = writeln!(
             text,
             "<details><summary>{}</summary>",

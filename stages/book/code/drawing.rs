@@ -3,8 +3,9 @@
 //! A figure carries its own colours for light and dark pages and for print, so that it can be read
 //! wherever an `img` shows it. Coordinates are those of the figure's maths: x to the right, y up.
 
+use crate::page::escaped;
 use kit::{Camera, Vec2, Vec3};
-use std::fmt::Write;
+use std::fmt::{Display, Write};
 
 /// Rules that do not depend on a colour, and that every figure has.
 const STYLE: &str = "\
@@ -23,80 +24,35 @@ const STYLE_OF: [(&str, &str); 5] = [
     ("\"s ", ".s{font-size:13px}"),
 ];
 
-/// A colour of lines (`blue`), areas (`f-blue`) and text, on a light and on a dark page. Lines have
-/// the colours of Okabe and Ito, which colour-blind readers can distinguish.
-struct Colour {
-    class: &'static str,
-    light: &'static str,
-    /// Of text, which needs more contrast.
-    light_text: &'static str,
-    dark: &'static str,
-    dark_text: &'static str,
-}
+/// A colour of lines (`blue`), areas (`f-blue`) and text: its class, then lines and text on a light
+/// page, then on a dark one. Text needs more contrast.
+type Colour = (&'static str, [&'static str; 2], [&'static str; 2]);
 
+/// Lines have the colours of Okabe and Ito, which colour-blind readers can distinguish.
 const COLOURS: [Colour; 5] = [
-    Colour {
-        class: "ink",
-        light: "#222",
-        light_text: "#222",
-        dark: "#e6e6e6",
-        dark_text: "#e6e6e6",
-    },
-    Colour {
-        class: "blue",
-        light: "#0072b2",
-        light_text: "#0072b2",
-        dark: "#56b4e9",
-        dark_text: "#56b4e9",
-    },
-    Colour {
-        class: "red",
-        light: "#d55e00",
-        light_text: "#b34700",
-        dark: "#ff8c42",
-        dark_text: "#ff8c42",
-    },
-    Colour {
-        class: "green",
-        light: "#00795a",
-        light_text: "#00795a",
-        dark: "#2fc89b",
-        dark_text: "#2fc89b",
-    },
-    Colour {
-        class: "soft",
-        light: "#999",
-        light_text: "#666",
-        dark: "#8a8a8a",
-        dark_text: "#a8a8a8",
-    },
+    ("ink", ["#222"; 2], ["#e6e6e6"; 2]),
+    ("blue", ["#0072b2"; 2], ["#56b4e9"; 2]),
+    ("red", ["#d55e00", "#b34700"], ["#ff8c42"; 2]),
+    ("green", ["#00795a"; 2], ["#2fc89b"; 2]),
+    ("soft", ["#999", "#666"], ["#8a8a8a", "#a8a8a8"]),
 ];
 
 /// The rules for the colours that `body` uses: for light pages, dark ones and print.
 fn style(body: &str) -> String {
-    let used = |class: &str| {
-        [
-            format!(" {class}\""),
-            format!(" {class} "),
-            format!("f-{class}\""),
-        ]
-        .iter()
-        .any(|use_of| body.contains(use_of.as_str()))
-    };
     let (mut light, mut dark) = (STYLE.to_string(), ".paper{fill:#16181d}".to_string());
     let needed = STYLE_OF.iter().filter(|(part, _)| body.contains(part));
     light.extend(needed.map(|(_, rule)| *rule));
-    for colour in COLOURS.iter().filter(|colour| used(colour.class)) {
-        let class = colour.class;
-        let rules = |line: &str, text: &str| {
-            let of_text = match line == text {
-                true => String::new(),
-                false => format!("text.{class}{{color:{text}}}"),
-            };
-            format!(".{class},.f-{class}{{color:{line}}}{of_text}")
-        };
-        light += &rules(colour.light, colour.light_text);
-        dark += &rules(colour.dark, colour.dark_text);
+    for (class, on_light, on_dark) in COLOURS {
+        let uses = [" {}\"", " {} ", "f-{}\""].map(|of| of.replace("{}", class));
+        if !uses.iter().any(|of| body.contains(of)) {
+            continue;
+        }
+        for (rules, [line, text]) in [(&mut light, on_light), (&mut dark, on_dark)] {
+            *rules += &format!(".{class},.f-{class}{{color:{line}}}");
+            if line != text {
+                *rules += &format!("text.{class}{{color:{text}}}");
+            }
+        }
         if class == "soft" {
             light += ".soft{stroke-width:1.2}";
         }
@@ -125,8 +81,8 @@ pub enum Side {
 /// A figure that is being drawn.
 #[derive(Clone, Debug)]
 pub struct Drawing {
-    width: f64,
-    height: f64,
+    /// Width and height in pixels.
+    size: Vec2,
     origin: Vec2,
     scale: Vec2,
     description: String,
@@ -134,42 +90,39 @@ pub struct Drawing {
 }
 
 impl Drawing {
-    /// An empty figure of `width` by `height` pixels that shows the rectangle from `min` to `max`
-    /// with a margin. Both axes have the same scale. `description` says in words what is shown.
-    pub fn new(width: f64, height: f64, min: Vec2, max: Vec2, description: &str) -> Drawing {
-        let room = Vec2::new(width, height) - 2.0 * MARGIN;
-        let scale = (room / (max - min)).min_element();
-        Drawing::scaled(width, height, min, max, Vec2::splat(scale), description)
+    /// An empty figure of `size` pixels, width and height, that shows the rectangle between two
+    /// corners, the lower left one first, with a margin. Both axes have the same scale.
+    /// `description` says in words what is shown.
+    pub fn new(size: [f64; 2], corners: [Vec2; 2], description: &str) -> Drawing {
+        let mut drawing = Drawing::graph(size, corners, description);
+        drawing.set_scale(corners, Vec2::splat(drawing.scale.min_element()));
+        drawing
     }
 
     /// Like [`Drawing::new`], but each axis has its own scale: for the graph of a function.
-    pub fn graph(width: f64, height: f64, min: Vec2, max: Vec2, description: &str) -> Drawing {
-        let room = Vec2::new(width, height) - 2.0 * MARGIN;
-        Drawing::scaled(width, height, min, max, room / (max - min), description)
-    }
-
-    fn scaled(
-        width: f64,
-        height: f64,
-        min: Vec2,
-        max: Vec2,
-        scale: Vec2,
-        description: &str,
-    ) -> Drawing {
-        Drawing {
-            width,
-            height,
-            scale,
-            origin: 0.5 * Vec2::new(width, height) - scale * (0.5 * (min + max)),
+    pub fn graph(size: [f64; 2], corners: [Vec2; 2], description: &str) -> Drawing {
+        let size = Vec2::from_array(size);
+        let [min, max] = corners;
+        let mut drawing = Drawing {
+            size,
+            origin: Vec2::ZERO,
+            scale: Vec2::ONE,
             description: description.to_string(),
             body: String::new(),
-        }
+        };
+        drawing.set_scale(corners, (size - 2.0 * MARGIN) / (max - min));
+        drawing
+    }
+
+    fn set_scale(&mut self, [min, max]: [Vec2; 2], scale: Vec2) {
+        self.scale = scale;
+        self.origin = 0.5 * self.size - scale * (0.5 * (min + max));
     }
 
     /// The position of `p` in pixels from the top left.
     fn place(&self, p: Vec2) -> Vec2 {
         let q = self.origin + self.scale * p;
-        Vec2::new(q.x, self.height - q.y)
+        Vec2::new(q.x, self.size.y - q.y)
     }
 
     /// A line from `a` to `b`. `class` is a colour, with `dash` for a dashed line.
@@ -197,6 +150,26 @@ impl Drawing {
             self.body,
             "<polygon class=\"area f-{colour}\" points=\"{list}\"/>"
         );
+    }
+
+    /// A line through points that are marked.
+    pub fn marked_path(&mut self, points: &[Vec2], colour: &str) {
+        self.path(points, colour);
+        for p in points {
+            self.dot(*p, colour);
+        }
+    }
+
+    /// A soft line across a graph at each height, from one `x` to another, with words on its left.
+    pub fn levels<W: Display>(
+        &mut self,
+        [from, to]: [f64; 2],
+        levels: impl IntoIterator<Item = (f64, W)>,
+    ) {
+        for (y, words) in levels {
+            self.line(Vec2::new(from, y), Vec2::new(to, y), "soft");
+            self.note(Vec2::new(from, y), Side::Left, words, "ink");
+        }
     }
 
     /// A filled area with an outline.
@@ -293,8 +266,8 @@ impl Drawing {
     }
 
     /// Words beside the point `p`.
-    pub fn note(&mut self, p: Vec2, side: Side, words: &str, colour: &str) {
-        self.text(p, side, &escape(words), &format!("s {colour}"));
+    pub fn note(&mut self, p: Vec2, side: Side, words: impl Display, colour: &str) {
+        self.text(p, side, &escape(&words.to_string()), &format!("s {colour}"));
     }
 
     fn text(&mut self, p: Vec2, side: Side, markup: &str, class: &str) {
@@ -323,7 +296,7 @@ impl Drawing {
 
     /// The complete SVG file.
     pub fn finish(self) -> String {
-        let (w, h) = (number(self.width), number(self.height));
+        let [w, h] = self.size.to_array().map(number);
         let description = escape(&self.description);
         let style = style(&self.body);
         format!(
@@ -406,8 +379,5 @@ fn pixel(p: Vec2) -> String {
 }
 
 fn escape(text: &str) -> String {
-    text.replace('&', "&amp;")
-        .replace('<', "&lt;")
-        .replace('>', "&gt;")
-        .replace('"', "&quot;")
+    escaped(text).replace('>', "&gt;")
 }

@@ -1,6 +1,6 @@
 //! Figures of the chapter about chance.
 
-use super::parts::{Figure, w};
+use super::parts::{Figure, rectangle, w};
 use crate::drawing::{Drawing, Side};
 use kit::{PixelSampler, Vec2};
 
@@ -11,25 +11,15 @@ pub(super) fn figures() -> Vec<Figure> {
 /// The density of a uniform number and that of its root, with the same probability in both.
 fn density() -> String {
     let mut d = Drawing::new(
-        640.0,
-        300.0,
-        w(-0.2, -0.25),
-        w(4.4, 2.1),
+        [640.0, 300.0],
+        [w(-0.2, -0.25), w(4.4, 2.1)],
         "Two graphs of a density. On the left the density of u is 1 from 0 to 1; the area from 0.25 to 0.64 is shaded. \
          On the right the density of r, the root of u, is 2 r, a line that rises from 0 to 2; the area from 0.5 to 0.8 \
          is shaded. Both shaded areas are 0.39.",
     );
     let right = w(2.6, 0.0);
     let (low, high) = (0.5, 0.8);
-    d.area(
-        &[
-            w(low * low, 0.0),
-            w(high * high, 0.0),
-            w(high * high, 1.0),
-            w(low * low, 1.0),
-        ],
-        "blue",
-    );
+    d.area(&rectangle(w(low * low, 0.0), w(high * high, 1.0)), "blue");
     d.path(&[w(0.0, 1.0), w(1.0, 1.0)], "blue");
     d.area(
         &[
@@ -58,10 +48,8 @@ fn density() -> String {
 fn means() -> String {
     const POWERS: u32 = 14;
     let mut d = Drawing::graph(
-        640.0,
-        320.0,
-        w(0.0, -2.1),
-        w(f64::from(POWERS) + 0.6, 5.0),
+        [640.0, 320.0],
+        [w(0.0, -2.1), w(f64::from(POWERS) + 0.6, 5.0)],
         "Running means of three random numbers against the number of samples, both on logarithmic axes. The mean of u \
          settles quickly at 0.5. The mean of one divided by the root of u settles near 2, with jumps. The mean of one \
          divided by u jumps upwards again and again and does not settle.",
@@ -92,18 +80,10 @@ fn means() -> String {
     d.line(w(0.0, -2.1), w(f64::from(POWERS), -2.1), "ink");
     for power in [0, 4, 8, 12] {
         let x = f64::from(power);
-        d.note(
-            w(x, -2.1),
-            Side::Below,
-            &(1_u32 << power).to_string(),
-            "ink",
-        );
+        d.note(w(x, -2.1), Side::Below, 1_u32 << power, "ink");
     }
-    for power in [-1, 1, 3] {
-        let y = f64::from(power);
-        d.line(w(0.0, y), w(f64::from(POWERS), y), "soft");
-        d.note(w(0.0, y), Side::Left, &2_f64.powi(power).to_string(), "ink");
-    }
+    let levels = [-1, 1, 3].map(|power| (f64::from(power), 2_f64.powi(power)));
+    d.levels([0.0, f64::from(POWERS)], levels);
     d.note(
         w(f64::from(POWERS) - 1.2, -2.1),
         Side::Above,

@@ -15,10 +15,8 @@ pub(super) fn figures() -> Vec<Figure> {
 /// A lamp above a point, and the part of the unit circle that it covers.
 fn solid_angle() -> String {
     let mut d = Drawing::new(
-        640.0,
-        320.0,
-        w(-2.6, -0.3),
-        w(3.6, 2.7),
+        [640.0, 320.0],
+        [w(-2.6, -0.3), w(3.6, 2.7)],
         "A floor with the point x and its normal n, seen from the side. Around x is the upper half of the unit sphere. A \
          lamp of the area A hangs at the distance r, inclined. The lines from x to its ends cut an arc out of the \
          sphere: the solid angle of the lamp. The angle between the line and the lamp's normal is theta l.",
@@ -60,10 +58,8 @@ fn solid_angle() -> String {
 /// The same beam on a floor, at a right angle and at 60 degrees.
 fn cosine() -> String {
     let mut d = Drawing::new(
-        640.0,
-        230.0,
-        w(-1.2, -0.4),
-        w(6.2, 1.9),
+        [640.0, 230.0],
+        [w(-1.2, -0.4), w(6.2, 1.9)],
         "Two beams of the same width meet a floor. The left one comes straight down and lights a piece as wide as \
          itself. The right one comes in at 60 degrees to the normal and lights a piece twice as wide.",
     );
@@ -91,10 +87,8 @@ fn cosine() -> String {
 /// The surface points, the directions and the radiances of the rendering equation.
 fn equation() -> String {
     let mut d = Drawing::new(
-        640.0,
-        300.0,
-        w(-3.0, -0.4),
-        w(3.6, 2.6),
+        [640.0, 300.0],
+        [w(-3.0, -0.4), w(3.6, 2.6)],
         "A floor with the point x and a wall with the point y. From x, the direction omega i points to y and the \
          direction omega o to the eye. Light comes from y against omega i, and leaves x along omega o.",
     );

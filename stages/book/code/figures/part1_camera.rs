@@ -1,8 +1,8 @@
 //! Figures of Part 1: camera rays.
 
-use super::parts::Figure;
+use super::parts::{Figure, w};
 use crate::drawing::{Drawing, Side};
-use kit::{Vec2, camera};
+use kit::camera;
 
 pub(super) fn figures() -> Vec<Figure> {
     vec![("part1-camera", camera()), ("part1-angles", angles())]
@@ -11,15 +11,12 @@ pub(super) fn figures() -> Vec<Figure> {
 /// The camera from the side of its x axis and the sensor at z = -1.
 fn camera() -> String {
     let mut d = Drawing::new(
-        600.0,
-        330.0,
-        Vec2::new(-0.75, -0.85),
-        Vec2::new(2.2, 0.95),
+        [600.0, 330.0],
+        [w(-0.75, -0.85), w(2.2, 0.95)],
         "The camera seen from above: it looks along -z; the sensor at the distance 1 reaches from -a to a, where \
          a is the tangent of half the field of view.",
     );
     let a = camera::half_tan(70.0);
-    let w = Vec2::new;
     // The page's x is -z of camera space, its y is -x: seen from above, with right downwards.
     d.area(&[w(0.0, 0.0), w(1.0, a), w(1.0, -a)], "soft");
     d.arrow(w(0.0, 0.0), w(2.1, 0.0), "soft");
@@ -50,10 +47,8 @@ fn camera() -> String {
 /// Equal steps on the sensor and equal angles.
 fn angles() -> String {
     let mut d = Drawing::new(
-        640.0,
-        300.0,
-        Vec2::new(-3.6, -0.3),
-        Vec2::new(3.6, 1.3),
+        [640.0, 300.0],
+        [w(-3.6, -0.3), w(3.6, 1.3)],
         "Left: equal steps on the plane of the sensor, as it must be; the angles get smaller outwards. Right: \
          equal angles; their points on the plane get farther apart outwards, so straight lines appear curved.",
     );
@@ -62,12 +57,8 @@ fn angles() -> String {
         (-1.9, false, "right: equal steps"),
         (1.9, true, "wrong: equal angles"),
     ] {
-        let eye = Vec2::new(centre, 0.0);
-        d.line(
-            eye + Vec2::new(-half, 1.0),
-            eye + Vec2::new(half, 1.0),
-            "blue",
-        );
+        let eye = w(centre, 0.0);
+        d.line(eye + w(-half, 1.0), eye + w(half, 1.0), "blue");
         for k in -4..=4 {
             let share = f64::from(k) / 4.0;
             let x = if by_angle {
@@ -75,11 +66,8 @@ fn angles() -> String {
             } else {
                 share * half
             };
-            d.line(eye, eye + Vec2::new(x, 1.0), "soft");
-            d.dot(
-                eye + Vec2::new(x, 1.0),
-                if by_angle { "red" } else { "green" },
-            );
+            d.line(eye, eye + w(x, 1.0), "soft");
+            d.dot(eye + w(x, 1.0), if by_angle { "red" } else { "green" });
         }
         d.dot(eye, "ink");
         d.note(eye, Side::Below, words, "ink");

@@ -1,6 +1,6 @@
 //! Figures of Part 1: spheres.
 
-use super::parts::Figure;
+use super::parts::{Figure, log10, w};
 use crate::drawing::{Drawing, Side};
 use kit::{Sphere, Vec2, Vec3};
 
@@ -21,14 +21,11 @@ fn sphere() -> String {
     let (height, start) = (0.9, -4.2);
     let half_chord = (ball.radius * ball.radius - height * height).sqrt();
     let mut d = Drawing::new(
-        640.0,
-        330.0,
-        Vec2::new(-4.4, -1.7),
-        Vec2::new(2.9, 1.9),
+        [640.0, 330.0],
+        [w(-4.4, -1.7), w(2.9, 1.9)],
         "The line of the ray passes the centre m at the distance l and meets the sphere at t1 and t2. The middle \
          of both is b/a. The vector f goes from the centre to the origin o; the normal n points outwards.",
     );
-    let w = Vec2::new;
     d.circle(Vec2::ZERO, ball.radius, "blue");
     let o = w(start, height);
     d.line(w(-4.2, height), w(2.8, height), "soft");
@@ -60,10 +57,8 @@ fn sphere() -> String {
 /// Rays that start before, inside and behind a sphere, and one whose range starts inside.
 fn roots() -> String {
     let mut d = Drawing::new(
-        640.0,
-        280.0,
-        Vec2::new(-4.6, -1.7),
-        Vec2::new(4.9, 1.6),
+        [640.0, 280.0],
+        [w(-4.6, -1.7), w(4.9, 1.6)],
         "Four rays through a sphere: from outside the near root is the hit; from inside and with a range that begins \
          between the roots it is the far one; from behind the sphere there is none.",
     );
@@ -76,7 +71,7 @@ fn roots() -> String {
     ];
     for (y, start, begin, words) in rows {
         let half = f64::sqrt(1.4 * 1.4 - y * y);
-        let at = |x: f64| Vec2::new(x, y);
+        let at = |x: f64| w(x, y);
         if begin > start {
             d.line(at(start), at(begin), "soft dash");
         }
@@ -111,45 +106,30 @@ pub const HAINES: [f64; 9] = [
 /// The relative error of the squared half chord of a sphere of radius 1, against its distance.
 fn cancellation() -> String {
     let mut d = Drawing::graph(
-        640.0,
-        330.0,
-        Vec2::new(0.0, -17.0),
-        Vec2::new(10.0, 1.0),
+        [640.0, 330.0],
+        [w(0.0, -17.0), w(10.0, 1.0)],
         "The relative error of the squared half chord from b*b - a*c grows with the square of the distance, \
          from 10 to the power of -14 at 10 radii to 1 at 10 to the power of 8. From r*r - l*l it grows with the distance, \
          from 10 to the power of -16 to 10 to the power of -8.",
     );
     let curve = |errors: &[f64]| -> Vec<Vec2> {
         let points = EXPONENTS.iter().zip(errors);
-        let log10 = |x: f64| kit::math::ln(x) / std::f64::consts::LN_10;
         points
-            .map(|(exponent, error)| Vec2::new(f64::from(*exponent), log10(error.min(10.0))))
+            .map(|(exponent, error)| w(f64::from(*exponent), log10(error.min(10.0))))
             .collect()
     };
     let (textbook, stable) = (curve(&TEXTBOOK), curve(&HAINES));
-    for power in [-16, -12, -8, -4, 0] {
-        let y = f64::from(power);
-        d.line(Vec2::new(1.0, y), Vec2::new(9.5, y), "soft");
-        d.note(Vec2::new(1.0, y), Side::Left, &format!("1e{power}"), "ink");
-    }
+    let levels = [-16, -12, -8, -4, 0].map(|power| (f64::from(power), format!("1e{power}")));
+    d.levels([1.0, 9.5], levels);
     for power in [1, 3, 5, 7, 9] {
-        d.note(
-            Vec2::new(f64::from(power), -16.6),
-            Side::Below,
-            &format!("1e{power}"),
-            "ink",
-        );
+        let below = w(f64::from(power), -16.6);
+        d.note(below, Side::Below, format!("1e{power}"), "ink");
     }
     d.path(&textbook, "red");
     d.path(&stable, "green");
-    d.note(Vec2::new(4.3, -6.0), Side::Left, "b·b - a·c", "red");
-    d.note(Vec2::new(6.5, -14.7), Side::Above, "r·r - ℓ·ℓ", "green");
-    d.note(Vec2::new(9.5, -15.4), Side::Above, "distance", "ink");
-    d.note(
-        Vec2::new(1.0, 0.9),
-        Side::Right,
-        "relative error of Δ/a",
-        "ink",
-    );
+    d.note(w(4.3, -6.0), Side::Left, "b·b - a·c", "red");
+    d.note(w(6.5, -14.7), Side::Above, "r·r - ℓ·ℓ", "green");
+    d.note(w(9.5, -15.4), Side::Above, "distance", "ink");
+    d.note(w(1.0, 0.9), Side::Right, "relative error of Δ/a", "ink");
     d.finish()
 }

@@ -1,6 +1,6 @@
 //! Figures of Part 1: triangles.
 
-use super::parts::Figure;
+use super::parts::{Figure, w};
 use crate::drawing::{Drawing, Side, View};
 use kit::{Ray, Triangle, Vec2, Vec3};
 
@@ -18,12 +18,10 @@ fn triangle() -> String {
     let (o, hit) = (Vec3::new(-1.1, 1.3, 2.6), Vec3::new(0.95, 0.75, 0.0));
     let ray = Ray::new(o, (hit - o) / 3.0);
     let view = View::from(Vec3::new(1.4, 1.0, 2.4), Vec3::Y);
-    let (min, max) = (Vec2::new(-2.3, -0.9), Vec2::new(2.9, 2.3));
+    let (min, max) = (w(-2.3, -0.9), w(2.9, 2.3));
     let mut d = Drawing::new(
-        560.0,
-        400.0,
-        min,
-        max,
+        [560.0, 400.0],
+        [min, max],
         "A ray with the origin o and the direction d hits the triangle p0 p1 p2 at the distance t. \
          The edges e1 and e2 start at p0, and so does the vector s to the origin of the ray.",
     );
@@ -51,13 +49,11 @@ fn triangle() -> String {
 
 /// The plane of a triangle, divided by the signs of the three weights.
 fn barycentric() -> String {
-    let (p0, p1, p2) = (Vec2::ZERO, Vec2::new(3.0, 0.0), Vec2::new(0.6, 2.2));
+    let (p0, p1, p2) = (Vec2::ZERO, w(3.0, 0.0), w(0.6, 2.2));
     let at = |b1: f64, b2: f64| p0 + b1 * (p1 - p0) + b2 * (p2 - p0);
     let mut d = Drawing::new(
-        560.0,
-        380.0,
-        Vec2::new(-1.6, -1.1),
-        Vec2::new(4.6, 3.1),
+        [560.0, 380.0],
+        [w(-1.6, -1.1), w(4.6, 3.1)],
         "The three lines through the edges of a triangle divide its plane into seven regions. Only \
          inside the triangle are all three weights b0, b1 and b2 at least 0.",
     );
@@ -80,12 +76,10 @@ fn barycentric() -> String {
 
 /// The shapes that remain of a triangle if one of the three comparisons is missing.
 fn triangle_mistakes() -> String {
-    let (e1, e2) = (Vec2::new(1.0, 0.0), Vec2::new(0.25, 0.8));
+    let (e1, e2) = (w(1.0, 0.0), w(0.25, 0.8));
     let mut d = Drawing::new(
-        640.0,
-        250.0,
-        Vec2::new(-0.1, -0.5),
-        Vec2::new(6.6, 1.7),
+        [640.0, 250.0],
+        [w(-0.1, -0.5), w(6.6, 1.7)],
         "What a triangle becomes if a comparison of its weights is wrong: a wedge without b1 + b2 <= 1, \
          a parallelogram with b2 <= 1 instead, a wedge with its tip at p1 without b1 >= 0.",
     );
@@ -95,9 +89,8 @@ fn triangle_mistakes() -> String {
         d.area(&outline, "red");
         let tri = [Vec2::ZERO, Vec2::X, Vec2::Y].map(|w| at(&w));
         d.polygon(&tri, "blue");
-        d.note(corner + Vec2::new(0.5, -0.1), Side::Below, words, "ink");
+        d.note(corner + w(0.5, -0.1), Side::Below, words, "ink");
     };
-    let w = Vec2::new;
     shape(
         &mut d,
         Vec2::ZERO,
@@ -112,13 +105,13 @@ fn triangle_mistakes() -> String {
     );
     shape(
         &mut d,
-        Vec2::new(2.5, 0.0),
+        w(2.5, 0.0),
         &[w(0.0, 0.0), w(1.0, 0.0), w(1.0, 1.0), w(0.0, 1.0)],
         "b1 ≤ 1 and b2 ≤ 1",
     );
     shape(
         &mut d,
-        Vec2::new(5.3, 0.0),
+        w(5.3, 0.0),
         &[w(-0.9, 0.0), w(1.0, 0.0), w(-0.9, 1.9)],
         "without b1 ≥ 0",
     );

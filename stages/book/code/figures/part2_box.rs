@@ -1,6 +1,6 @@
 //! Figures of Part 2: ray against box.
 
-use super::parts::{Figure, flat_box, outline, w};
+use super::parts::{Figure, flat_box, outline, rectangle, w};
 use crate::drawing::{Drawing, Side};
 
 pub(super) fn figures() -> Vec<Figure> {
@@ -17,21 +17,13 @@ fn slabs() -> String {
     let (o, dir) = (w(-2.6, -0.7), w(1.0, 0.42));
     let at = |t: f64| o + t * dir;
     let mut d = Drawing::new(
-        600.0,
-        360.0,
-        w(-2.9, -1.1),
-        w(4.6, 3.0),
+        [600.0, 360.0],
+        [w(-2.9, -1.1), w(4.6, 3.0)],
         "A ray crosses the slab of x between ex and fx, and the slab of y between ey and fy. It is in the box \
          from the later entry to the earlier exit.",
     );
-    d.area(
-        &[w(0.0, -1.1), w(3.0, -1.1), w(3.0, 3.0), w(0.0, 3.0)],
-        "blue",
-    );
-    d.area(
-        &[w(-2.9, 0.0), w(4.6, 0.0), w(4.6, 2.0), w(-2.9, 2.0)],
-        "green",
-    );
+    d.area(&rectangle(w(0.0, -1.1), w(3.0, 3.0)), "blue");
+    d.area(&rectangle(w(-2.9, 0.0), w(4.6, 2.0)), "green");
     d.path(&outline(&b, 0.0), "ink");
     d.line(o, at(7.0), "ink");
     d.arrow(o, at(1.0), "ink");
@@ -63,10 +55,8 @@ fn slabs() -> String {
 /// The three slabs as intervals on the ray.
 fn intervals() -> String {
     let mut d = Drawing::new(
-        640.0,
-        240.0,
-        w(-0.9, -0.6),
-        w(9.2, 3.1),
+        [640.0, 240.0],
+        [w(-0.9, -0.6), w(9.2, 3.1)],
         "Intervals of t: those of the x, y and z slabs and the range of the ray. All overlap from the last start \
          to the first end.",
     );
@@ -78,10 +68,7 @@ fn intervals() -> String {
     ];
     let start = rows.iter().map(|row| row.1).fold(0.0, f64::max);
     let end = rows.iter().map(|row| row.2).fold(9.0, f64::min);
-    d.area(
-        &[w(start, -0.2), w(end, -0.2), w(end, 2.8), w(start, 2.8)],
-        "soft",
-    );
+    d.area(&rectangle(w(start, -0.2), w(end, 2.8)), "soft");
     for (i, (name, from, to, colour)) in rows.into_iter().enumerate() {
         let y = 2.5 - 0.7 * i as f64;
         d.line(w(from, y), w(to, y), colour);
@@ -97,17 +84,12 @@ fn intervals() -> String {
 /// A ray to the left through a slab: which plane is the entry.
 fn unswapped() -> String {
     let mut d = Drawing::new(
-        640.0,
-        200.0,
-        w(-0.4, -0.9),
-        w(9.4, 1.5),
+        [640.0, 200.0],
+        [w(-0.4, -0.9), w(9.4, 1.5)],
         "A ray that goes to the left reaches the high plane first. Who takes the low plane for the entry gets an entry \
          after the exit, and misses the box.",
     );
-    d.area(
-        &[w(3.0, -0.4), w(5.5, -0.4), w(5.5, 1.0), w(3.0, 1.0)],
-        "blue",
-    );
+    d.area(&rectangle(w(3.0, -0.4), w(5.5, 1.0)), "blue");
     d.line(w(3.0, -0.4), w(3.0, 1.0), "blue");
     d.line(w(5.5, -0.4), w(5.5, 1.0), "blue");
     d.arrow(w(8.8, 0.3), w(0.2, 0.3), "ink");

@@ -13,10 +13,8 @@ pub(super) fn figures() -> Vec<Figure> {
 /// The tree of the worked example of task 3, with entries and hits.
 fn traversal() -> String {
     let mut d = Drawing::new(
-        640.0,
-        300.0,
-        w(-0.2, -0.9),
-        w(8.2, 3.0),
+        [640.0, 300.0],
+        [w(-0.2, -0.9), w(8.2, 3.0)],
         "The tree of the worked example: the root A, the nodes B and C, and the leaves D, E, F and G, each with its \
          entry, the leaves with the distance of their hit. The nearest hit is in F.",
     );
@@ -56,10 +54,8 @@ fn traversal() -> String {
 /// Two overlapping boxes: the hit in the nearer box is farther than the hit in the other one.
 fn overlap() -> String {
     let mut d = Drawing::new(
-        640.0,
-        270.0,
-        w(-0.5, -0.3),
-        w(9.6, 3.4),
+        [640.0, 270.0],
+        [w(-0.5, -0.3), w(9.6, 3.4)],
         "The ray enters the left box first, but the triangle in it is hit at 6. The right box is entered at 3, and its \
          triangle is hit at 4.5. Stopping after the first box would return the wrong triangle.",
     );

@@ -15,10 +15,8 @@ pub(super) fn figures() -> Vec<Figure> {
 /// Triangles in boxes in boxes, and a ray that misses most of them.
 fn hierarchy() -> String {
     let mut d = Drawing::new(
-        640.0,
-        300.0,
-        w(-0.2, -0.1),
-        w(8.0, 3.4),
+        [640.0, 300.0],
+        [w(-0.2, -0.1), w(8.0, 3.4)],
         "Triangles in boxes, two boxes in a larger box, and all in the root. A ray that misses the box on the \
          right misses all that is in it with one test.",
     );
@@ -92,10 +90,8 @@ fn levels() -> String {
         .collect();
     let root = halve(&boxes);
     let mut d = Drawing::new(
-        660.0,
-        460.0,
-        w(0.0, -0.1),
-        w(3.7, 2.5),
+        [660.0, 460.0],
+        [w(0.0, -0.1), w(3.7, 2.5)],
         "A hierarchy over 26 boxes: the root, and the levels 1, 2 and 4 below it.",
     );
     for (k, level) in [0_u32, 1, 2, 4].into_iter().enumerate() {
@@ -105,9 +101,7 @@ fn levels() -> String {
             max: b.max + shift,
         };
         for b in &boxes {
-            let mut corners = outline(&moved(b), 0.0);
-            corners.pop();
-            d.area(&corners, "blue");
+            d.area(&outline(&moved(b), 0.0)[..4], "blue");
         }
         let mut nodes = vec![&root];
         for _ in 0..level {
@@ -128,7 +122,7 @@ fn levels() -> String {
             d.path(&outline(&moved(&node.bounds), 0.008), colour);
         }
         let middle = w(0.85, -0.02) + shift.truncate();
-        d.note(middle, Side::Below, &format!("level {level}"), "ink");
+        d.note(middle, Side::Below, format!("level {level}"), "ink");
     }
     d.finish()
 }
@@ -136,10 +130,8 @@ fn levels() -> String {
 /// Boxes on an axis: the midpoint of their centroids, and that of their extent.
 fn split() -> String {
     let mut d = Drawing::new(
-        640.0,
-        300.0,
-        w(-0.4, -1.4),
-        w(10.4, 2.9),
+        [640.0, 300.0],
+        [w(-0.4, -1.4), w(10.4, 2.9)],
         "Four small boxes and a large one on an axis. Above: the midpoint of the centroids separates them. Below: \
          the midpoint of the extent of the boxes has all centroids on one side.",
     );

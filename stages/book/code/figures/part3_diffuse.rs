@@ -1,6 +1,6 @@
 //! Figures of Part 3: diffuse surfaces.
 
-use super::parts::{Figure, w};
+use super::parts::{Figure, rectangle, w};
 use crate::drawing::{Drawing, Side, View, turn};
 use kit::{PixelSampler, Vec2, Vec3, math};
 use std::f64::consts::TAU;
@@ -17,17 +17,12 @@ pub(super) fn figures() -> Vec<Figure> {
 /// Radiance from several directions is scattered towards the viewer.
 fn scattering() -> String {
     let mut d = Drawing::new(
-        640.0,
-        300.0,
-        w(-3.6, -0.3),
-        w(3.6, 2.4),
+        [640.0, 300.0],
+        [w(-3.6, -0.3), w(3.6, 2.4)],
         "Light Li arrives from many directions at a point of a surface; what is scattered to the viewer is Lo.",
     );
     d.line(w(-3.2, 0.0), w(3.2, 0.0), "ink");
-    d.area(
-        &[w(-3.2, -0.2), w(3.2, -0.2), w(3.2, 0.0), w(-3.2, 0.0)],
-        "soft",
-    );
+    d.area(&rectangle(w(-3.2, -0.2), w(3.2, 0.0)), "soft");
     for k in [3, 8, 13, 22] {
         let direction = turn(k, 72);
         d.arrow(2.1 * direction, 0.25 * direction, "blue");
@@ -50,10 +45,8 @@ fn half_circle(centre: Vec2, radius: f64) -> Vec<Vec2> {
 /// The two directions at a diffuse surface, and its lobe.
 fn lambert() -> String {
     let mut d = Drawing::new(
-        560.0,
-        320.0,
-        w(-1.7, -0.25),
-        w(1.7, 1.4),
+        [560.0, 320.0],
+        [w(-1.7, -0.25), w(1.7, 1.4)],
         "A surface with its normal z, the direction wi to the light at the angle theta to the normal, and the \
          direction wo to the viewer. The inner circle is the density, in proportion to the cosine.",
     );
@@ -77,10 +70,8 @@ fn lambert() -> String {
 /// Uniform points on a disk and above them on the hemisphere.
 fn malley() -> String {
     let mut d = Drawing::new(
-        620.0,
-        380.0,
-        w(-1.35, -0.55),
-        w(1.35, 1.1),
+        [620.0, 380.0],
+        [w(-1.35, -0.55), w(1.35, 1.1)],
         "Points that are uniform on the unit disk, lifted to the hemisphere: they are dense around the normal and \
          rare at the horizon.",
     );
@@ -117,10 +108,8 @@ fn malley() -> String {
 /// Points on a disk with a uniform radius, and with its square root.
 fn disk() -> String {
     let mut d = Drawing::new(
-        620.0,
-        320.0,
-        w(-2.4, -1.3),
-        w(2.4, 1.1),
+        [620.0, 320.0],
+        [w(-2.4, -1.3), w(2.4, 1.1)],
         "Left: with the square root the points are uniform on the disk. Right: without it they crowd in the middle.",
     );
     for (centre, root, words) in [

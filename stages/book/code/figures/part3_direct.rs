@@ -1,8 +1,8 @@
 //! Figures of Part 3: direct light.
 
-use super::parts::{Figure, w};
+use super::parts::{Figure, log10, rectangle, w};
 use crate::drawing::{Drawing, Side};
-use kit::{PixelSampler, Tally, Vec2, Vec3, math, warp};
+use kit::{PixelSampler, Tally, Vec2, Vec3, warp};
 use std::f64::consts::{FRAC_1_PI, TAU};
 
 pub(super) fn figures() -> Vec<Figure> {
@@ -18,10 +18,8 @@ pub(super) fn figures() -> Vec<Figure> {
 /// Uniform directions from a point; few meet the lamp.
 fn hemisphere() -> String {
     let mut d = Drawing::new(
-        640.0,
-        340.0,
-        w(-2.6, -0.25),
-        w(2.6, 2.3),
+        [640.0, 340.0],
+        [w(-2.6, -0.25), w(2.6, 2.3)],
         "Uniform directions above a point. Only those that meet the lamp bring light; all others are black.",
     );
     d.line(w(-2.5, 0.0), w(2.5, 0.0), "ink");
@@ -65,14 +63,11 @@ fn by_light(u: Vec2) -> f64 {
 /// Root mean square error, relative to the exact value, against the number of samples.
 fn noise() -> String {
     let mut d = Drawing::graph(
-        640.0,
-        330.0,
-        w(-0.6, -3.0),
-        w(3.9, 1.2),
+        [640.0, 330.0],
+        [w(-0.6, -3.0), w(3.9, 1.2)],
         "Relative error against the number of samples on logarithmic axes: uniform directions begin at 5, points \
          of the lamp at 0.05; both fall as the square root of the number of samples.",
     );
-    let log = |x: f64| math::ln(x) / std::f64::consts::LN_10;
     let counts = [1_u32, 4, 16, 64, 256, 1024];
     // The mean of all samples of all pixels is the exact value up to a small error.
     let mut exact = Tally::default();
@@ -97,25 +92,15 @@ fn noise() -> String {
                 let error = mean.mean() / exact.mean() - 1.0;
                 squares.push(error * error);
             }
-            points.push(w(log(f64::from(n)), log(squares.mean().sqrt())));
+            points.push(w(log10(f64::from(n)), log10(squares.mean().sqrt())));
         }
-        d.path(&points, colour);
-        for p in &points {
-            d.dot(*p, colour);
-        }
+        d.marked_path(&points, colour);
         d.note(points[2] + w(0.1, 0.3), Side::Right, words, colour);
     }
-    for (power, words) in [(-3, "0.001"), (-2, "0.01"), (-1, "0.1"), (0, "1")] {
-        d.line(w(0.0, f64::from(power)), w(3.3, f64::from(power)), "soft");
-        d.note(w(0.0, f64::from(power)), Side::Left, words, "ink");
-    }
+    let levels = [(-3.0, "0.001"), (-2.0, "0.01"), (-1.0, "0.1"), (0.0, "1")];
+    d.levels([0.0, 3.3], levels);
     for n in counts {
-        d.note(
-            w(log(f64::from(n)), -3.0),
-            Side::Below,
-            &n.to_string(),
-            "ink",
-        );
+        d.note(w(log10(f64::from(n)), -3.0), Side::Below, n, "ink");
     }
     d.note(w(3.3, -2.9), Side::Above, "samples", "ink");
     d.note(w(-0.4, 1.1), Side::Right, "relative error", "ink");
@@ -125,19 +110,14 @@ fn noise() -> String {
 /// A rounded hit point below the surface, with and without an offset.
 fn acne() -> String {
     let mut d = Drawing::new(
-        640.0,
-        230.0,
-        w(-1.0, -0.8),
-        w(9.3, 2.0),
+        [640.0, 230.0],
+        [w(-1.0, -0.8), w(9.3, 2.0)],
         "Left: the rounded hit point lies below the surface, and the ray that starts there hits the surface at once. \
          Right: the ray starts above it, by more than the error.",
     );
     for (x, starts_above) in [(0.0, false), (5.0, true)] {
         d.line(w(x, 0.0), w(x + 4.0, 0.0), "ink");
-        d.area(
-            &[w(x, -0.5), w(x + 4.0, -0.5), w(x + 4.0, 0.0), w(x, 0.0)],
-            "soft",
-        );
+        d.area(&rectangle(w(x, -0.5), w(x + 4.0, 0.0)), "soft");
         let hit = w(x + 1.6, -0.28);
         let start = if starts_above { w(x + 1.6, 0.28) } else { hit };
         let direction = w(0.75, 0.66);
@@ -167,10 +147,8 @@ fn acne() -> String {
 /// A point of a surface and a point of a lamp, with both cosines.
 fn light() -> String {
     let mut d = Drawing::new(
-        600.0,
-        360.0,
-        w(-1.6, -0.5),
-        w(4.0, 2.9),
+        [600.0, 360.0],
+        [w(-1.6, -0.5), w(4.0, 2.9)],
         "The point x of a surface and the point q of a lamp at the distance r, with the angle to the normal at each \
          end. The area A of the lamp covers a solid angle.",
     );
@@ -202,10 +180,8 @@ fn light() -> String {
 /// A shadow ray that ends too late, one that ends at the lamp, and the right one.
 fn shadow_rays() -> String {
     let mut d = Drawing::new(
-        640.0,
-        300.0,
-        w(-0.6, -0.7),
-        w(9.6, 4.0),
+        [640.0, 300.0],
+        [w(-0.6, -0.7), w(9.6, 4.0)],
         "Three shadow rays from a surface to a lamp: one that goes on behind the lamp and hits the ceiling, one that \
          reaches the lamp itself, and one that ends just before it.",
     );

@@ -1,6 +1,6 @@
 //! Figures of Part 4.
 
-use super::parts::{Figure, w};
+use super::parts::{Figure, rectangle, w};
 use crate::drawing::{Drawing, Side, turn};
 use kit::{PixelSampler, Vec2, math};
 
@@ -19,10 +19,8 @@ pub(super) fn figures() -> Vec<Figure> {
 /// A path in a room, with a shadow ray to the lamp from each surface.
 fn path() -> String {
     let mut d = Drawing::new(
-        640.0,
-        370.0,
-        w(-1.6, -0.3),
-        w(5.6, 3.4),
+        [640.0, 370.0],
+        [w(-1.6, -0.3), w(5.6, 3.4)],
         "A path from the camera: it hits the floor at x1, a wall at x2 and the other wall at x3. From each of them \
          a shadow ray goes to the lamp at the ceiling.",
     );
@@ -75,17 +73,12 @@ fn path() -> String {
 /// The directions of mirror and refraction for an index of 1.5.
 fn snell() -> String {
     let mut d = Drawing::new(
-        560.0,
-        400.0,
-        w(-1.5, -1.4),
-        w(1.5, 1.4),
+        [560.0, 400.0],
+        [w(-1.5, -1.4), w(1.5, 1.4)],
         "A boundary with glass below. The direction to the viewer, the mirrored direction at the same angle, and \
          the refracted direction at a smaller angle on the other side.",
     );
-    d.area(
-        &[w(-1.5, -1.4), w(1.5, -1.4), w(1.5, 0.0), w(-1.5, 0.0)],
-        "blue",
-    );
+    d.area(&rectangle(w(-1.5, -1.4), w(1.5, 0.0)), "blue");
     d.line(w(-1.5, 0.0), w(1.5, 0.0), "ink");
     d.arrow(w(0.0, 0.0), w(0.0, 1.3), "green");
     d.line(w(0.0, 0.0), w(0.0, -1.3), "soft dash");
@@ -134,10 +127,8 @@ fn fresnel() -> String {
         0.5 * (s * s + p * p)
     };
     let mut d = Drawing::graph(
-        440.0,
-        300.0,
-        w(-8.0, -0.1),
-        w(95.0, 1.05),
+        [440.0, 300.0],
+        [w(-8.0, -0.1), w(95.0, 1.05)],
         &format!(
             "The reflected fraction F of glass with the index 1.5 against the angle in degrees: from outside {:.2} head \
              on, {:.2} at 60 degrees and 1 at 90; from inside 1 from the critical angle of 41.8 degrees on.",
@@ -145,12 +136,9 @@ fn fresnel() -> String {
             fraction(60.0, 1.0 / 1.5)
         ),
     );
-    for y in [0.0, 0.5, 1.0] {
-        d.line(w(0.0, y), w(90.0, y), "soft");
-        d.note(w(0.0, y), Side::Left, &y.to_string(), "ink");
-    }
+    d.levels([0.0, 90.0], [0.0, 0.5, 1.0].map(|y| (y, y)));
     for x in [0.0, 30.0, 60.0, 90.0] {
-        d.note(w(x, 0.0), Side::Below, &format!("{x}°"), "ink");
+        d.note(w(x, 0.0), Side::Below, format!("{x}°"), "ink");
     }
     for (eta, colour, words, at) in [
         (1.0 / 1.5, "blue", "from outside", w(62.0, 0.3)),
@@ -172,26 +160,20 @@ fn fresnel() -> String {
 /// The partial sums of a closed room, for three reflectances.
 fn series() -> String {
     let mut d = Drawing::graph(
-        640.0,
-        320.0,
-        w(-0.8, -0.4),
-        w(13.5, 5.2),
+        [640.0, 320.0],
+        [w(-0.8, -0.4), w(13.5, 5.2)],
         "Radiance in a closed room against the largest number of rays, for walls that reflect 0.5, 0.7 and 0.8: the \
          sums approach 2, 3.3 and 5.",
     );
     d.line(w(0.0, 0.0), w(12.0, 0.0), "ink");
     for m in [0, 2, 4, 6, 8, 10, 12] {
-        d.note(
-            w(f64::from(m), 0.0),
-            Side::Below,
-            &format!("m = {m}"),
-            "ink",
-        );
+        let below = w(f64::from(m), 0.0);
+        d.note(below, Side::Below, format!("m = {m}"), "ink");
     }
     for (rho, colour) in [(0.5_f64, "blue"), (0.7, "green"), (0.8, "red")] {
         let limit = 1.0 / (1.0 - rho);
         d.line(w(0.0, limit), w(12.0, limit), "soft dash");
-        d.note(w(12.0, limit), Side::Right, &format!("{limit:.1}"), colour);
+        d.note(w(12.0, limit), Side::Right, format!("{limit:.1}"), colour);
         let (mut sum, mut term) = (0.0, 1.0);
         let mut points = Vec::new();
         for m in 0..=12 {
@@ -199,16 +181,9 @@ fn series() -> String {
             term *= rho;
             points.push(w(f64::from(m), sum));
         }
-        d.path(&points, colour);
-        for p in points {
-            d.dot(p, colour);
-        }
-        d.note(
-            w(6.3, limit - 0.55),
-            Side::Right,
-            &format!("ρ = {rho}"),
-            colour,
-        );
+        d.marked_path(&points, colour);
+        let below = w(6.3, limit - 0.55);
+        d.note(below, Side::Right, format!("ρ = {rho}"), colour);
     }
     d.finish()
 }
@@ -217,10 +192,8 @@ fn series() -> String {
 fn roulette() -> String {
     const PATHS: usize = 24;
     let mut d = Drawing::new(
-        640.0,
-        330.0,
-        w(-0.2, -2.2),
-        w(13.0, 4.4),
+        [640.0, 330.0],
+        [w(-0.2, -2.2), w(13.0, 4.4)],
         "24 paths over eight bounces. Without roulette all survive and get darker; with it fewer and fewer survive, \
          each as bright as at the start.",
     );
@@ -257,17 +230,15 @@ fn roulette() -> String {
 /// The throughput after the game against the random number.
 fn game() -> String {
     let mut d = Drawing::graph(
-        560.0,
-        280.0,
-        w(-0.12, -0.2),
-        w(1.15, 1.25),
+        [560.0, 280.0],
+        [w(-0.12, -0.2), w(1.15, 1.25)],
         "The result of the game for a throughput of 0.25: 1 for random numbers below q = 0.25, else 0. The area below \
          the line is 0.25.",
     );
     let q = 0.25;
     d.arrow(w(0.0, 0.0), w(1.1, 0.0), "soft");
     d.arrow(w(0.0, 0.0), w(0.0, 1.2), "soft");
-    d.area(&[w(0.0, 0.0), w(q, 0.0), w(q, 1.0), w(0.0, 1.0)], "green");
+    d.area(&rectangle(w(0.0, 0.0), w(q, 1.0)), "green");
     d.line(w(0.0, 1.0), w(q, 1.0), "green");
     d.line(w(q, 0.0), w(1.0, 0.0), "red");
     d.line(w(0.0, q), w(1.0, q), "blue dash");
@@ -284,10 +255,8 @@ fn game() -> String {
 /// The refracted direction, and four wrong ones.
 fn mistakes() -> String {
     let mut d = Drawing::new(
-        680.0,
-        230.0,
-        w(-1.0, -1.4),
-        w(11.4, 1.25),
+        [680.0, 230.0],
+        [w(-1.0, -1.4), w(11.4, 1.25)],
         "Refraction into glass: right, with the inverse index, straight on, on the wrong side of the normal, and on \
          the side of the viewer.",
     );
@@ -303,12 +272,7 @@ fn mistakes() -> String {
     for (i, (words, wi, colour)) in panels.into_iter().enumerate() {
         let centre = w(2.6 * i as f64, 0.0);
         d.area(
-            &[
-                centre + w(-1.0, -1.05),
-                centre + w(1.0, -1.05),
-                centre + w(1.0, 0.0),
-                centre + w(-1.0, 0.0),
-            ],
+            &rectangle(centre - w(1.0, 1.05), centre + w(1.0, 0.0)),
             "blue",
         );
         d.line(centre - w(1.0, 0.0), centre + w(1.0, 0.0), "ink");

@@ -1,6 +1,6 @@
 //! Figures of Part 5.
 
-use super::parts::{Figure, w};
+use super::parts::{Figure, log10, w};
 use crate::drawing::{Drawing, Side};
 use kit::{PixelSampler, Tally, Vec2, math};
 
@@ -28,10 +28,8 @@ fn interval() -> String {
     const BATCH: u64 = 32;
     const TOLERANCE: f64 = 0.12;
     let mut d = Drawing::graph(
-        640.0,
-        330.0,
-        w(-25.0, 0.45),
-        w(330.0, 1.65),
+        [640.0, 330.0],
+        [w(-25.0, 0.45), w(330.0, 1.65)],
         "The mean of a pixel against the number of samples, inside the interval of 95 percent confidence. The pixel \
          stops at the end of the first batch of 32 samples in which the interval is narrower than the tolerance.",
     );
@@ -76,7 +74,7 @@ fn interval() -> String {
         let x = f64::from(n);
         d.line(w(x, 0.5), w(x, 0.52), "ink");
         if n % 64 == 0 {
-            d.note(w(x, 0.5), Side::Below, &n.to_string(), "ink");
+            d.note(w(x, 0.5), Side::Below, n, "ink");
         }
     }
     d.line(w(right, 0.5), w(right, 1.4), "red");
@@ -90,10 +88,8 @@ fn interval() -> String {
 /// The distribution of the mean around the exact value.
 fn bell() -> String {
     let mut d = Drawing::graph(
-        600.0,
-        290.0,
-        w(-3.6, -0.12),
-        w(3.6, 1.12),
+        [600.0, 290.0],
+        [w(-3.6, -0.12), w(3.6, 1.12)],
         "Means of many samples are distributed as a bell curve around the exact value I. 95 percent of them are \
          within 1.96 standard errors s.",
     );
@@ -146,37 +142,28 @@ fn mean_of_pixels(p: f64, stops: impl Fn(&Tally) -> bool) -> f64 {
 /// The mean of both criteria against the rarity of the light.
 fn bias() -> String {
     let mut d = Drawing::graph(
-        640.0,
-        330.0,
-        w(0.65, -0.15),
-        w(3.75, 1.35),
+        [640.0, 330.0],
+        [w(0.65, -0.15), w(3.75, 1.35)],
         "The mean of many pixels with the exact value 1, against how rarely a sample meets the light: the plain \
          criterion falls from 1 to nearly 0; with both conditions no pixel stops early, and the mean stays at 1.",
     );
     let rarities = [10.0, 20.0, 40.0, 80.0, 160.0, 320.0, 640.0, 1280.0, 3000.0];
-    let log = |x: f64| math::ln(x) / std::f64::consts::LN_10;
-    for y in [0.0, 0.5, 1.0] {
-        d.line(w(1.0, y), w(3.6, y), "soft");
-        d.note(w(1.0, y), Side::Left, &y.to_string(), "ink");
-    }
+    d.levels([1.0, 3.6], [0.0, 0.5, 1.0].map(|y| (y, y)));
     for (x, words) in [
         (10.0, "1 in 10"),
         (100.0, "1 in 100"),
         (1000.0, "1 in 1000"),
     ] {
-        d.note(w(log(x), 0.0), Side::Below, words, "ink");
+        d.note(w(log10(x), 0.0), Side::Below, words, "ink");
     }
     let plain = |samples: &Tally| is_narrow(samples, 0.05);
     let sure = |samples: &Tally| is_surely_narrow(samples, 0.05);
     let curve = |stops: &dyn Fn(&Tally) -> bool| -> Vec<Vec2> {
-        let mean = |n: &f64| w(log(*n), mean_of_pixels(1.0 / n, stops));
+        let mean = |n: &f64| w(log10(*n), mean_of_pixels(1.0 / n, stops));
         rarities.iter().map(mean).collect()
     };
     for (points, colour) in [(curve(&plain), "red"), (curve(&sure), "green")] {
-        d.path(&points, colour);
-        for p in points {
-            d.dot(p, colour);
-        }
+        d.marked_path(&points, colour);
     }
     d.note(w(2.25, 0.75), Side::Right, "plain criterion", "red");
     d.note(w(1.5, 1.18), Side::Right, "with both conditions", "green");
@@ -187,17 +174,12 @@ fn bias() -> String {
 /// The probability that a batch misses the light.
 fn miss() -> String {
     let mut d = Drawing::graph(
-        640.0,
-        310.0,
-        w(0.65, -0.12),
-        w(4.3, 1.12),
+        [640.0, 310.0],
+        [w(0.65, -0.12), w(4.3, 1.12)],
         "The probability that all samples of a batch miss the light, against how rarely a sample meets it, for \
          batches of 32 and of 256 samples.",
     );
-    for y in [0.0, 0.5, 1.0] {
-        d.line(w(1.0, y), w(4.0, y), "soft");
-        d.note(w(1.0, y), Side::Left, &y.to_string(), "ink");
-    }
+    d.levels([1.0, 4.0], [0.0, 0.5, 1.0].map(|y| (y, y)));
     for (x, words) in [
         (1.0, "1 in 10"),
         (2.0, "1 in 100"),

@@ -1,6 +1,6 @@
 //! Figures of Part 6: eight at a time.
 
-use super::parts::{Figure, w};
+use super::parts::{Figure, rectangle, w};
 use crate::drawing::{Drawing, Side};
 use kit::Vec2;
 
@@ -17,16 +17,14 @@ const LANES: u32 = 8;
 
 /// A square of size 1 with its lower left corner at `at`.
 fn cell(at: Vec2) -> [Vec2; 4] {
-    [at, at + w(1.0, 0.0), at + w(1.0, 1.0), at + w(0.0, 1.0)]
+    rectangle(at, at + 1.0)
 }
 
 /// A scalar addition and eight in one instruction.
 fn lanes() -> String {
     let mut d = Drawing::new(
-        640.0,
-        240.0,
-        w(-4.4, -0.4),
-        w(9.2, 4.6),
+        [640.0, 240.0],
+        [w(-4.4, -0.4), w(9.2, 4.6)],
         "Above: a scalar addition uses one lane, seven are idle. Below: one instruction adds eight numbers to eight others.",
     );
     for lane in 0..LANES {
@@ -34,8 +32,8 @@ fn lanes() -> String {
         let colour = if lane == 0 { "blue" } else { "soft" };
         d.polygon(&cell(w(x, 3.2)), colour);
         d.polygon(&cell(w(x, 0.9)), "blue");
-        d.note(w(x + 0.5, 1.4), Side::Centre, &format!("x{lane}"), "ink");
-        d.note(w(x + 0.5, 0.2), Side::Centre, &lane.to_string(), "soft");
+        d.note(w(x + 0.5, 1.4), Side::Centre, format!("x{lane}"), "ink");
+        d.note(w(x + 0.5, 0.2), Side::Centre, lane, "soft");
     }
     d.note(w(0.5, 3.7), Side::Centre, "x", "ink");
     d.note(w(-0.2, 3.7), Side::Left, "one instruction", "ink");
@@ -47,10 +45,8 @@ fn lanes() -> String {
 /// Three levels of a binary tree, and the node that they become.
 fn collapse() -> String {
     let mut d = Drawing::new(
-        640.0,
-        230.0,
-        w(-0.6, -0.7),
-        w(17.6, 4.6),
+        [640.0, 230.0],
+        [w(-0.6, -0.7), w(17.6, 4.6)],
         "Left: a binary tree with seven inner nodes on three levels and eight leaves. Right: one node with the same eight \
          leaves as children.",
     );
@@ -120,10 +116,8 @@ fn busy() -> String {
         format!("{start} at q = 0, {half:.2} at 0.5, {most:.2} at 0.9")
     };
     let mut d = Drawing::graph(
-        640.0,
-        300.0,
-        w(-0.08, -0.12),
-        w(1.14, 1.05),
+        [640.0, 300.0],
+        [w(-0.08, -0.12), w(1.14, 1.05)],
         &format!(
             "Share of busy lanes against the probability q that a path goes on. Eight paths that stay together: {}. A \
              batch of 64 whose living paths move up: {}.",
@@ -131,12 +125,9 @@ fn busy() -> String {
             shares(&|q| moved_up(q, 64))
         ),
     );
-    for y in [0.0, 0.5, 1.0] {
-        d.line(w(0.0, y), w(1.0, y), "soft");
-        d.note(w(0.0, y), Side::Left, &y.to_string(), "ink");
-    }
+    d.levels([0.0, 1.0], [0.0, 0.5, 1.0].map(|y| (y, y)));
     for q in [0.0, 0.25, 0.5, 0.75, 1.0] {
-        d.note(w(q, 0.0), Side::Below, &format!("q = {q}"), "ink");
+        d.note(w(q, 0.0), Side::Below, format!("q = {q}"), "ink");
     }
     let curve = |share: &dyn Fn(f64) -> f64| -> Vec<Vec2> {
         let each = (0..=38).map(|k| 0.025 * f64::from(k));

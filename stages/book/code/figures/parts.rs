@@ -10,16 +10,21 @@ pub(super) fn w(x: f64, y: f64) -> Vec2 {
     Vec2::new(x, y)
 }
 
+/// The corners of a rectangle, from the bottom left counterclockwise.
+pub(super) fn rectangle(low: Vec2, high: Vec2) -> [Vec2; 4] {
+    [low, w(high.x, low.y), high, w(low.x, high.y)]
+}
+
 /// The outline of a box in the xy plane, with a gap around it.
-pub(super) fn outline(b: &Aabb, gap: f64) -> Vec<Vec2> {
-    let (low, high) = (b.min - gap, b.max + gap);
-    vec![
-        w(low.x, low.y),
-        w(high.x, low.y),
-        w(high.x, high.y),
-        w(low.x, high.y),
-        w(low.x, low.y),
-    ]
+pub(super) fn outline(b: &Aabb, gap: f64) -> [Vec2; 5] {
+    let [low, high] = [b.min - gap, b.max + gap].map(Vec3::truncate);
+    let [a, b, c, d] = rectangle(low, high);
+    [a, b, c, d, a]
+}
+
+/// The logarithm to base 10.
+pub(super) fn log10(x: f64) -> f64 {
+    kit::math::ln(x) / std::f64::consts::LN_10
 }
 
 /// A box in the xy plane.

@@ -3,11 +3,13 @@
 use super::picture;
 use super::quartiles::Quartiles;
 use super::report::{
-    Accuracy, CostReport, KernelFamily, KernelRow, RayFamily, Timing, correct_bits, whole_bits,
+    Accuracy, CostReport, GridCounts, KernelFamily, KernelRow, RayFamily, Timing, correct_bits,
+    whole_bits,
 };
 use super::trees;
 use super::world;
 use comfy_table::{Cell, CellAlignment, Table, presets};
+use plots::columns::{Columns, Kind};
 use std::fmt::Write;
 
 /// Formats all results as text.
@@ -128,68 +130,43 @@ the plot of --html. * marks your own code.\n";
 
 /// The table of times and operations.
 fn times(family: &KernelFamily) -> Table {
-    let has_fma = family.rows.iter().any(|row| row.time_with_fma.is_some());
-    let mut header = vec![family.shape.name(), "ns", "vs. textbook"];
-    if has_fma {
-        header.extend(["ns with\nAVX2, FMA", "vs. textbook\nwith AVX2, FMA"]);
-    }
-    header.push("operations");
-    let mut table = narrow(header);
-    for row in &family.rows {
-        let mut cells = vec![
-            name(row),
-            number(nanoseconds(&row.time)),
-            number(ratio(&row.time)),
-        ];
-        if has_fma {
-            let with_fma = row.time_with_fma.as_ref();
-            cells.push(number(with_fma.map_or(String::new(), nanoseconds)));
-            cells.push(number(with_fma.map_or(String::new(), ratio)));
-        }
-        let operations = row.operations.map_or(String::new(), |o| figures(o.total()));
-        cells.push(number(operations));
-        table.add_row(cells);
-    }
-    table
+    let with_fma =
+        |of: fn(&Timing) -> String| move |row: &KernelRow| row.time_with_fma.as_ref().map(of);
+    let columns = Columns::new(family.shape.name(), name)
+        .and("ns", |row| nanoseconds(&row.time))
+        .and("vs. textbook", |row| ratio(&row.time))
+        .and_some("ns with\nAVX2, FMA", with_fma(nanoseconds))
+        .and_some("vs. textbook\nwith AVX2, FMA", with_fma(ratio))
+        .and("operations", |row| {
+            let total = row.operations.map(|operations| operations.total());
+            total.map_or(String::new(), figures)
+        });
+    narrow(&columns, &family.rows)
 }
 
 /// The table of leaks, and of errors on ordinary rays.
 fn errors(family: &KernelFamily) -> Table {
-    let has_leaks = family
-        .rows
-        .iter()
-        .any(|row| row.leaks_per_million.is_some());
-    let has_surface = family.rows.iter().any(|row| ordinary_off(row).is_some());
-    let mut header = vec![family.shape.name()];
-    if has_leaks {
-        header.extend(["leaks", "lost on\na grid", "miscounted\non a grid"]);
-    }
-    header.push("error of t, ulp:\n50 %, 99.9 %, max");
-    if has_surface {
-        header.push("off surface,\nulp, 99.9 %");
-    }
-    let mut table = narrow(header);
-    for row in &family.rows {
-        let mut cells = vec![name(row)];
-        if has_leaks {
-            let lost = row.grid.map(|grid| grid.lost_per_million);
-            let miscounted = row.grid.map(|grid| grid.miscounted_per_million);
-            cells.extend(
-                [row.leaks_per_million, lost, miscounted]
-                    .map(|per_million| number(per_million.map_or(String::new(), count))),
-            );
-        }
-        let t = row.by_ray_family.first().and_then(|accuracy| accuracy.t);
-        cells.push(number(t.map_or(String::new(), |t| {
-            let [p50, p999, max] = [t.ulp.p50, t.ulp.p999, t.ulp.max].map(figures);
-            format!("{p50} {p999:>6} {max:>6}")
-        })));
-        if has_surface {
-            cells.push(number(ordinary_off(row).map_or(String::new(), figures)));
-        }
-        table.add_row(cells);
-    }
-    table
+    let on_grid = |of: fn(&GridCounts) -> f64| {
+        move |row: &KernelRow| row.grid.as_ref().map(|grid| count(of(grid)))
+    };
+    let columns = Columns::new(family.shape.name(), name)
+        .and_some("leaks", |row| row.leaks_per_million.map(count))
+        .and_some("lost on\na grid", on_grid(|grid| grid.lost_per_million))
+        .and_some(
+            "miscounted\non a grid",
+            on_grid(|grid| grid.miscounted_per_million),
+        )
+        .and("error of t, ulp:\n50 %, 99.9 %, max", |row| {
+            let t = row.by_ray_family.first().and_then(|accuracy| accuracy.t);
+            t.map_or(String::new(), |t| {
+                let [p50, p999, max] = [t.ulp.p50, t.ulp.p999, t.ulp.max].map(figures);
+                format!("{p50} {p999:>6} {max:>6}")
+            })
+        })
+        .and_some("off surface,\nulp, 99.9 %", |row| {
+            ordinary_off(row).map(figures)
+        });
+    narrow(&columns, &family.rows)
 }
 
 /// Returns the distance of hit points of ordinary rays from the surface, in ulp.
@@ -198,12 +175,31 @@ fn ordinary_off(row: &KernelRow) -> Option<f64> {
     Some(ordinary.off_surface?.ulp.p999)
 }
 
-/// Returns a table with narrow columns.
-pub(super) fn narrow<H: Into<Cell>>(header: impl IntoIterator<Item = H>) -> Table {
+/// Lays out rows in a frame: words on the left of their columns, numbers on the right.
+pub(super) fn framed<'r, T: 'r>(
+    columns: &Columns<'_, T>,
+    rows: impl IntoIterator<Item = &'r T>,
+) -> Table {
+    let (heads, rows) = columns.cells(rows);
     let mut table = Table::new();
     table
         .load_style(presets::UTF8_BORDERS_ONLY)
-        .set_header(header.into_iter().map(Into::<Cell>::into));
+        .set_header(heads.iter().map(|(_, head)| head));
+    for row in rows {
+        table.add_row(heads.iter().zip(row).map(|((kind, _), cell)| match kind {
+            Kind::Words => Cell::new(cell),
+            _ => Cell::new(cell).set_alignment(CellAlignment::Right),
+        }));
+    }
+    table
+}
+
+/// The same with narrow columns.
+pub(super) fn narrow<'r, T: 'r>(
+    columns: &Columns<'_, T>,
+    rows: impl IntoIterator<Item = &'r T>,
+) -> Table {
+    let mut table = framed(columns, rows);
     for column in table.column_iter_mut() {
         column.set_padding((1, 0));
     }
@@ -216,7 +212,10 @@ pub(super) fn narrow<H: Into<Cell>>(header: impl IntoIterator<Item = H>) -> Tabl
 /// The table of wrong decisions, one column per family of rays.
 fn decisions(family: &KernelFamily) -> Table {
     let wrong = |accuracy: &Accuracy| count(accuracy.wrong_per_million());
-    by_family(family, "wrong per million", wrong, None)
+    narrow(
+        &by_family(family, "wrong per million", &wrong),
+        &family.rows,
+    )
 }
 
 /// The table of correct bits, one column per family of rays, and their mean.
@@ -227,35 +226,24 @@ fn bits(family: &KernelFamily) -> Table {
             format!("{} {:2}", whole_bits(p50), whole_bits(p999))
         })
     };
-    let mean = |row: &KernelRow| whole_bits(row.mean_correct_bits()).to_string();
-    by_family(family, "correct bits of t", bits, Some(("mean", &mean)))
+    let columns = by_family(family, "correct bits of t", &bits).and("mean", |row| {
+        whole_bits(row.mean_correct_bits()).to_string()
+    });
+    narrow(&columns, &family.rows)
 }
 
-/// A heading and the cells of an additional column.
-type LastColumn<'a> = (&'a str, &'a dyn Fn(&KernelRow) -> String);
-
-fn by_family(
+fn by_family<'a>(
     family: &KernelFamily,
     what: &str,
-    cell: impl Fn(&Accuracy) -> String,
-    last: Option<LastColumn>,
-) -> Table {
-    let columns = family
-        .columns
-        .iter()
-        .map(|column| heading(column.family).to_string());
+    cell: &'a dyn Fn(&Accuracy) -> String,
+) -> Columns<'a, KernelRow> {
     let corner = format!("{}: {what}", family.shape.name());
-    let header = std::iter::once(corner).chain(columns);
-    let mut table = narrow(header.chain(last.map(|(heading, _)| heading.to_string())));
-    for row in &family.rows {
-        let cells = row
-            .by_ray_family
-            .iter()
-            .map(|accuracy| number(cell(accuracy)));
-        let last = last.map(|(_, cell)| number(cell(row)));
-        table.add_row(std::iter::once(name(row)).chain(cells).chain(last));
-    }
-    table
+    let families = family.columns.iter().enumerate();
+    families.fold(Columns::new(&corner, name), |columns, (i, column)| {
+        columns.and(heading(column.family), move |row| {
+            row.by_ray_family.get(i).map_or(String::new(), cell)
+        })
+    })
 }
 
 /// Returns the heading of a column, on two lines if it has two words.
@@ -271,13 +259,9 @@ fn heading(family: RayFamily) -> &'static str {
     }
 }
 
-fn name(row: &KernelRow) -> Cell {
+fn name(row: &KernelRow) -> String {
     let star = if row.student { "* " } else { "" };
-    Cell::new(format!("{star}{} {}", row.name, row.precision.name()))
-}
-
-pub(super) fn number(text: String) -> Cell {
-    Cell::new(text).set_alignment(CellAlignment::Right)
+    format!("{star}{} {}", row.name, row.precision.name())
 }
 
 pub(super) fn nanoseconds(time: &Timing) -> String {

@@ -2,10 +2,9 @@
 
 use crate::quartiles::Quartiles;
 use crate::report::Precision;
-use crate::table::plus_minus;
-use crate::trees::{ExactnessRow, TreeReport, in_a_million};
+use crate::trees::table::by_precision;
+use crate::trees::{ExactnessRow, TreeReport};
 use plots::canvas::{Canvas, Label, file, for_both_widths, svg};
-use plots::columns::Columns;
 use plots::figure::Figure;
 use plots::labels::Labels;
 use plots::numbers::{figures, grouped};
@@ -50,7 +49,8 @@ pub(crate) fn figure(trees: &TreeReport) -> Option<Figure> {
              exactly at vertices, edges and diagonals of an integer terrain; the plot shows the worse of both. A hit is missed if the ray \
              passes through the surface, and wrong if there is none, or if it is too near. The first tree is exact: it finds the hits of \
              brute force. In f32, pbrt uses a pair like Ize's and Woop's tests, Embree's robust mode one like Ize's and Plücker \
-             coordinates, and most others slabs with Möller and Trumbore's test; these are the tests alone, in the same traversal.",
+             coordinates, and most others slabs with Möller and Trumbore's test; these are the tests alone, in the same traversal. \
+             ~ marks a tie with the first tree.",
             trees.mesh,
             grouped(trees.triangles as f64),
             grouped(rays as f64),
@@ -58,28 +58,7 @@ pub(crate) fn figure(trees: &TreeReport) -> Option<Figure> {
         ),
         ..Figure::default()
     };
-    Some(columns().table(&trees.by_precision, figure))
-}
-
-/// The numbers of a tree.
-fn columns() -> Columns<'static, ExactnessRow> {
-    Columns::new("split: triangles, boxes", |row: &ExactnessRow| {
-        let precision = row.precision.name();
-        format!(
-            "{}: {} {precision}, {}",
-            row.split, row.triangle_test, row.box_test
-        )
-    })
-    .and("ulp of slack", |row| row.slack_ulp.to_string())
-    .and("Mrays/s", |row| plus_minus(&rate(row), 2))
-    .and("of the exact time", |row| plus_minus(&row.time.ratio, 2))
-    .and("missed in a million", |row| {
-        grouped(in_a_million(row.missed, row.rays))
-    })
-    .and("wrong in a million", |row| {
-        grouped(in_a_million(row.wrong, row.rays))
-    })
-    .and("lost on a grid", |row| grouped(row.grid_lost_per_million()))
+    Some(by_precision().table(&trees.by_precision, figure))
 }
 
 /// Returns the plot alone, with the finding as its title, as an SVG file; `None` if nothing was
@@ -91,20 +70,6 @@ pub(crate) fn svg_file(trees: &TreeReport) -> Option<String> {
         draw(canvas, BROAD, &finding, &trees.by_precision)
     });
     Some(file(&drawing))
-}
-
-/// Millions of rays per second.
-fn rate(row: &ExactnessRow) -> Quartiles {
-    let Quartiles {
-        lower,
-        median,
-        upper,
-    } = row.time.ns;
-    Quartiles {
-        lower: 1e3 / upper,
-        median: 1e3 / median,
-        upper: 1e3 / lower,
-    }
 }
 
 /// What the plot shows: what the exact tests give up in speed, in the first tree. `None` without
@@ -147,7 +112,10 @@ fn finding(rows: &[ExactnessRow]) -> Option<String> {
 }
 
 fn draw(canvas: &Canvas, size: [f64; 2], title: &str, rows: &[ExactnessRow]) {
-    let rates = rows.iter().map(rate).flat_map(|r| [r.lower, r.upper]);
+    let rates = rows
+        .iter()
+        .map(ExactnessRow::rate)
+        .flat_map(|r| [r.lower, r.upper]);
     let x = Axis::around("millions of rays per second", rates, figures);
     let lost = rows.iter().map(ExactnessRow::worst_per_million);
     let y = Axis::log_and_zero("lost hits in a million rays", lost, grouped);
@@ -158,14 +126,14 @@ fn draw(canvas: &Canvas, size: [f64; 2], title: &str, rows: &[ExactnessRow]) {
         let [left, _, right, _] = plot.inner();
         labels.keep_box_free([left, y - 1.0, right, y + 1.0]);
     }
-    let columns = columns();
+    let columns = by_precision();
     let points = rows.iter().map(|row| {
         let style = style_of(row, is_first(row));
         let Quartiles {
             lower,
             median,
             upper,
-        } = rate(row);
+        } = row.rate();
         let test = format!("{} {}", row.triangle_test, row.precision.name());
         Point {
             style,

@@ -2,9 +2,9 @@
 
 use crate::quartiles::Quartiles;
 use crate::table::plus_minus;
+use crate::trees::table::by_build;
 use crate::trees::{BreakEven, SlackRow, TreeReport, TreeRow, WrongHits};
 use plots::canvas::{Canvas, Label, for_both_widths};
-use plots::columns::Columns;
 use plots::figure::Figure;
 use plots::line_names::{self, LineName};
 use plots::numbers::{figures, grouped, list, rounded, tick};
@@ -45,35 +45,7 @@ pub(crate) fn figure(trees: &TreeReport) -> Figure {
         notes: caption(trees),
         ..Figure::default()
     };
-    let columns = Columns::new("tree", |tree: &TreeRow| tree.name.clone())
-        .and("ms to build", |tree| {
-            plus_minus(&tree.build_s.scaled(1e3), 1)
-        })
-        .and("ns per ray", |tree| plus_minus(&tree.trace.time.ns, 0))
-        .and("of the first tree's tracing time", |tree| {
-            plus_minus(&tree.trace.time.ratio, 2)
-        })
-        .and("box tests per ray", |tree| figures(tree.trace.box_tests))
-        .and("primitive tests per ray", |tree| {
-            figures(tree.trace.prim_tests)
-        })
-        .and("break-even, from quartile to quartile", |tree| {
-            match tree.break_even {
-                BreakEven::Base => "–".into(),
-                BreakEven::Never => "never".into(),
-                BreakEven::Immediate => "at once".into(),
-                BreakEven::WithinNoise => "within the errors".into(),
-                BreakEven::After {
-                    rays,
-                    at_least,
-                    at_most,
-                } => {
-                    let [rays, at_least, at_most] = [rays, at_least, at_most].map(rounded);
-                    format!("{rays} rays ({at_least} to {at_most})")
-                }
-            }
-        });
-    columns.table(&trees.by_build, figure)
+    by_build("").table(&trees.by_build, figure)
 }
 
 /// Draws the plot; the names of the lines are to the right of it.
@@ -177,19 +149,18 @@ fn ratio(tree: &TreeRow, base: &TreeRow, rays: f64) -> Quartiles {
 
 /// Returns the seconds to build the tree and to trace `rays` rays.
 fn seconds(tree: &TreeRow, rays: f64) -> Quartiles {
-    let (build, ns) = (&tree.build_s, &tree.trace.time.ns);
-    let total = |build: f64, ns: f64| build + 1e-9 * ns * rays;
+    let (build, trace) = (&tree.build_s, tree.trace.time.ns.scaled(1e-9 * rays));
     Quartiles {
-        lower: total(build.lower, ns.lower),
-        median: total(build.median, ns.median),
-        upper: total(build.upper, ns.upper),
+        lower: build.lower + trace.lower,
+        median: build.median + trace.median,
+        upper: build.upper + trace.upper,
     }
 }
 
 /// Returns the notes, computed from the numbers.
 fn caption(trees: &TreeReport) -> String {
     let mut text = format!(
-        "The trees are over the {} mesh of {} triangles. ",
+        "The trees are over the {} mesh of {} triangles. ~ marks a tie with the first one; in brackets are the quartiles. ",
         trees.mesh,
         grouped(trees.triangles as f64)
     );

@@ -1,8 +1,9 @@
 //! The results for pictures as text tables.
 
-use super::curve::{ConfidenceInterval, Experiment, PictureReport};
-use crate::table::{factor, plus_minus};
-use comfy_table::{Cell, CellAlignment, Table, presets};
+use super::curve::{ConfidenceInterval, Curve, CurvePoint, Experiment, PictureReport};
+use crate::table::{factor, framed, plus_minus};
+use comfy_table::Table;
+use plots::columns::Columns;
 use std::fmt::Write;
 
 /// Explains the columns.
@@ -40,44 +41,47 @@ pub fn show(pictures: &PictureReport) -> String {
 }
 
 fn table(experiment: &Experiment) -> Table {
-    let mut table = Table::new();
-    table.load_style(presets::UTF8_BORDERS_ONLY).set_header([
-        "picture",
-        "samples",
-        "ms",
-        "RMSE %",
-        "relative %",
-        "slope",
-        "bias %",
-        "mean %",
-        "efficiency",
-    ]);
-    for curve in &experiment.curves {
-        for (i, point) in curve.points.iter().enumerate() {
-            let numbers = [
-                format!("{:.0}", point.samples),
-                plus_minus(&point.seconds.scaled(1e3), 1),
-                share(point.rmse),
-                share(point.relative_mse.sqrt()),
-                // Once per curve, in its last row.
-                curve
-                    .slope
-                    .filter(|_| i + 1 == curve.points.len())
-                    .map_or(String::new(), |slope| format!("{slope:.2}")),
-                point
-                    .bias
-                    .map_or(String::new(), |bias| format!("{:.1}", 100.0 * bias)),
-                format!("{:+.1}", 100.0 * point.mean_difference),
-                point
-                    .relative_efficiency
-                    .map_or(String::new(), |ratio| factor(&ratio)),
-            ];
-            let name = if i == 0 { curve.name.as_str() } else { "" };
-            let numbers = numbers.map(|n| Cell::new(n).set_alignment(CellAlignment::Right));
-            table.add_row([Cell::new(name)].into_iter().chain(numbers));
-        }
-    }
-    table
+    let columns = Columns::new("picture", |row: &Row| match row.is_first {
+        true => row.curve.name.clone(),
+        false => String::new(),
+    })
+    .and("samples", |row| format!("{:.0}", row.point.samples))
+    .and("ms", |row| plus_minus(&row.point.seconds.scaled(1e3), 1))
+    .and("RMSE %", |row| share(row.point.rmse))
+    .and("relative %", |row| share(row.point.relative_mse.sqrt()))
+    .and("slope", |row| {
+        let slope = row.curve.slope.filter(|_| row.is_last);
+        slope.map_or(String::new(), |slope| format!("{slope:.2}"))
+    })
+    .and("bias %", |row| {
+        let bias = row.point.bias;
+        bias.map_or(String::new(), |bias| format!("{:.1}", 100.0 * bias))
+    })
+    .and("mean %", |row| {
+        format!("{:+.1}", 100.0 * row.point.mean_difference)
+    })
+    .and("efficiency", |row| {
+        let efficiency = row.point.relative_efficiency.as_ref();
+        efficiency.map_or(String::new(), factor)
+    });
+    let rows = experiment.curves.iter().flat_map(|curve| {
+        let points = curve.points.iter().enumerate();
+        points.map(move |(i, point)| Row {
+            curve,
+            point,
+            is_first: i == 0,
+            is_last: i + 1 == curve.points.len(),
+        })
+    });
+    framed(&columns, &rows.collect::<Vec<_>>())
+}
+
+/// A point of a curve, whose name is in its first row, and whose slope is in its last.
+struct Row<'a> {
+    curve: &'a Curve,
+    point: &'a CurvePoint,
+    is_first: bool,
+    is_last: bool,
 }
 
 fn share(error: ConfidenceInterval) -> String {

@@ -3,6 +3,7 @@
 
 use crate::leaks::ClosedMesh;
 use crate::measure_kernels::precision;
+use crate::quartiles::Quartiles;
 use crate::report::Precision;
 use crate::timing::Timing;
 use judge::cases::probes::{ProbeRng, through};
@@ -59,6 +60,11 @@ impl ExactnessRow {
     /// Whether a ray has another hit than the exact one: at the mesh, or at the integer terrain.
     pub fn loses(&self) -> bool {
         self.missed + self.wrong + self.grid_lost > 0
+    }
+
+    /// Millions of rays in a second.
+    pub fn rate(&self) -> Quartiles {
+        self.time.ns.dividing(1e3)
     }
 
     /// Rays with another hit than the exact one, in a million: at the mesh or at the integer

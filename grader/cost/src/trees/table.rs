@@ -1,8 +1,12 @@
 //! The results for trees as text tables.
 
-use super::{BreakEven, TraversalCost, TreeReport, WrongHits, in_a_million};
-use crate::table::{count, figures, nanoseconds, narrow, number, plus_minus, ratio};
-use comfy_table::{Cell, Table};
+use super::{
+    BreakEven, ExactnessRow, SlackRow, TraversalCost, TreeReport, TreeRow, WrongHits, in_a_million,
+};
+use crate::table::{figures, nanoseconds, narrow, plus_minus, ratio};
+use comfy_table::Table;
+use plots::columns::Columns;
+use plots::numbers::grouped;
 use std::fmt::Write;
 
 /// Explains the columns.
@@ -20,9 +24,11 @@ pub(crate) fn show(trees: &TreeReport) -> String {
         "\nTrees over the {} mesh of {} triangles\n",
         trees.mesh, trees.triangles
     );
-    let _ = writeln!(text, "{}\n{}", by_slack(trees), by_build(trees));
+    let by_build = narrow(&by_build("* "), &trees.by_build);
+    let _ = writeln!(text, "{}\n{by_build}", by_slack(trees));
     if !trees.by_precision.is_empty() {
-        let _ = writeln!(text, "{}", by_precision(trees));
+        let by_precision = narrow(&by_precision(), &trees.by_precision);
+        let _ = writeln!(text, "{by_precision}");
     }
     if let Some(missing) = &trees.student_missing {
         let _ = writeln!(text, "Your code is not measured: {missing}.");
@@ -32,108 +38,75 @@ pub(crate) fn show(trees: &TreeReport) -> String {
 }
 
 fn by_slack(trees: &TreeReport) -> Table {
-    let header = ["pruning slack".into()].into_iter().chain(headings());
-    let mut table = narrow(header);
-    for row in &trees.by_slack {
-        let name = match row.slack_ulp {
-            0 => "none".into(),
-            ulp => format!("{ulp} ulp"),
-        };
-        table.add_row([Cell::new(name)].into_iter().chain(cells(&row.trace)));
-    }
-    table
+    let name = |row: &SlackRow| match row.slack_ulp {
+        0 => "none".into(),
+        ulp => format!("{ulp} ulp"),
+    };
+    let columns = Columns::new("pruning slack", name);
+    narrow(&traced(columns, |row| &row.trace), &trees.by_slack)
 }
 
-fn by_build(trees: &TreeReport) -> Table {
-    let header = ["split".into(), "build, ms".into(), "nodes".into()]
-        .into_iter()
-        .chain(headings());
-    let mut table = narrow(header.chain(["break-even, rays".into()]));
-    for tree in &trees.by_build {
-        let star = if tree.student { "* " } else { "" };
-        let build = plus_minus(&tree.build_s.scaled(1e3), 1);
-        let nodes = tree.nodes.map_or(String::new(), |nodes| nodes.to_string());
-        let name = Cell::new(format!("{star}{}", tree.name));
-        let start = [name, number(build), number(nodes)];
-        let pays = match tree.break_even {
-            BreakEven::Base => String::new(),
-            BreakEven::Immediate => "immediate".into(),
-            BreakEven::Never => "never".into(),
-            BreakEven::WithinNoise => "within noise".into(),
-            BreakEven::After {
-                rays,
-                at_least,
-                at_most,
-            } => {
-                format!("{rays:.1e} [{at_least:.0e}, {at_most:.0e}]")
-            }
-        };
-        table.add_row(
-            start
-                .into_iter()
-                .chain(cells(&tree.trace))
-                .chain([number(pays)]),
-        );
-    }
-    table
+/// The columns of trees, where the name of the student's begins with `star`.
+pub(crate) fn by_build(star: &'static str) -> Columns<'static, TreeRow> {
+    let name = move |tree: &TreeRow| match tree.student {
+        true => format!("{star}{}", tree.name),
+        false => tree.name.clone(),
+    };
+    let columns = Columns::new("split", name)
+        .and("ms to\nbuild", |tree| {
+            plus_minus(&tree.build_s.scaled(1e3), 1)
+        })
+        .and_some("nodes", |tree| Some(tree.nodes?.to_string()));
+    let columns = traced(columns, |tree| &tree.trace);
+    columns.and_some("rays to\nbreak even", |tree| match tree.break_even {
+        BreakEven::Base => None,
+        BreakEven::Immediate => Some("immediate".into()),
+        BreakEven::Never => Some("never".into()),
+        BreakEven::WithinNoise => Some("within noise".into()),
+        BreakEven::After {
+            rays,
+            at_least,
+            at_most,
+        } => Some(format!("{rays:.1e} [{at_least:.0e}, {at_most:.0e}]")),
+    })
 }
 
 /// What exactness costs: the first tree with other tests, in other precisions, and other trees.
-fn by_precision(trees: &TreeReport) -> Table {
-    let mut table = narrow([
-        "split",
-        "triangles",
-        "boxes",
-        "slack,\nulp",
-        "ns/ray",
-        "vs. exact",
-        "missed in\na million",
-        "wrong in\na million",
-        "lost on\na grid",
-    ]);
-    for row in &trees.by_precision {
-        let cells = [
-            row.slack_ulp.to_string(),
-            nanoseconds(&row.time),
-            ratio(&row.time),
-            count(in_a_million(row.missed, row.rays)),
-            count(in_a_million(row.wrong, row.rays)),
-            count(row.grid_lost_per_million()),
-        ];
-        let tests = [
-            row.split.clone(),
-            format!("{}, {}", row.triangle_test, row.precision.name()),
-            row.box_test.clone(),
-        ];
-        let tests = tests.into_iter().map(Cell::new);
-        table.add_row(tests.chain(cells.map(number)));
-    }
-    table
+pub(crate) fn by_precision() -> Columns<'static, ExactnessRow> {
+    Columns::new("split", |row: &ExactnessRow| row.split.clone())
+        .words("triangles", |row| {
+            format!("{} {}", row.triangle_test, row.precision.name())
+        })
+        .words("boxes", |row| row.box_test.clone())
+        .and("ulp of\nslack", |row| row.slack_ulp.to_string())
+        .and("Mrays/s", |row| plus_minus(&row.rate(), 2))
+        .and("vs. exact", |row| ratio(&row.time))
+        .and("missed in\na million", |row| {
+            grouped(in_a_million(row.missed, row.rays))
+        })
+        .and("wrong in\na million", |row| {
+            grouped(in_a_million(row.wrong, row.rays))
+        })
+        .and("lost on\na grid", |row| {
+            grouped(row.grid_lost_per_million())
+        })
 }
 
-fn headings() -> impl Iterator<Item = String> {
-    [
-        "ns/ray",
-        "vs. first",
-        "box\ntests",
-        "triangle\ntests",
-        "wrong of\ntimed rays",
-        "wrong of\ncrafted rays",
-    ]
-    .into_iter()
-    .map(String::from)
-}
-
-fn cells(trace: &TraversalCost) -> [Cell; 6] {
-    [
-        nanoseconds(&trace.time),
-        ratio(&trace.time),
-        figures(trace.box_tests),
-        figures(trace.prim_tests),
-        wrong(trace.ordinary),
-        trace.crafted.map_or(String::new(), wrong),
-    ]
-    .map(number)
+/// Adds the columns of what tracing costs.
+fn traced<T: 'static>(
+    columns: Columns<'static, T>,
+    trace: fn(&T) -> &TraversalCost,
+) -> Columns<'static, T> {
+    let cell = |of: fn(&TraversalCost) -> String| move |row: &T| of(trace(row));
+    columns
+        .and("ns/ray", cell(|trace| nanoseconds(&trace.time)))
+        .and("vs. first", cell(|trace| ratio(&trace.time)))
+        .and("box\ntests", cell(|trace| figures(trace.box_tests)))
+        .and("triangle\ntests", cell(|trace| figures(trace.prim_tests)))
+        .and("wrong of\ntimed rays", cell(|trace| wrong(trace.ordinary)))
+        .and_some("wrong of\ncrafted rays", move |row| {
+            trace(row).crafted.map(wrong)
+        })
 }
 
 fn wrong(hits: WrongHits) -> String {

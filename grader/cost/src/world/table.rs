@@ -2,7 +2,9 @@
 
 use super::row::{Cell, Row};
 use super::{COLUMNS, Column, Measure, WorldReport};
-use comfy_table::{Cell as TableCell, CellAlignment, Table, presets};
+use crate::table::framed;
+use comfy_table::presets;
+use plots::columns::Columns;
 use plots::numbers::{figures, grouped};
 use std::fmt::Write;
 
@@ -47,28 +49,20 @@ t: the largest error in units in the last place of the row's precision. * marks 
 
 /// Formats the rows, and what is wrong in the student's.
 pub(crate) fn show(report: &WorldReport) -> String {
-    let mut table = Table::new();
+    let name = |row: &Row| match row.million_rays.is_none() && Some(row) == report.yours.as_ref() {
+        true => format!("* {}", row.name),
+        false => row.name.clone(),
+    };
+    let columns = Columns::new("", name)
+        .words("precision", |row| row.precision.name().into())
+        .and("Mrays/s", |row| {
+            row.million_rays.map_or(String::new(), figures)
+        });
+    let columns = GROUPS.iter().fold(columns, |columns, (head, names)| {
+        columns.and(head, |row| worst(row, names))
+    });
+    let mut table = framed(&columns, report.yours.iter().chain(&report.libraries));
     table.load_style(presets::NOTHING);
-    let heads = ["", "precision", "Mrays/s"].into_iter();
-    table.set_header(heads.chain(GROUPS.iter().map(|(head, _)| *head)));
-    for row in report.yours.iter().chain(&report.libraries) {
-        let star = if row.million_rays.is_none() && Some(row) == report.yours.as_ref() {
-            "* "
-        } else {
-            ""
-        };
-        let speed = row.million_rays.map_or(String::new(), figures);
-        let cells = GROUPS.iter().map(|(_, names)| worst(row, names));
-        let right = |text: String| TableCell::new(text).set_alignment(CellAlignment::Right);
-        let start =
-            [format!("{star}{}", row.name), row.precision.name().into()].map(TableCell::new);
-        table.add_row(
-            start
-                .into_iter()
-                .chain([right(speed)])
-                .chain(cells.map(right)),
-        );
-    }
     let mut text = String::from("\nWhat ray casters answer, judged by the exact oracle\n");
     for line in table.lines() {
         text += line.trim_end();

@@ -3,6 +3,7 @@
 use super::leaks::{ClosedMesh, ClosedMeshes};
 use super::report::{CostReport, Shape};
 use super::student::Student;
+use super::timing::{missing, or_missing};
 use super::{machine, measure_kernels, picture, trees, world};
 use base::{GraderError, Workspace};
 use kernels::Precision;
@@ -132,10 +133,10 @@ pub fn measure(
     }
     if request.world {
         progress::stage("ray casters");
-        let student = Student::build_with("meshes", "part2.task3", workspace)?;
+        let student = or_missing(Student::build_with("meshes", "part2.task3", workspace))?;
         let mut trace = |case: &world::Case| match &student {
             Ok(student) => student.closest(&case.triangles(), &case.rays),
-            Err(missing) => Ok(Err(missing.clone())),
+            Err(why) => missing(why.clone()),
         };
         cost.world = Some(world::measure(size.world_rays, &mut trace)?);
         report(&cost)?;

@@ -9,7 +9,9 @@ use super::report::{
     self, Accuracy, GridCounts, KernelFamily, KernelRow, Operations, RayColumn, RayFamily, Timing,
 };
 use super::student::{Student, StudentShape};
-use super::timing::{Contender, MissingReason, Rounds, SystemClock, TIMED_PASSES};
+use super::timing::{
+    Contender, Measured, MissingReason, Rounds, SystemClock, TIMED_PASSES, or_missing,
+};
 use super::truth::Answer;
 use base::{GraderError, Workspace};
 use kernels::{HitF64, Instructions, Kernel, OperationCounts, Precision, RayAndShapes};
@@ -33,7 +35,7 @@ pub(super) fn family<S: StudentShape, W: Into<Answer> + Send + Sync + 'static>(
     seed: u64,
     size: SampleCounts,
 ) -> Result<KernelFamily, GraderError> {
-    let student = Student::build::<S>(workspace)?;
+    let student = or_missing(Student::build::<S>(workspace))?;
     let accuracies = accuracies(&kernels, &student, seed, size.rays)?;
     let batches = rays::timed_batches::<S>(seed, TESTS_PER_PASS);
     let orders = rays::orders(seed, batches.len(), ORDERS);
@@ -51,31 +53,23 @@ pub(super) fn family<S: StudentShape, W: Into<Answer> + Send + Sync + 'static>(
             name: kernel.info.name.into(),
             precision: precision(kernel.precision),
             paper: kernel.info.paper.into(),
-            student: false,
             textbook: i == 0,
             uses_fma: kernel.info.uses_fma,
-            time: times.build[i],
             time_with_fma: times.with_fma.get(i).copied(),
             operations: Some(operations(kernel, &batches)),
-            leaks_per_million: None,
-            grid: None,
+            time: times.build[i],
             by_ray_family,
+            ..KernelRow::default()
         })
         .collect();
     if let (Ok(time), Ok(by_ray_family)) = (times.student, accuracies.student) {
         rows.push(KernelRow {
             name: "yours".into(),
-            precision: report::Precision::F64,
             paper: format!("stages/{}", S::STAGE),
             student: true,
-            textbook: false,
-            uses_fma: false,
             time,
-            time_with_fma: None,
-            operations: None,
-            leaks_per_million: None,
-            grid: None,
             by_ray_family,
+            ..KernelRow::default()
         });
     }
     Ok(KernelFamily {
@@ -139,7 +133,7 @@ fn accuracies<S: StudentShape, W: Into<Answer> + Send + Sync + 'static>(
             let each = by_family
                 .iter()
                 .map(|(_, test_set)| student.accuracy(test_set));
-            each.collect::<Result<Result<Vec<Accuracy>, MissingReason>, GraderError>>()?
+            or_missing(each.collect::<Measured<Vec<Accuracy>>>())?
         }
     };
     let mut by_kernel = vec![Vec::new(); kernels.len()];
@@ -269,13 +263,13 @@ pub(super) fn add_leaks(
         row.grid = Some(grid);
     }
     if let Some(row) = family.rows.iter_mut().find(|row| row.student)
-        && let Ok(student) = Student::build::<Triangle>(workspace)?
-        && let Ok(leaks) = student.leaks(&closed[0])?
+        && let Ok(student) = or_missing(Student::build::<Triangle>(workspace))?
+        && let Ok(leaks) = or_missing(student.leaks(&closed[0]))?
     {
         row.leaks_per_million = Some(leaks);
-        row.grid = student.grid(grid)?.ok();
+        row.grid = or_missing(student.grid(grid))?.ok();
         if let Some(view) = MeshView::traced() {
-            family.student_leaks = student.leaking_pixels(view)?.ok();
+            family.student_leaks = or_missing(student.leaking_pixels(view))?.ok();
         }
     }
     Ok(())

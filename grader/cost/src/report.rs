@@ -99,7 +99,7 @@ pub struct RayColumn {
 }
 
 /// The results of one kernel.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct KernelRow {
     /// The name; rows with the same name differ in precision.
     pub name: String,

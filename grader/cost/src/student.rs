@@ -6,7 +6,7 @@ use super::leak_view::{FARTHEST, MeshView};
 use super::leaks::{ClosedMesh, ClosedMeshes};
 use super::quartiles::Quartiles;
 use super::report::{Accuracy, GridCounts};
-use super::timing::{MissingReason, TurnResult};
+use super::timing::{Measured, NotMeasured, missing};
 use super::truth::{Answer, OracleShape};
 use base::{GraderError, Workspace};
 use grader::build::{BuildOutcome, BuildRoot};
@@ -15,6 +15,7 @@ use grader::workers::runner::{self, Ending, Worker};
 use judge::cases::probes::{brute_force, wire_ray, wire_triangle};
 use kernels::{Precision, RayAndShapes};
 use kit::{Aabb, Ray, Sphere, Triangle};
+use wire::answer::Hit;
 use wire::work::{
     BoxWork, BuildWork, Probe, SceneSource, SceneWork, Shapes, SphereWork, TestTiming,
     TriangleWork, Xyz,
@@ -50,9 +51,7 @@ const LIMIT_MS: u64 = 60_000;
 
 impl Student {
     /// Builds the worker with the stage that contains the test for shapes `S`.
-    pub(crate) fn build<S: StudentShape>(
-        workspace: Option<&Workspace>,
-    ) -> Result<Result<Student, MissingReason>, GraderError> {
+    pub(crate) fn build<S: StudentShape>(workspace: Option<&Workspace>) -> Measured<Student> {
         Student::build_with(S::STAGE, S::TASK, workspace)
     }
 
@@ -61,21 +60,18 @@ impl Student {
         feature: &str,
         task: &'static str,
         workspace: Option<&Workspace>,
-    ) -> Result<Result<Student, MissingReason>, GraderError> {
+    ) -> Measured<Student> {
         let Some(workspace) = workspace else {
-            return Ok(Err("there is no workspace".into()));
+            return missing("there is no workspace");
         };
-        Ok(match BuildRoot::of(workspace).build_worker(&[feature])? {
+        match BuildRoot::of(workspace).build_worker(&[feature])? {
             BuildOutcome::Worker(worker) => Ok(Student { worker, task }),
-            BuildOutcome::DoesNotCompile(_) => Err("your code does not compile".into()),
-        })
+            BuildOutcome::DoesNotCompile(_) => missing("your code does not compile"),
+        }
     }
 
     /// Runs one piece of work and returns its answer.
-    pub(crate) fn run(
-        &self,
-        work: Work,
-    ) -> Result<Result<wire::Answer, MissingReason>, GraderError> {
+    pub(crate) fn run(&self, work: Work) -> Measured<wire::Answer> {
         let case = wire::Case {
             task: self.task.into(),
             name: "cost".into(),
@@ -86,101 +82,79 @@ impl Student {
         let run = runner::run(&self.worker, &[case])?;
         let ending = run.endings.into_iter().next();
         let crashed = ending.as_ref().and_then(Crash::of).map(|crash| crash.how);
-        Ok(match ending {
+        missing(match ending {
             Some(Ending::Recorded(record)) => match record.outcome {
-                Outcome::Answered(answer) => Ok(answer),
-                Outcome::NotAttempted { task } => Err(format!("{task} is not attempted")),
-                Outcome::Unable { reason } => Err(reason),
+                Outcome::Answered(answer) => return Ok(answer),
+                Outcome::NotAttempted { task } => format!("{task} is not attempted"),
+                Outcome::Unable { reason } => reason,
                 Outcome::Panicked { .. } | Outcome::CalledTooOften { .. } => {
-                    Err(format!("your code {}", crashed.unwrap_or_default()))
+                    format!("your code {}", crashed.unwrap_or_default())
                 }
             },
             Some(Ending::TimedOut { limit_ms, .. }) => {
-                Err(format!("your code takes more than {} s", limit_ms / 1000))
+                format!("your code takes more than {} s", limit_ms / 1000)
             }
             Some(
                 Ending::Died { .. }
                 | Ending::PrintedTooMuch { .. }
                 | Ending::TooManyThreads { .. }
                 | Ending::OutOfTime,
-            ) => Err(format!("your code {}", crashed.unwrap_or_default())),
-            Some(Ending::Malformed(why) | Ending::ChangedCounts(why)) => Err(why),
+            ) => format!("your code {}", crashed.unwrap_or_default()),
+            Some(Ending::Malformed(why) | Ending::ChangedCounts(why)) => why,
             Some(Ending::Skipped | Ending::NotRun) | None => {
-                return Err(GraderError::new("the worker returned no record for a case"));
+                return Err(GraderError::new("the worker returned no record for a case").into());
             }
         })
     }
 
+    /// Returns the student's answers for all pairs.
+    fn answers<S: StudentShape>(&self, pairs: &[(S, Ray)]) -> Measured<Vec<Option<Answer>>> {
+        let answer = self.run(S::work(pairs))?;
+        S::answers(&answer).ok_or_else(unexpected_answer)
+    }
+
+    /// Returns the closest hits of rays, without a tree.
+    fn brute_force(&self, triangles: &[Triangle], rays: &[Ray]) -> Measured<Vec<Option<Hit>>> {
+        match self.run(Work::BruteForce(brute_force(triangles, &[], rays)))? {
+            wire::Answer::BruteForce(answer) => Ok(answer.hits),
+            _ => Err(unexpected_answer()),
+        }
+    }
+
     /// Measures the accuracy on one family of rays.
-    pub(crate) fn accuracy<S: StudentShape>(
-        &self,
-        test_set: &TestSet<S>,
-    ) -> Result<Result<Accuracy, MissingReason>, GraderError> {
-        let answer = match self.run(S::work(&test_set.pairs))? {
-            Ok(answer) => answer,
-            Err(missing) => return Ok(Err(missing)),
-        };
-        let answers = S::answers(&answer).ok_or_else(unexpected_answer)?;
-        Ok(Ok(test_set.accuracy(
-            Precision::F64,
-            false,
-            answers.into_iter(),
-        )))
+    pub(crate) fn accuracy<S: StudentShape>(&self, test_set: &TestSet<S>) -> Measured<Accuracy> {
+        let answers = self.answers(&test_set.pairs)?.into_iter();
+        Ok(test_set.accuracy(Precision::F64, false, answers))
     }
 
     /// Returns the number of rays per million that leave closed meshes.
-    pub(crate) fn leaks(
-        &self,
-        closed: &ClosedMeshes,
-    ) -> Result<Result<f64, MissingReason>, GraderError> {
+    pub(crate) fn leaks(&self, closed: &ClosedMeshes) -> Measured<f64> {
         let mut leaks = 0;
         for mesh in closed.meshes() {
             let rays: Vec<Ray> = mesh.rays.iter().map(|(ray, _)| *ray).collect();
-            match self.run(Work::BruteForce(brute_force(&mesh.triangles, &[], &rays)))? {
-                Ok(wire::Answer::BruteForce(hits)) => {
-                    leaks += hits.hits.iter().filter(|hit| hit.is_none()).count();
-                }
-                Ok(_) => return Err(unexpected_answer()),
-                Err(missing) => return Ok(Err(missing)),
-            }
+            let hits = self.brute_force(&mesh.triangles, &rays)?;
+            leaks += hits.iter().filter(|hit| hit.is_none()).count();
         }
-        Ok(Ok(closed.per_million(leaks)))
+        Ok(closed.per_million(leaks))
     }
 
     /// Counts the triangles of the integer terrain that each of its rays hits.
-    pub(crate) fn grid(
-        &self,
-        grid: &ClosedMesh,
-    ) -> Result<Result<GridCounts, MissingReason>, GraderError> {
-        let answer = match self.run(Triangle::work(&grid.pairs()))? {
-            Ok(answer) => answer,
-            Err(missing) => return Ok(Err(missing)),
-        };
-        let answers = Triangle::answers(&answer).ok_or_else(unexpected_answer)?;
+    pub(crate) fn grid(&self, grid: &ClosedMesh) -> Measured<GridCounts> {
+        let answers = self.answers(&grid.pairs())?;
         let mut each = answers.iter();
-        let hits = grid
-            .rays
-            .iter()
-            .map(|(_, near)| each.by_ref().take(near.len()).flatten().count());
-        Ok(Ok(GridCounts::of(&hits.collect::<Vec<usize>>())))
+        let rays = grid.rays.iter();
+        let hits = rays.map(|(_, near)| each.by_ref().take(near.len()).flatten().count());
+        Ok(GridCounts::of(&hits.collect::<Vec<usize>>()))
     }
 
     /// Returns the pixels of the picture of leaks whose rays pass through the mesh.
-    pub(crate) fn leaking_pixels(
-        &self,
-        view: &MeshView,
-    ) -> Result<Result<Vec<u32>, MissingReason>, GraderError> {
+    pub(crate) fn leaking_pixels(&self, view: &MeshView) -> Measured<Vec<u32>> {
         let (pixels, rays, mesh) = view.rays_at_edges();
-        match self.run(Work::BruteForce(brute_force(mesh, &[], &rays)))? {
-            Ok(wire::Answer::BruteForce(hits)) => {
-                let pixels = pixels.into_iter().zip(&hits.hits);
-                // The rays reach their edges at t = 1.
-                let leaks = pixels.filter(|(_, hit)| hit.is_none_or(|hit| hit.t > FARTHEST));
-                Ok(Ok(leaks.map(|(pixel, _)| pixel).collect()))
-            }
-            Ok(_) => Err(unexpected_answer()),
-            Err(missing) => Ok(Err(missing)),
-        }
+        let hits = self.brute_force(mesh, &rays)?;
+        let pixels = pixels.into_iter().zip(hits);
+        // The rays reach their edges at t = 1.
+        let leaks = pixels.filter(|(_, hit)| hit.is_none_or(|hit| hit.t > FARTHEST));
+        Ok(leaks.map(|(pixel, _)| pixel).collect())
     }
 
     /// Builds the student's tree over the triangles, and traces the rays through it. Returns the
@@ -189,31 +163,26 @@ impl Student {
         &self,
         triangles: &[Triangle],
         rays: &[Ray],
-    ) -> Result<Result<Vec<Option<f64>>, MissingReason>, GraderError> {
+    ) -> Measured<Vec<Option<f64>>> {
         let boxes = triangles.iter().map(|tri| wire_box(&tri.bounds()));
         let build = BuildWork {
             bounds: boxes.collect(),
             max_leaf_size: 4,
         };
-        let tree = match self.run(Work::Build(build))? {
-            Ok(wire::Answer::Build(answer)) => answer.tree,
-            Ok(_) => return Err(unexpected_answer()),
-            Err(missing) => return Ok(Err(missing)),
+        let wire::Answer::Build(built) = self.run(Work::Build(build))? else {
+            return Err(unexpected_answer());
         };
         let scene = SceneWork {
             scene: SceneSource::Triangles(triangles.iter().map(wire_triangle).collect()),
-            tree,
+            tree: built.tree,
             rays: rays.iter().map(wire_ray).collect(),
             any_hit: false,
         };
-        Ok(match self.run(Work::SceneHits(scene))? {
-            Ok(wire::Answer::SceneHits(answer)) => {
-                let hits = answer.hits.iter();
-                Ok(hits.map(|hit| hit.map(|hit| hit.t)).collect())
-            }
-            Ok(_) => return Err(unexpected_answer()),
-            Err(missing) => Err(missing),
-        })
+        let wire::Answer::SceneHits(answer) = self.run(Work::SceneHits(scene))? else {
+            return Err(unexpected_answer());
+        };
+        let hits = answer.hits.iter();
+        Ok(hits.map(|hit| hit.map(|hit| hit.t)).collect())
     }
 
     /// Times the student's test in each of these orders of the rays; the first one is not timed.
@@ -222,32 +191,28 @@ impl Student {
         &self,
         batches: &[RayAndShapes<S>],
         orders: Vec<Vec<u32>>,
-    ) -> TurnResult {
+    ) -> Measured<f64> {
         let each = batches.iter().flat_map(|batch| &batch.shapes);
         let shapes: Vec<S> = each.copied().collect();
-        let tests: Vec<usize> = orders
-            .iter()
-            .map(|order| order.len() * S::SHAPES_PER_RAY)
-            .collect();
+        let tests = orders.iter().map(|order| order.len() * S::SHAPES_PER_RAY);
+        let tests: Vec<usize> = tests.collect();
         let timing = TestTiming {
             shapes: S::shapes(&shapes),
             rays: batches.iter().map(|batch| wire_ray(&batch.ray)).collect(),
             per_ray: S::SHAPES_PER_RAY as u32,
             orders,
         };
-        Ok(match self.run(Work::TimeTest(timing))? {
-            Ok(wire::Answer::TimeTest(seconds)) => {
-                let each = seconds.iter().zip(tests).skip(1);
-                Ok(Quartiles::of(each.map(|(s, tests)| s / tests as f64)).median)
-            }
-            Ok(_) => return Err(unexpected_answer()),
-            Err(missing) => Err(missing),
-        })
+        let wire::Answer::TimeTest(seconds) = self.run(Work::TimeTest(timing))? else {
+            return Err(unexpected_answer());
+        };
+        let each = seconds.iter().zip(tests).skip(1);
+        Ok(Quartiles::of(each.map(|(s, tests)| s / tests as f64)).median)
     }
 }
 
-fn unexpected_answer() -> GraderError {
-    GraderError::new("the worker's answer is for another kind of work")
+/// The worker's answer is for another kind of work.
+pub(crate) fn unexpected_answer() -> NotMeasured {
+    GraderError::new("the worker's answer is for another kind of work").into()
 }
 
 /// Pairs each ray with the index of its shape.
@@ -337,7 +302,7 @@ impl StudentShape for Aabb {
 }
 
 /// Hit or miss and `t` are from the test; the hit point is from the hit record.
-fn surface(t: Option<f64>, hit: Option<wire::answer::Hit>) -> Option<Answer> {
+fn surface(t: Option<f64>, hit: Option<Hit>) -> Option<Answer> {
     t.map(|t| Answer {
         ends: [t; 2],
         p: hit.map(|hit| hit.p.into()),

@@ -82,8 +82,7 @@ fn every_row_of_the_chapter_is_what_is_measured() {
 #[ignore = "compiles the renderer and renders pictures: minutes of CPU"]
 fn the_clamps_of_the_chapter_are_what_is_measured() {
     let workspace = workspace();
-    let built = Program::build(workspace.root()).expect("a build");
-    let program = built.expect("the course's renderer");
+    let program = Program::build(workspace.root()).expect("the course's renderer");
     let plans = plan::all(false);
     let plan = plans.iter().find(|plan| plan.title == "fireflies");
     let measured = experiment(&workspace, &program, plan.expect("the plan"), 0);

@@ -6,10 +6,11 @@ use super::estimate::ConvergedPair;
 use super::plan::{self, ExperimentPlan, RenderMethod};
 use super::program::{Program, RenderRequest, RenderedPicture};
 use crate::quartiles::Quartiles;
-use crate::timing::{Contender, Rounds, SystemClock, TIMED_PASSES};
+use crate::timing::{Contender, Measured, Rounds, SystemClock, TIMED_PASSES, missing, or_missing};
 use base::{GraderError, Workspace};
 use grader::grade::speedup::slope;
 use std::cell::RefCell;
+use std::path::Path;
 
 /// Number of seeds reserved for one run, so that runs with another `--seed` use other random
 /// numbers.
@@ -29,12 +30,12 @@ pub fn measure(
     seed: u64,
     quick: bool,
 ) -> Result<PictureReport, GraderError> {
-    let program = match Program::build(workspace.root())? {
+    let program = match or_missing(Program::build(workspace.root()))? {
         Ok(program) => program,
         Err(why) => {
             return Ok(PictureReport {
-                experiments: Vec::new(),
                 missing: Some(why),
+                ..PictureReport::default()
             });
         }
     };
@@ -71,51 +72,45 @@ pub fn experiment(
         missing: None,
     };
     let scene = workspace.root().join("scenes/dae").join(plan.scene);
+    let measured = measure_curves(&mut experiment, &scene, program, plan, seed);
+    experiment.missing = or_missing(measured)?.err();
+    Ok(experiment)
+}
+
+/// Adds the curves to an experiment, as far as there are pictures.
+fn measure_curves(
+    experiment: &mut Experiment,
+    scene: &Path,
+    program: &Program,
+    plan: &ExperimentPlan,
+    seed: u64,
+) -> Measured<()> {
     let first = seed.wrapping_mul(SEEDS_A_RUN);
     let request = RenderRequest {
-        scene: &scene,
+        scene,
         film: plan.film,
         cell: plan.cell,
         flags: &plan.converged,
-        seed: first,
+        seed: first.wrapping_add(2),
         threads: 1,
     };
     let all_threads = std::thread::available_parallelism().map_or(1, |n| n.get());
-    let mut converged_pictures = Vec::new();
-    for index in 0..2 {
-        match program.render(&RenderRequest {
+    let converged = |index| -> Measured<Vec<[f64; 3]>> {
+        let request = RenderRequest {
             seed: first.wrapping_add(index),
             threads: all_threads,
             ..request
-        })? {
-            Ok(picture) => converged_pictures.push(picture.pixels),
-            Err(why) => {
-                experiment.missing = Some(why);
-                return Ok(experiment);
-            }
-        }
-    }
-    let [Some(a), Some(b)] = [converged_pictures.pop(), converged_pictures.pop()] else {
-        return Ok(experiment);
+        };
+        Ok(program.render(&request)?.pixels)
     };
+    let (b, a) = (converged(0)?, converged(1)?);
     let size = [plan.cell[2], plan.cell[3]];
     experiment.reference = Some(Thumbnail::of(size, &a));
     let Some(converged) = ConvergedPair::new(a, b) else {
-        experiment.missing = Some("the converged picture is black or contains NaN".into());
-        return Ok(experiment);
+        return missing("the converged picture is black or contains NaN");
     };
     experiment.converged_rmse = converged.rmse();
-    let request = RenderRequest {
-        seed: first.wrapping_add(2),
-        ..request
-    };
-    let pictures = match render_in_turns(program, plan, request)? {
-        (pictures, None) => pictures,
-        (pictures, why) => {
-            experiment.missing = why;
-            pictures
-        }
-    };
+    let (pictures, why) = render_in_turns(program, plan, request)?;
     let base = pictures.first();
     let curves = plan.methods.iter().zip(&pictures);
     experiment.curves = curves
@@ -123,14 +118,17 @@ pub fn experiment(
             curve(&converged, method, pictures, base?, plan.is_relative)
         })
         .collect();
-    if experiment.curves.len() == plan.methods.len() {
+    let is_whole = experiment.curves.len() == plan.methods.len();
+    if is_whole {
         add_thumbnails(&mut experiment.curves, size, &pictures);
     }
-    if experiment.curves.len() < plan.methods.len() && experiment.missing.is_none() {
-        experiment.missing =
-            Some("a picture has another size, or contains NaN or infinite values".into());
+    match why {
+        Some(why) => missing(why),
+        None if !is_whole => {
+            missing("a picture has another size, or contains NaN or infinite values")
+        }
+        None => Ok(()),
     }
-    Ok(experiment)
 }
 
 /// Adds a picture to each curve: of the point whose time is nearest to the longest time that all
@@ -178,47 +176,36 @@ fn render_in_turns(
                     seed: request.seed.wrapping_add(round as u64),
                     ..request
                 };
-                Ok(match render_and_time(program, &request)? {
+                match or_missing(render_and_time(program, &request))? {
                     Ok(picture) => {
                         let seconds = picture.seconds;
                         pictures.borrow_mut().push(picture);
                         Ok(seconds)
                     }
-                    Err(why) => Err(format!("{}: {why}", method.name)),
-                })
+                    Err(why) => missing(format!("{}: {why}", method.name)),
+                }
             }));
         }
     }
     let rounds = Rounds::measure(&SystemClock::start(), &mut contenders, plan.seeds as usize)?;
-    let missing = (0..contenders.len()).find_map(|i| rounds.seconds(i).err());
+    let why = (0..contenders.len()).find_map(|i| rounds.seconds(i).err());
     drop(contenders);
     let taken = |steps: Vec<RefCell<Vec<RenderedPicture>>>| {
         steps.into_iter().map(RefCell::into_inner).collect()
     };
-    Ok((pictures.into_iter().map(taken).collect(), missing))
+    Ok((pictures.into_iter().map(taken).collect(), why))
 }
 
 /// Renders a picture; if that takes little time, several times, for the median of the times. Then
 /// the first time does not count.
-fn render_and_time(
-    program: &Program,
-    request: &RenderRequest,
-) -> Result<Result<RenderedPicture, String>, GraderError> {
-    let mut picture = match program.render(request)? {
-        Ok(picture) => picture,
-        Err(why) => return Ok(Err(why)),
-    };
+fn render_and_time(program: &Program, request: &RenderRequest) -> Measured<RenderedPicture> {
+    let mut picture = program.render(request)?;
     if picture.seconds < SHORT_S {
-        let mut seconds = Vec::new();
-        for _ in 0..TIMED_PASSES {
-            match program.render(request)? {
-                Ok(again) => seconds.push(again.seconds),
-                Err(why) => return Ok(Err(why)),
-            }
-        }
+        let again = (0..TIMED_PASSES).map(|_| Ok(program.render(request)?.seconds));
+        let seconds: Vec<f64> = again.collect::<Measured<_>>()?;
         picture.seconds = Quartiles::of(seconds).median;
     }
-    Ok(Ok(picture))
+    Ok(picture)
 }
 
 /// Returns the curve of a method, compared with the pictures of the first method; `None` if a

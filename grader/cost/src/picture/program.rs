@@ -1,5 +1,6 @@
 //! Runs the `pathtracer` program from the command line.
 
+use crate::timing::{Measured, missing};
 use base::GraderError;
 use base::child_processes::{self, tail};
 use base::interrupt::{self, TempFolder};
@@ -52,21 +53,18 @@ const POLL_INTERVAL: Duration = Duration::from_millis(2);
 impl Program {
     /// Builds the program of the workspace `root`; the inner error is the reason why it cannot, as
     /// the end of a sentence.
-    pub fn build(root: &Path) -> Result<Result<Program, String>, GraderError> {
+    pub fn build(root: &Path) -> Measured<Program> {
         match build::build_program_with_stages(root, "pathtracer")? {
-            Ok(path) => Ok(Ok(Program {
+            Ok(path) => Ok(Program {
                 path,
                 folder: interrupt::temp_folder()?,
-            })),
-            Err(_) => Ok(Err("the program pathtracer does not compile".into())),
+            }),
+            Err(_) => missing("the program pathtracer does not compile"),
         }
     }
 
     /// Renders a picture; the inner error is the reason why it cannot, as the end of a sentence.
-    pub fn render(
-        &self,
-        request: &RenderRequest,
-    ) -> Result<Result<RenderedPicture, String>, GraderError> {
+    pub fn render(&self, request: &RenderRequest) -> Measured<RenderedPicture> {
         let picture = self.folder.path().join("picture.exr");
         let [w, h] = request.film.map(|edge| edge.to_string());
         let mut command = Command::new(&self.path);
@@ -85,40 +83,33 @@ impl Program {
             .stderr(Stdio::piped());
         let (child, _running) = child_processes::start(&mut command)
             .map_err(|e| GraderError::file("start", &self.path, e))?;
-        let output =
-            match finish(child).map_err(|e| GraderError::file("wait for", &self.path, e))? {
-                Ok((status, output, _)) if status.success() => output,
-                Ok((_, _, errors)) => {
-                    let last = errors
-                        .lines()
-                        .last()
-                        .unwrap_or("the program ended without a picture");
-                    return Ok(Err(last.to_string()));
-                }
-                Err(limit) => return Ok(Err(limit)),
-            };
+        let finished = finish(child).map_err(|e| GraderError::file("wait for", &self.path, e))?;
+        let Some((status, output, errors)) = finished else {
+            let limit = TIME_LIMIT.as_secs();
+            return missing(format!("a picture takes more than {limit} s"));
+        };
+        if !status.success() {
+            let last = errors.lines().last();
+            return missing(last.unwrap_or("the program ended without a picture"));
+        }
         let Some(seconds) = seconds(&output) else {
-            return Ok(Err("the program does not print its rendering time".into()));
+            return missing("the program does not print its rendering time");
         };
-        let pixels = match image::open(&picture) {
-            Ok(read) => read
-                .to_rgb32f()
-                .pixels()
-                .map(|p| p.0.map(f64::from))
-                .collect(),
-            Err(why) => return Ok(Err(format!("its picture cannot be read: {why}"))),
+        let picture = match image::open(&picture) {
+            Ok(read) => read.to_rgb32f(),
+            Err(why) => return missing(format!("its picture cannot be read: {why}")),
         };
-        Ok(Ok(RenderedPicture {
-            pixels,
+        Ok(RenderedPicture {
+            pixels: picture.pixels().map(|p| p.0.map(f64::from)).collect(),
             seconds,
             samples: samples(&output),
-        }))
+        })
     }
 }
 
-/// The exit status and the last output of a program on stdout and stderr; or the error that it
-/// exceeded the time limit.
-type Finished = Result<(ExitStatus, String, String), String>;
+/// The exit status and the last output of a program on stdout and stderr; `None` if it exceeded the
+/// time limit.
+type Finished = Option<(ExitStatus, String, String)>;
 
 fn finish(mut child: Child) -> std::io::Result<Finished> {
     let stdout = child
@@ -143,13 +134,7 @@ fn finish(mut child: Child) -> std::io::Result<Finished> {
     };
     let [output, errors] =
         [stdout, stderr].map(|reader| reader.and_then(|r| r.join().ok()).unwrap_or_default());
-    Ok(match status {
-        Some(status) => Ok((status, output, errors)),
-        None => Err(format!(
-            "a picture takes more than {} s",
-            TIME_LIMIT.as_secs()
-        )),
-    })
+    Ok(status.map(|status| (status, output, errors)))
 }
 
 /// Parses the line `Rendering   48 x 36 pixels, -s 16 -t 1: 0.0123 s`.

@@ -24,15 +24,50 @@ impl Clock for SystemClock {
     }
 }
 
-/// Why a contender cannot be timed, as the end of the sentence "Your code is not measured: ...".
-pub(crate) type MissingReason = String;
+/// Why code is not measured, as the end of the sentence "Your code is not measured: ...".
+pub type MissingReason = String;
+
+/// Why there is no measurement.
+#[derive(Debug)]
+pub enum NotMeasured {
+    /// The code is missing, or fails: the others are measured.
+    Missing(MissingReason),
+    /// The grader fails, and nothing more is measured.
+    Failed(GraderError),
+}
+
+/// What is measured of code that may be missing.
+pub type Measured<T> = Result<T, NotMeasured>;
+
+impl From<GraderError> for NotMeasured {
+    fn from(error: GraderError) -> NotMeasured {
+        NotMeasured::Failed(error)
+    }
+}
+
+/// A measurement, or what the report says of missing code.
+///
+/// # Errors
+///
+/// The grader's own.
+pub(crate) fn or_missing<T>(
+    measured: Measured<T>,
+) -> Result<Result<T, MissingReason>, GraderError> {
+    match measured {
+        Ok(value) => Ok(Ok(value)),
+        Err(NotMeasured::Missing(why)) => Ok(Err(why)),
+        Err(NotMeasured::Failed(error)) => Err(error),
+    }
+}
+
+/// Code that is missing for this reason.
+pub(crate) fn missing<T>(why: impl Into<MissingReason>) -> Measured<T> {
+    Err(NotMeasured::Missing(why.into()))
+}
 
 /// The number of timed passes in a turn. Their median is not affected by one or two interruptions
 /// by other programs.
 pub(crate) const TIMED_PASSES: usize = 5;
-
-/// The seconds of one unit of work.
-pub(crate) type TurnResult = Result<Result<f64, MissingReason>, GraderError>;
 
 /// Something that is timed in turns with others.
 ///
@@ -50,7 +85,7 @@ pub(crate) enum Contender<'a> {
     },
     /// Work in a process of its own, which runs an untimed pass and [`TIMED_PASSES`] others.
     /// Returns the median seconds of one unit.
-    Elsewhere(Box<dyn FnMut(usize) -> TurnResult + 'a>),
+    Elsewhere(Box<dyn FnMut(usize) -> Measured<f64> + 'a>),
 }
 
 impl<'a> Contender<'a> {
@@ -65,7 +100,7 @@ impl<'a> Contender<'a> {
     }
 
     /// Work in a process of its own.
-    pub(crate) fn elsewhere(turn: impl FnMut(usize) -> TurnResult + 'a) -> Contender<'a> {
+    pub(crate) fn elsewhere(turn: impl FnMut(usize) -> Measured<f64> + 'a) -> Contender<'a> {
         Contender::Elsewhere(Box::new(turn))
     }
 }

@@ -9,9 +9,8 @@ mod rounds;
 #[cfg(test)]
 mod simulated;
 
-pub(crate) use contender::{
-    Clock, Contender, MissingReason, SystemClock, TIMED_PASSES, TurnResult,
-};
+pub(crate) use contender::{Clock, Contender, SystemClock, TIMED_PASSES, missing, or_missing};
+pub use contender::{Measured, MissingReason, NotMeasured};
 pub(crate) use rounds::Rounds;
 #[cfg(test)]
 pub(crate) use simulated::Machine;

@@ -1,6 +1,6 @@
 //! Rounds in which each contender has one turn.
 
-use super::{Clock, Contender, MissingReason, TIMED_PASSES, Timing, TurnResult};
+use super::{Clock, Contender, Measured, MissingReason, TIMED_PASSES, Timing, or_missing};
 use crate::quartiles::Quartiles;
 use base::GraderError;
 
@@ -40,7 +40,7 @@ impl Rounds {
                 };
                 let i = (turn + round / 2) % count;
                 let Ok(own) = &mut seconds[i] else { continue };
-                match take_turn(clock, &mut contenders[i], repeats[i], round)? {
+                match or_missing(take_turn(clock, &mut contenders[i], repeats[i], round))? {
                     Ok(unit) => own.push(unit),
                     Err(missing) => seconds[i] = Err(missing),
                 }
@@ -83,12 +83,12 @@ fn take_turn(
     contender: &mut Contender,
     repeats: usize,
     round: usize,
-) -> TurnResult {
+) -> Measured<f64> {
     match contender {
         Contender::Here { work, units } => {
             let pass = || (0..repeats).for_each(|_| work(round));
             let seconds = time_after_warming(clock, pass);
-            Ok(Ok(seconds / (repeats * *units) as f64))
+            Ok(seconds / (repeats * *units) as f64)
         }
         Contender::Elsewhere(turn) => turn(round),
     }
@@ -110,7 +110,7 @@ fn time_after_warming(clock: &impl Clock, mut pass: impl FnMut()) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::timing::Machine;
+    use crate::timing::{Machine, missing};
 
     /// Three passes over one tree, and one over each of two others, as in `grader cost bvh`: names
     /// of the trees and seconds with a warm cache.
@@ -197,11 +197,10 @@ mod tests {
         let mut turns = 0;
         let broken = Contender::elsewhere(|_| {
             turns += 1;
-            Ok(if turns < 3 {
-                Ok(1.0)
-            } else {
-                Err("it panics".into())
-            })
+            match turns {
+                ..3 => Ok(1.0),
+                _ => missing("it panics"),
+            }
         });
         let mut contenders = [machine.here("a", 1.0), broken, machine.here("b", 2.0)];
         let rounds = Rounds::measure(&machine, &mut contenders, 5).unwrap();

@@ -50,7 +50,7 @@ impl Machine {
             self.run(data, seconds);
             let started = self.seconds();
             self.run(data, seconds);
-            Ok(Ok(self.seconds() - started))
+            Ok(self.seconds() - started)
         })
     }
 }

@@ -5,10 +5,8 @@ use super::exactness;
 use super::{BreakEven, ExactnessRow, SlackRow, TraversalCost, TreeReport, TreeRow, WrongHits};
 use crate::measure::SampleCounts;
 use crate::quartiles::Quartiles;
-use crate::student::Student;
-use crate::timing::{
-    Contender, MissingReason, Rounds, SystemClock, TIMED_PASSES, Timing, TurnResult,
-};
+use crate::student::{Student, unexpected_answer};
+use crate::timing::{Contender, Measured, Rounds, SystemClock, TIMED_PASSES, Timing, or_missing};
 use base::{GraderError, Workspace};
 use grader::grade::speedup;
 use judge::convert;
@@ -65,7 +63,7 @@ pub(crate) fn measure(
     let bounds: Vec<_> = scene.triangles.iter().map(Triangle::bounds).collect();
     let build = |builder: &Builder| (builder.build)(&bounds, MAX_LEAF_SIZE);
     let trees: Vec<Bvh> = builders.iter().map(build).collect();
-    let student = StudentTree::new(workspace, &scene, size)?;
+    let student = or_missing(StudentTree::new(workspace, &scene, size))?;
 
     // The contenders: each builder, the first tree with each slack, the other trees, the student.
     let mut contenders: Vec<Contender> = builders
@@ -94,14 +92,13 @@ pub(crate) fn measure(
     let rounds = Rounds::measure(&SystemClock::start(), &mut contenders, size.tree_rounds)?;
     drop(contenders);
 
-    let in_process = |missing: MissingReason| GraderError::new(missing);
     let mut by_slack = Vec::new();
     for (i, slack_ulp) in SLACKS.into_iter().enumerate() {
         let time = rounds.timing(first_slack + i, first_slack);
         by_slack.push(SlackRow {
             slack_ulp,
             trace: TraversalCost {
-                time: time.map_err(in_process)?,
+                time: time.map_err(GraderError::new)?,
                 ..scene.counts(&trees[0], slack_ulp, &builders[0])
             },
         });
@@ -109,7 +106,7 @@ pub(crate) fn measure(
     let mut by_build = Vec::new();
     for (i, (builder, tree)) in builders.iter().zip(&trees).enumerate() {
         let time = rounds.timing(first_tree + i, first_tree);
-        let build_s = rounds.seconds(i).map_err(in_process)?;
+        let build_s = rounds.seconds(i).map_err(GraderError::new)?;
         by_build.push(TreeRow {
             name: builder.name.into(),
             paper: builder.paper.into(),
@@ -117,7 +114,7 @@ pub(crate) fn measure(
             build_s: Quartiles::of(build_s.iter().copied()),
             nodes: Some(tree.nodes.len()),
             trace: TraversalCost {
-                time: time.map_err(in_process)?,
+                time: time.map_err(GraderError::new)?,
                 ..scene.counts(tree, safe_slack, builder)
             },
             break_even: BreakEven::Base,
@@ -143,7 +140,7 @@ pub(crate) fn measure(
     for (i, tree) in rounded.iter_mut().enumerate() {
         let time = rounds
             .timing(first_rounded + i, first_rounded)
-            .map_err(in_process)?;
+            .map_err(GraderError::new)?;
         let mut row = ExactnessRow::new(builders[0].name, tree, time);
         exactness::count(&mut row, &mut tree.closest, &aimed, &truth);
         grid.count(&mut row, &mut on_grid[i].closest);
@@ -153,7 +150,7 @@ pub(crate) fn measure(
     if let Some(exact) = rounded.first() {
         for (i, (builder, tree)) in builders.iter().zip(&trees).enumerate().skip(1) {
             let time = rounds.timing(first_tree + i, first_rounded);
-            let mut row = ExactnessRow::new(builder.name, exact, time.map_err(in_process)?);
+            let mut row = ExactnessRow::new(builder.name, exact, time.map_err(GraderError::new)?);
             let mut traversal = Traversal::new(safe_slack);
             let closest = |ray: &Ray| traversal.closest(tree, &scene.triangles, ray);
             exactness::count(&mut row, closest, &aimed, &truth);
@@ -265,11 +262,8 @@ impl StudentTree {
         workspace: Option<&Workspace>,
         scene: &Scene,
         size: SampleCounts,
-    ) -> Result<Result<StudentTree, MissingReason>, GraderError> {
-        let worker = match Student::build_with("meshes", "part2.task1", workspace)? {
-            Ok(worker) => worker,
-            Err(missing) => return Ok(Err(missing)),
-        };
+    ) -> Measured<StudentTree> {
+        let worker = Student::build_with("meshes", "part2.task1", workspace)?;
         let work = TimingWork {
             scene: SceneSource::Generated(MESH.name().into(), size.mesh as u32),
             max_leaf_size: MAX_LEAF_SIZE as u32,
@@ -277,30 +271,27 @@ impl StudentTree {
             brute_force_rays: scene.checked.len() as u32,
             rounds: 1,
         };
-        Ok(run(&worker, &work)?.map(|counts| StudentTree {
+        Ok(StudentTree {
+            counts: run(&worker, &work)?,
             worker,
             work,
-            counts,
             build_s: RefCell::default(),
-        }))
+        })
     }
 
     /// Builds and traverses the tree several times. The first time does not count. Returns the
     /// median seconds of a ray.
-    fn turn(&self, round: usize) -> TurnResult {
+    fn turn(&self, round: usize) -> Measured<f64> {
         let work = TimingWork {
             rays: part(&self.work.rays, round).copied().collect(),
             brute_force_rays: 0,
             rounds: 1 + TIMED_PASSES as u32,
             ..self.work.clone()
         };
-        let times = match run(&self.worker, &work)? {
-            Ok(times) => times,
-            Err(missing) => return Ok(Err(missing)),
-        };
+        let times = run(&self.worker, &work)?;
         let median = |seconds: &[f64]| Quartiles::of(seconds.iter().copied().skip(1)).median;
         self.build_s.borrow_mut().push(median(&times.build_s));
-        Ok(Ok(median(&times.tree_s) / times.tree_rays.max(1) as f64))
+        Ok(median(&times.tree_s) / times.tree_rays.max(1) as f64)
     }
 
     fn row(self, time: Timing) -> TreeRow {
@@ -327,13 +318,9 @@ impl StudentTree {
     }
 }
 
-fn run(
-    worker: &Student,
-    work: &TimingWork,
-) -> Result<Result<TimingAnswer, MissingReason>, GraderError> {
-    Ok(match worker.run(Work::Timing(work.clone()))? {
-        Ok(wire::Answer::Timing(times)) => Ok(times),
-        Ok(_) => Err("the worker's answer is for another kind of work".into()),
-        Err(missing) => Err(missing),
-    })
+fn run(worker: &Student, work: &TimingWork) -> Measured<TimingAnswer> {
+    match worker.run(Work::Timing(work.clone()))? {
+        wire::Answer::Timing(times) => Ok(times),
+        _ => Err(unexpected_answer()),
+    }
 }

@@ -28,6 +28,7 @@ pub(crate) use shape::terrain;
 pub(crate) use truth::may_contain;
 
 use crate::precision::Precision;
+use crate::timing::{Measured, or_missing};
 use base::GraderError;
 use outcome::value;
 use serde::{Deserialize, Serialize};
@@ -47,7 +48,7 @@ pub struct WorldReport {
 }
 
 /// What the student's code answers to the rays of a case, or why it has no answers.
-pub(crate) type Traced = Result<Result<Vec<Option<f64>>, String>, GraderError>;
+pub(crate) type Traced = Measured<Vec<Option<f64>>>;
 
 /// Has `trace` answer the first `rays` rays of each case.
 pub(crate) fn measure(
@@ -60,7 +61,7 @@ pub(crate) fn measure(
     let mut cells = Vec::new();
     for column in &COLUMNS {
         let case = column.case(SEED, rays);
-        cells.push(match trace(&case)? {
+        cells.push(match or_missing(trace(&case))? {
             Ok(hits) => {
                 let rays = hits.into_iter().map(RayAnswer::closest).collect();
                 let answers = Answers { seconds: 0.0, rays };
@@ -98,6 +99,7 @@ pub(crate) fn measure(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::timing::missing as not_measured;
     use kernels::brute_force;
 
     #[test]
@@ -113,13 +115,13 @@ mod tests {
         let right = measure(30, &mut |case| {
             let triangles = case.triangles();
             let hits = case.rays.iter().map(|ray| brute_force(&triangles, ray));
-            Ok(Ok(hits.map(|hit| hit.map(|(t, _)| t)).collect()))
+            Ok(hits.map(|hit| hit.map(|(t, _)| t)).collect())
         });
         let row = right.expect("it is measured").yours.expect("a row");
         assert_eq!(row.worst(), Some(0.0));
         assert_eq!(row.value("at_end"), Some(100.0));
 
-        let misses = measure(30, &mut |case| Ok(Ok(vec![None; case.rays.len()])));
+        let misses = measure(30, &mut |case| Ok(vec![None; case.rays.len()]));
         let row = misses.expect("it is measured").yours.expect("a row");
         assert_eq!(row.value("grid_vertex"), Some(1e6));
         assert_eq!(row.value("beside"), Some(0.0));
@@ -128,14 +130,14 @@ mod tests {
             (Some(0.0), None)
         );
 
-        let hits = measure(30, &mut |case| Ok(Ok(vec![Some(1.0); case.rays.len()])));
+        let hits = measure(30, &mut |case| Ok(vec![Some(1.0); case.rays.len()]));
         let row = hits.expect("it is measured").yours.expect("a row");
         assert_eq!(row.value("beside"), Some(1e6));
     }
 
     #[test]
     fn code_that_is_not_written_has_no_row_and_code_that_panics_has_an_error() {
-        let report = measure(2, &mut |_| Ok(Err("part2.task1 is not attempted".into())));
+        let report = measure(2, &mut |_| not_measured("part2.task1 is not attempted"));
         let report = report.expect("it is measured");
         assert_eq!(
             (report.yours, report.missing.as_deref()),
@@ -145,10 +147,10 @@ mod tests {
         let mut cases = 0;
         let report = measure(2, &mut |case| {
             cases += 1;
-            Ok(match cases {
+            match cases {
                 1 => Ok(vec![None; case.rays.len()]),
-                _ => Err("your code panicked".into()),
-            })
+                _ => not_measured("your code panicked"),
+            }
         });
         let row = report.expect("it is measured").yours.expect("a row");
         assert_eq!(row.cells[1], Cell::Error("your code panicked".into()));

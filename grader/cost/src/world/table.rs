@@ -157,7 +157,7 @@ mod tests {
                 let hit = Some(ray).filter(found);
                 hit.and_then(|ray| brute_force(&triangles, ray))
             });
-            Ok(Ok(hits.map(|hit| hit.map(|(t, _)| t)).collect()))
+            Ok(hits.map(|hit| hit.map(|(t, _)| t)).collect())
         });
         let mut report = report.expect("it is measured");
         let few = ["blender", "bvh_f64", "embree3_robust", "first_light"];

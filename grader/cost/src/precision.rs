@@ -4,14 +4,13 @@ use serde::{Deserialize, Serialize};
 
 /// The precision of a kernel.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Precision {
     /// Single precision: 24 bits. The oracle uses the rounded inputs, so that only the kernel's own
     /// roundings count.
-    #[serde(rename = "f32")]
     F32,
     /// Double precision: 53 bits.
     #[default]
-    #[serde(rename = "f64")]
     F64,
     /// Shapes and rays are stored in single precision and computed with in double precision. Judged
     /// like `f32`.

@@ -4,24 +4,19 @@ use serde::{Deserialize, Serialize};
 
 /// The families of test rays, by what makes them hard.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub enum RayFamily {
     /// Hits and misses in equal parts. Times are measured on ordinary rays.
-    #[serde(rename = "ordinary")]
     Ordinary,
     /// Aimed at an edge; of a sphere, at the rim.
-    #[serde(rename = "edge")]
     Edge,
     /// Aimed at a vertex; of a box, at a corner.
-    #[serde(rename = "vertex")]
     Vertex,
     /// A triangle whose vertices are almost collinear; a flat box.
-    #[serde(rename = "sliver")]
     Sliver,
     /// A triangle with one very short edge; a box that is flat on two axes.
-    #[serde(rename = "needle")]
     Needle,
     /// Almost parallel to the triangle or a face of the box; almost tangent to the sphere.
-    #[serde(rename = "grazing")]
     Grazing,
     /// Everything is far from the world's origin; a sphere is far from the ray's origin.
     #[serde(rename = "far offset")]
@@ -33,7 +28,6 @@ pub enum RayFamily {
     #[serde(rename = "huge scale")]
     HugeScale,
     /// The ray starts inside the shape.
-    #[serde(rename = "inside")]
     Inside,
     /// The ray starts on the shape, as a shadow ray does.
     #[serde(rename = "on the surface")]

@@ -57,8 +57,3 @@ impl Figure {
 pub fn prose(text: &str) -> String {
     escape(text).replace(" %", "\u{a0}%")
 }
-
-/// The heads of a table.
-pub fn heads(heads: &[&str]) -> Vec<String> {
-    heads.iter().map(ToString::to_string).collect()
-}

@@ -42,13 +42,19 @@ pub struct Axis {
 
 impl Axis {
     /// Creates a linear axis with these ticks.
-    pub fn linear(name: &str, from: f64, to: f64, ticks: Vec<(f64, String)>) -> Axis {
+    pub fn linear(
+        name: &str,
+        [from, to]: [f64; 2],
+        ticks: impl IntoIterator<Item = f64>,
+        number: impl Fn(f64) -> String,
+    ) -> Axis {
+        let ticks = ticks.into_iter().map(|value| (value, number(value)));
         Axis {
             name: name.into(),
             from,
             to,
             scale: Scale::Linear,
-            ticks,
+            ticks: ticks.collect(),
         }
     }
 
@@ -130,11 +136,7 @@ impl Axis {
         let fits = |step: &f64| (to - from) / (step * power) <= 6.0;
         let step = power * [1.0, 2.0, 5.0].into_iter().find(fits).unwrap_or(10.0);
         let ticks = (from / step).ceil() as i64..=(to / step).floor() as i64;
-        let ticks = ticks
-            .map(|i| i as f64 * step)
-            .map(|value| (value, number(value)))
-            .collect();
-        Axis::linear(name, from, to, ticks)
+        Axis::linear(name, [from, to], ticks.map(|i| i as f64 * step), number)
     }
 
     /// Returns the position of `value` on the axis, from 0 at the start to 1 at the end.

@@ -33,10 +33,9 @@ pub(crate) fn figure(family: &KernelFamily) -> Figure {
     let drawing = for_both_widths([WIDTH, PLOT[1]], narrow, &label, |canvas, _, is_narrow| {
         for (i, rays) in shown.iter().enumerate() {
             let x = Axis::log("relative error of t", [LEAST, 1.0], tick);
-            let ticks = (0..=4)
-                .map(|i| f64::from(i) / 4.0)
-                .map(|v| (v, format!("{:.0} %", 100.0 * v)));
-            let y = Axis::linear("hits with at most this error", 0.0, 1.02, ticks.collect());
+            let ticks = (0..=4).map(|i| f64::from(i) / 4.0);
+            let percent = |v| format!("{:.0} %", 100.0 * v);
+            let y = Axis::linear("hits with at most this error", [0.0, 1.02], ticks, percent);
             let (corner, size) = match is_narrow {
                 false => ((i as f64 * PLOT[0], 0.0), PLOT),
                 true => ((0.0, i as f64 * NARROW_PLOT[1]), NARROW_PLOT),

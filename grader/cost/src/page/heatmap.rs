@@ -1,13 +1,12 @@
 //! A heat map of accuracy: one column per family of rays, one row per kernel.
 
-use super::heatmap_cell::{CellClass, cells};
+use super::heatmap_cell::{CellClass, CellLook, cells};
 use super::kernel_name::name;
 use crate::report::{Accuracy, KernelFamily, KernelRow};
 use plots::canvas::{Canvas, Label, Position, for_both_widths};
 use plots::figure::Figure;
 use plots::numbers::list;
 use plots::style::{self, text_color_on};
-use std::fmt::Write;
 
 /// Sizes in points of the kernel names, the family names and the rows.
 const NAMES: f64 = 172.0;
@@ -158,6 +157,12 @@ const KEY_LINE: f64 = 16.0;
 fn draw_key(canvas: &Canvas, (start, mut y): Position, family: &KernelFamily, is_narrow: bool) {
     let mut x = start;
     for class in classes(family) {
+        let CellLook {
+            color,
+            sign,
+            meaning,
+            unit,
+        } = class.look();
         // Those that are shaded by degree have a key of three shades.
         let shades: &[f64] = match class {
             CellClass::Correct => &[1.0],
@@ -165,16 +170,16 @@ fn draw_key(canvas: &Canvas, (start, mut y): Position, family: &KernelFamily, is
         };
         for (i, strength) in shades.iter().enumerate() {
             let left = x + 8.0 * i as f64;
-            let color = style::tint(class.color(), *strength);
-            canvas.rectangle((left, y - 7.0), (left + 8.0, y + 7.0), color);
+            let shade = style::tint(color, *strength);
+            canvas.rectangle((left, y - 7.0), (left + 8.0, y + 7.0), shade);
         }
         let shown = if is_narrow { 3 } else { shades.len() };
         x += 8.0 * shown as f64 + 5.0;
         let label = Label::left(NAME);
-        let mut text = format!("{} {}", class.sign(), class.meaning());
-        if is_narrow {
-            let _ = write!(text, ", {}", class.unit());
-        }
+        let text = match is_narrow {
+            false => format!("{sign} {meaning}"),
+            true => format!("{sign} {meaning}, {unit}"),
+        };
         canvas.text(&text, (x, y), label);
         if is_narrow {
             (x, y) = (start, y + KEY_LINE);

@@ -44,44 +44,32 @@ impl CellClass {
         }
     }
 
-    pub(super) fn color(self) -> Color {
-        match self {
-            CellClass::Correct => GREEN,
-            CellClass::Within => SKY,
-            CellClass::Beyond => YELLOW,
-            CellClass::Wrong => VERMILION,
-            CellClass::Leak => PURPLE,
+    /// How its cells look.
+    pub(super) fn look(self) -> CellLook {
+        let (color, sign, meaning, unit) = match self {
+            CellClass::Correct => (GREEN, "=", "correct to the last place", "bits"),
+            CellClass::Within => (SKY, "≈", "within the bound", "bits"),
+            CellClass::Beyond => (YELLOW, ">", "t beyond the bound", "%"),
+            CellClass::Wrong => (VERMILION, "✗", "wrong decisions", "%"),
+            CellClass::Leak => (PURPLE, "○", "leaks", "%"),
+        };
+        CellLook {
+            color,
+            sign,
+            meaning,
+            unit,
         }
     }
+}
 
+/// How the cells of a class look.
+pub(super) struct CellLook {
+    pub(super) color: Color,
     /// A sign that can be read without colour.
-    pub(super) fn sign(self) -> &'static str {
-        match self {
-            CellClass::Correct => "=",
-            CellClass::Within => "≈",
-            CellClass::Beyond => ">",
-            CellClass::Wrong => "✗",
-            CellClass::Leak => "○",
-        }
-    }
-
-    pub(super) fn meaning(self) -> &'static str {
-        match self {
-            CellClass::Correct => "correct to the last place",
-            CellClass::Within => "within the bound",
-            CellClass::Beyond => "t beyond the bound",
-            CellClass::Wrong => "wrong decisions",
-            CellClass::Leak => "leaks",
-        }
-    }
-
+    pub(super) sign: &'static str,
+    pub(super) meaning: &'static str,
     /// What the number in a cell counts.
-    pub(super) fn unit(self) -> &'static str {
-        match self {
-            CellClass::Correct | CellClass::Within => "bits",
-            CellClass::Beyond | CellClass::Wrong | CellClass::Leak => "%",
-        }
-    }
+    pub(super) unit: &'static str,
 }
 
 /// The smallest and the largest share of rays, per million, between which a cell is shaded by
@@ -103,7 +91,7 @@ fn missing_bits(bits: f64) -> f64 {
 pub(super) struct HeatmapCell {
     pub(super) color: Color,
     pub(super) text: String,
-    /// The sign and a whole number of [`CellClass::unit`], for narrow cells.
+    /// The sign and a whole number of [`CellLook::unit`], for narrow cells.
     pub(super) short: String,
     pub(super) tip: String,
 }
@@ -111,58 +99,64 @@ pub(super) struct HeatmapCell {
 /// Returns the cells of a kernel: the bits of t that are correct for half of the rays, or the
 /// fraction of wrong rays.
 pub(super) fn cells(row: &KernelRow) -> Vec<HeatmapCell> {
-    let mut cells: Vec<HeatmapCell> = row
-        .by_ray_family
-        .iter()
-        .map(|accuracy| {
-            let class = CellClass::of(accuracy);
-            let bits = accuracy.t.map(|t| t.correct_bits());
-            let bits_text = || bits.map_or(String::new(), |bits| format!("{bits:.0}"));
-            let (number, rounded, strength) = match class {
-                CellClass::Wrong => {
-                    let wrong = accuracy.wrong_per_million();
-                    (share(wrong), whole_percent(wrong), degree(wrong))
-                }
-                CellClass::Beyond => {
-                    let beyond = accuracy.beyond_bound_per_million;
-                    (share(beyond), whole_percent(beyond), degree(beyond))
-                }
-                CellClass::Within => (bits_text(), bits_text(), bits.map_or(1.0, missing_bits)),
-                _ => (bits_text(), bits_text(), 1.0),
-            };
-            let bits = bits.map_or(String::new(), |bits| format!(", {bits:.0} correct bits"));
+    let families = row.by_ray_family.iter().map(cell);
+    let leaks = row.leaks_per_million.map(|leaks| match leaks > 0.0 {
+        true => HeatmapCell {
+            tip: format!("{} of the rays leave the mesh", share(leaks)),
+            ..HeatmapCell::of_share(CellClass::Leak, leaks)
+        },
+        false => {
+            let CellLook { color, sign, .. } = CellClass::Correct.look();
             HeatmapCell {
-                color: style::tint(class.color(), strength),
-                text: format!("{} {number}", class.sign()),
-                short: format!("{}{rounded}", class.sign()),
-                tip: match class {
-                    CellClass::Wrong | CellClass::Beyond => {
-                        format!("{} on {number} of the rays{bits}", class.meaning())
-                    }
-                    _ => format!("{}{bits}", class.meaning()),
-                },
-            }
-        })
-        .collect();
-    if let Some(leaks) = row.leaks_per_million {
-        cells.push(if leaks > 0.0 {
-            let class = CellClass::Leak;
-            HeatmapCell {
-                color: style::tint(class.color(), degree(leaks)),
-                text: format!("{} {}", class.sign(), share(leaks)),
-                short: format!("{}{}", class.sign(), whole_percent(leaks)),
-                tip: format!("{} of the rays leave the mesh", share(leaks)),
-            }
-        } else {
-            HeatmapCell {
-                color: CellClass::Correct.color(),
-                text: "= closed".into(),
-                short: CellClass::Correct.sign().into(),
+                color,
+                text: format!("{sign} closed"),
+                short: sign.into(),
                 tip: "no ray leaves the mesh".into(),
             }
-        });
+        }
+    });
+    families.chain(leaks).collect()
+}
+
+/// The cell of one family of rays.
+fn cell(accuracy: &Accuracy) -> HeatmapCell {
+    let class = CellClass::of(accuracy);
+    let meaning = class.look().meaning;
+    let bits = accuracy.t.map(|t| t.correct_bits());
+    let number = bits.map_or(String::new(), |bits| format!("{bits:.0}"));
+    let of_bits = bits.map_or(String::new(), |_| format!(", {number} correct bits"));
+    let of_share = |per_million| HeatmapCell {
+        tip: format!("{meaning} on {} of the rays{of_bits}", share(per_million)),
+        ..HeatmapCell::of_share(class, per_million)
+    };
+    let strength = match class {
+        CellClass::Wrong => return of_share(accuracy.wrong_per_million()),
+        CellClass::Beyond => return of_share(accuracy.beyond_bound_per_million),
+        CellClass::Within => bits.map_or(1.0, missing_bits),
+        CellClass::Correct | CellClass::Leak => 1.0,
+    };
+    HeatmapCell {
+        tip: format!("{meaning}{of_bits}"),
+        ..HeatmapCell::new(class, strength, &number, &number)
     }
-    cells
+}
+
+impl HeatmapCell {
+    fn new(class: CellClass, strength: f64, number: &str, short: &str) -> HeatmapCell {
+        let CellLook { color, sign, .. } = class.look();
+        HeatmapCell {
+            color: style::tint(color, strength),
+            text: format!("{sign} {number}"),
+            short: format!("{sign}{short}"),
+            tip: String::new(),
+        }
+    }
+
+    /// A cell with a share of rays.
+    fn of_share(class: CellClass, per_million: f64) -> HeatmapCell {
+        let (number, short) = (share(per_million), whole_percent(per_million));
+        HeatmapCell::new(class, degree(per_million), &number, &short)
+    }
 }
 
 /// Formats a count per million in percent.

@@ -5,7 +5,8 @@ use crate::leak_view::{MeshView, NEAR, SIZE, TRIANGLES};
 use crate::report::{KernelFamily, KernelRow};
 use judge::plural;
 use pages::html::{escape, png_data_uri};
-use plots::figure::{Figure, heads};
+use plots::columns::Columns;
+use plots::figure::Figure;
 use plots::numbers::percent;
 use std::fmt::Write;
 
@@ -56,7 +57,6 @@ pub(crate) fn figure(family: &KernelFamily) -> Option<Figure> {
         "A closed mesh of {TRIANGLES} triangles. {} pixels are within {NEAR} pixels of an edge; their rays are aimed at the edge. ",
         view.at_edges()
     );
-    let mut rows = Vec::new();
     for (name, leaks) in &pictures {
         let [w, h] = SIZE;
         let _ = write!(
@@ -75,7 +75,6 @@ pub(crate) fn figure(family: &KernelFamily) -> Option<Figure> {
             0 => format!("{name} has no leaks. "),
             n => format!("{name} has {n} leaks ({}). ", share(leaks)),
         };
-        rows.push(vec![name.clone(), leaks.len().to_string(), share(leaks)]);
     }
     drawing += "</div>";
     let finding = match pictures.as_slice() {
@@ -91,13 +90,16 @@ pub(crate) fn figure(family: &KernelFamily) -> Option<Figure> {
         }
         [] => return None,
     };
-    Some(Figure {
+    let columns = Columns::new("test", |(name, _): &(String, Vec<u32>)| name.clone())
+        .and("leaks", |(_, leaks)| leaks.len().to_string())
+        .and("share of the rays", |(_, leaks)| share(leaks));
+    let figure = Figure {
         finding,
         drawing,
         caption: "A closed mesh seen from outside, with a ray aimed at an edge in each pixel near one: in magenta pixels it passes through."
             .into(),
         notes,
-        head: heads(&["test", "leaks", "share of the rays"]),
-        rows,
-    })
+        ..Figure::default()
+    };
+    Some(columns.table(&pictures, figure))
 }

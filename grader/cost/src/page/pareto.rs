@@ -100,15 +100,9 @@ fn draw(canvas: &Canvas, family: &KernelFamily, columns: &Columns<'_, KernelRow>
         true => "time / time of the textbook's test".into(),
     };
     let x = Axis::log(&x_name, times, tick);
-    let ticks = (0..=5)
-        .map(|i| f64::from(10 * i))
-        .map(|v| (v, v.to_string()));
-    let y = Axis::linear(
-        "correct bits of t, mean of ray families",
-        0.0,
-        56.0,
-        ticks.collect(),
-    );
+    let ticks = (0..=5).map(|i| f64::from(10 * i));
+    let name = "correct bits of t, mean of ray families";
+    let y = Axis::linear(name, [0.0, 56.0], ticks, |v| v.to_string());
     let size = if is_narrow { NARROW_PLOT } else { PLOT };
     let plot = Plot::new(canvas, "correct bits against time", (0.0, 0.0), size, x, y);
     let corners = front_line(&plot, family);

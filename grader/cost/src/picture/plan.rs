@@ -60,6 +60,11 @@ pub fn all(quick: bool) -> Vec<ExperimentPlan> {
     ]
 }
 
+/// What a quick run takes, or else a full one.
+fn pick<T>(quick: bool, of_quick: T, of_full: T) -> T {
+    if quick { of_quick } else { of_full }
+}
+
 /// Returns the lower three quarters of the picture.
 fn without_lamp([w, h]: [u32; 2]) -> [u32; 4] {
     [0, 0, w, h * 3 / 4]
@@ -67,11 +72,7 @@ fn without_lamp([w, h]: [u32; 2]) -> [u32; 4] {
 
 /// Sampling of the pixel area. With normal shading nothing else is random.
 fn edges(quick: bool) -> ExperimentPlan {
-    let samples: &[u32] = if quick {
-        &[1, 4, 16, 64]
-    } else {
-        &[1, 4, 16, 64, 256]
-    };
+    let samples: &[u32] = pick(quick, &[1, 4, 16, 64], &[1, 4, 16, 64, 256]);
     let method = |name, sampler| {
         RenderMethod::new(
             name,
@@ -79,16 +80,16 @@ fn edges(quick: bool) -> ExperimentPlan {
             samples,
         )
     };
-    let [w, h] = if quick { [32, 24] } else { [64, 48] };
+    let [w, h] = pick(quick, [32, 24], [64, 48]);
     ExperimentPlan {
         title: "samples in a pixel",
         scene: "spheres.dae",
         film: [w, h],
         cell: [0, 0, w, h],
-        seeds: if quick { 3 } else { 5 },
+        seeds: pick(quick, 3, 5),
         converged: format!(
             "--shade normals --sampler sobol -s {}",
-            if quick { 512 } else { 2048 }
+            pick(quick, 512, 2048)
         ),
         is_relative: false,
         samples_are: "positions in a pixel",
@@ -102,14 +103,10 @@ fn edges(quick: bool) -> ExperimentPlan {
 
 /// Estimators of direct light.
 fn direct_light(quick: bool, title: &'static str, scene: &'static str) -> ExperimentPlan {
-    let samples: &[u32] = if quick {
-        &[4, 16, 64]
-    } else {
-        &[4, 16, 64, 256]
-    };
+    let samples: &[u32] = pick(quick, &[4, 16, 64], &[4, 16, 64, 256]);
     let method =
         |name, flags| RenderMethod::new(name, format!("--shade lit -m 1 {flags}"), samples);
-    let film = if quick { [24, 18] } else { [40, 30] };
+    let film = pick(quick, [24, 18], [40, 30]);
     ExperimentPlan {
         title,
         scene,
@@ -118,7 +115,7 @@ fn direct_light(quick: bool, title: &'static str, scene: &'static str) -> Experi
         seeds: 3,
         converged: format!(
             "--shade lit -m 1 --sampler sobol -s {}",
-            if quick { 512 } else { 2048 }
+            pick(quick, 512, 2048)
         ),
         is_relative: false,
         samples_are: "camera rays per pixel, one light sample each",
@@ -133,12 +130,8 @@ fn direct_light(quick: bool, title: &'static str, scene: &'static str) -> Experi
 
 /// Ray depth. The light that a depth leaves out is a bias, which more samples do not reduce.
 fn depth(quick: bool) -> ExperimentPlan {
-    let samples: &[u32] = if quick {
-        &[4, 16, 64]
-    } else {
-        &[4, 16, 64, 256]
-    };
-    let depths: &[u32] = if quick { &[1, 2, 5] } else { &[1, 2, 3, 5, 8] };
+    let samples: &[u32] = pick(quick, &[4, 16, 64], &[4, 16, 64, 256]);
+    let depths: &[u32] = pick(quick, &[1, 2, 5], &[1, 2, 3, 5, 8]);
     let method = |depth: &u32| {
         RenderMethod::new(
             format!("depth {depth}"),
@@ -146,7 +139,7 @@ fn depth(quick: bool) -> ExperimentPlan {
             samples,
         )
     };
-    let film = if quick { [20, 16] } else { [32, 24] };
+    let film = pick(quick, [20, 16], [32, 24]);
     ExperimentPlan {
         title: "ray depth",
         scene: "cornell_spheres.dae",
@@ -155,7 +148,7 @@ fn depth(quick: bool) -> ExperimentPlan {
         seeds: 3,
         converged: format!(
             "--shade lit -m 64 --sampler sobol -s {}",
-            if quick { 256 } else { 1024 }
+            pick(quick, 256, 1024)
         ),
         is_relative: false,
         samples_are: "camera rays per pixel",
@@ -166,28 +159,24 @@ fn depth(quick: bool) -> ExperimentPlan {
 /// Clamping indirect light: less noise, and a bias. A clamped picture takes as long as any other,
 /// so rows of equal samples compare the limits at equal time.
 fn clamp(quick: bool) -> ExperimentPlan {
-    let samples: &[u32] = if quick { &[16, 64] } else { &[4, 16, 64, 256] };
-    let limits: &[f64] = if quick {
-        &[3.0, 0.3]
-    } else {
-        &[10.0, 3.0, 1.0, 0.3, 0.1]
-    };
+    let samples: &[u32] = pick(quick, &[16, 64], &[4, 16, 64, 256]);
+    let limits: &[f64] = pick(quick, &[3.0, 0.3], &[10.0, 3.0, 1.0, 0.3, 0.1]);
     let flags = "--shade lit -m 8 --sampler independent";
     let mut methods = vec![RenderMethod::new("no clamp", flags, samples)];
     methods.extend(limits.iter().map(|limit| {
         let flags = format!("{flags} --clamp {limit}");
         RenderMethod::new(format!("clamp {limit}"), flags, samples)
     }));
-    let film = if quick { [20, 16] } else { [32, 24] };
+    let film = pick(quick, [20, 16], [32, 24]);
     ExperimentPlan {
         title: "fireflies",
         scene: "cornell_mirror_glass.dae",
         film,
         cell: without_lamp(film),
-        seeds: if quick { 3 } else { 8 },
+        seeds: pick(quick, 3, 8),
         converged: format!(
             "--shade lit -m 8 --sampler sobol -s {}",
-            if quick { 2048 } else { 8192 }
+            pick(quick, 2048, 8192)
         ),
         is_relative: false,
         samples_are: "camera rays per pixel",
@@ -197,14 +186,10 @@ fn clamp(quick: bool) -> ExperimentPlan {
 
 /// Adaptive sampling against the same number of samples in every pixel.
 fn adaptive(quick: bool) -> ExperimentPlan {
-    let most = if quick { 1024 } else { 2048 };
-    let tolerances: &[f64] = if quick {
-        &[0.2, 0.1]
-    } else {
-        &[0.2, 0.1, 0.05]
-    };
+    let most = pick(quick, 1024, 2048);
+    let tolerances: &[f64] = pick(quick, &[0.2, 0.1], &[0.2, 0.1, 0.05]);
     let step = |tolerance: &f64| (format!("-s {most} -a 64 {tolerance}"), most);
-    let film = if quick { [12, 9] } else { [32, 24] };
+    let film = pick(quick, [12, 9], [32, 24]);
     ExperimentPlan {
         title: "adaptive sampling",
         scene: "cornell_spheres.dae",
@@ -213,7 +198,7 @@ fn adaptive(quick: bool) -> ExperimentPlan {
         seeds: 3,
         converged: format!(
             "--shade lit -m 1 --sampler sobol -s {}",
-            if quick { 2048 } else { 4096 }
+            pick(quick, 2048, 4096)
         ),
         is_relative: true,
         samples_are: "mean camera rays per pixel",
@@ -221,11 +206,7 @@ fn adaptive(quick: bool) -> ExperimentPlan {
             RenderMethod::new(
                 "fixed",
                 "--shade lit -m 1",
-                if quick {
-                    &[256, 1024]
-                } else {
-                    &[256, 512, 1024]
-                },
+                pick(quick, &[256, 1024], &[256, 512, 1024]),
             ),
             RenderMethod {
                 name: "adaptive".into(),

@@ -1,8 +1,7 @@
 //! Draws samples in a pixel and points of a sensor.
 
 use super::drawing::Drawing;
-use crate::sketch::plot::{Plot, legend};
-use judge::plural;
+use crate::sketch::plot::Plot;
 use judge::shown::{ShownPixel, ShownRay};
 use kit::PixelSampler;
 
@@ -12,10 +11,7 @@ const SAMPLES: u32 = 256;
 /// A unit square.
 fn square() -> Plot {
     let mut plot = Plot::new([-0.15, -0.15], [1.15, 1.15]);
-    let corners = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
-    for i in 0..4 {
-        plot.line(corners[i], corners[(i + 1) % 4]);
-    }
+    plot.outline(&[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]);
     plot
 }
 
@@ -31,14 +27,8 @@ pub(super) fn pixel(shown: &ShownPixel) -> Drawing {
         };
         plot.mark(place, '+');
     }
-    let mut lines = plot.lines();
-    lines.push(legend(&format!(
-        "the samples of pixel ({x}, {y}) with seed {seed}"
-    )));
-    Drawing {
-        words: String::new(),
-        lines,
-    }
+    let about = format!("the samples of pixel ({x}, {y}) with seed {seed}");
+    Drawing::new(&plot, &[&about])
 }
 
 /// The points of the sensor of rays that cameras make; `None` for other rays.
@@ -48,26 +38,12 @@ pub(super) fn sensor(rays: &[&ShownRay]) -> Option<Drawing> {
     let first = inputs.first()?.0.pos;
     let mut plot = square();
     // Every camera has the same points.
-    let points: Vec<[f64; 2]> = inputs
+    let points = inputs
         .iter()
         .take_while(|(camera, _)| camera.pos == first)
-        .map(|(_, point)| point.to_array())
-        .collect();
-    let inside = points
-        .iter()
-        .filter(|point| plot.mark(**point, '+'))
-        .count();
-    let mut lines = plot.lines();
-    lines.push(legend(
-        "the sensor, (0, 0) at the bottom left, and its points",
-    ));
-    let outside = points.len() - inside;
-    if outside > 0 {
-        let points = plural(outside, "point is", "points are");
-        lines.push(legend(&format!("{points} outside the drawing")));
-    }
-    Some(Drawing {
-        words: String::new(),
-        lines,
-    })
+        .map(|(_, point)| point.to_array());
+    let outside = points.filter(|point| !plot.mark(*point, '+')).count();
+    let about = "the sensor, (0, 0) at the bottom left, and its points";
+    let drawing = Drawing::new(&plot, &[about]);
+    Some(drawing.without(outside, ["point is", "points are"], "outside the drawing"))
 }

@@ -6,8 +6,7 @@
 //! is proportional to what a diffuse surface receives from it (Nusselt's analogue).
 
 use super::drawing::Drawing;
-use crate::sketch::plot::{Plot, legend};
-use judge::plural;
+use crate::sketch::plot::Plot;
 use judge::shown::ShownPoint;
 use kit::{Frame, Vec3};
 use wire::direct::{LambertProbe, ShadedPoint};
@@ -93,13 +92,7 @@ pub fn shines(hemisphere: &Hemisphere, panel: &Panel) -> bool {
 /// An empty disc.
 fn disc() -> Plot {
     let mut plot = Plot::new([-1.9, -1.05], [1.9, 1.05]);
-    for step in 0..90 {
-        let around = |step: i32| {
-            let angle = f64::from(step) / 90.0 * std::f64::consts::TAU;
-            [angle.cos(), angle.sin()]
-        };
-        plot.line(around(step), around(step + 1));
-    }
+    plot.unit_circle();
     plot
 }
 
@@ -123,17 +116,13 @@ pub(super) fn lit_point(ShownPoint { world, point, .. }: &ShownPoint) -> Drawing
     if let Some(place) = hemisphere.place(point.wo) {
         plot.set(place, 'v');
     }
-    let mut lines = plot.lines();
-    lines.push(legend(
-        "above the first point, seen along its normal, which is in the middle",
-    ));
-    lines.push(legend(
-        "L light, # other surface, v viewer; circle: horizon",
-    ));
-    Drawing {
-        words: String::new(),
-        lines,
-    }
+    Drawing::new(
+        &plot,
+        &[
+            "above the first point, seen along its normal, which is in the middle",
+            "L light, # other surface, v viewer; circle: horizon",
+        ],
+    )
 }
 
 /// Pairs of directions in local space.
@@ -150,19 +139,13 @@ pub(super) fn directions<'a>(pairs: impl Iterator<Item = &'a LambertProbe>) -> D
             }
         }
     }
-    let mut lines = plot.lines();
-    lines.push(legend("local space, seen along the normal"));
-    lines.push(legend(
-        "v to the viewer, i to the light, * both; circle: horizon",
-    ));
-    if below > 0 {
-        let directions = plural(below, "direction is", "directions are");
-        lines.push(legend(&format!("{directions} below the horizon")));
-    }
-    Drawing {
-        words: String::new(),
-        lines,
-    }
+    let signs = "v to the viewer, i to the light, * both; circle: horizon";
+    let drawing = Drawing::new(&plot, &["local space, seen along the normal", signs]);
+    drawing.without(
+        below,
+        ["direction is", "directions are"],
+        "below the horizon",
+    )
 }
 
 #[cfg(test)]

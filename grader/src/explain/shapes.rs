@@ -1,7 +1,7 @@
 //! Draws rays at triangles, spheres and boxes.
 
 use super::drawing::Drawing;
-use crate::sketch::plot::{Plot, legend};
+use crate::sketch::plot::Plot;
 use judge::expected::HitOrMiss;
 use judge::plural;
 use judge::shown::ShownRay;
@@ -11,29 +11,23 @@ use kit::{Aabb, Sphere, Triangle, Vec3};
 pub(super) fn rays(rays: &[&ShownRay]) -> Option<Drawing> {
     fn each<'a, T>(
         rays: &[&'a ShownRay],
-        shape: impl Fn(&'a ShownRay) -> Option<&'a T>,
+        shapes: impl Fn(&'a ShownRay) -> &'a [T],
     ) -> Option<Vec<(&'a ShownRay, &'a T)>> {
-        let pairs = rays.iter().map(|ray| Some((*ray, shape(ray)?)));
+        let pairs = rays.iter().map(|ray| {
+            let ShownRay { scene, boxes, .. } = ray;
+            let all = scene.triangles.len() + scene.spheres.len() + boxes.len();
+            match shapes(ray) {
+                [shape] if all == 1 => Some((*ray, shape)),
+                _ => None,
+            }
+        });
         pairs.collect()
     }
-    fn the<T>(shapes: &[T], others: usize) -> Option<&T> {
-        match shapes {
-            [shape] if others == 0 => Some(shape),
-            _ => None,
-        }
-    }
-    let triangle = |ray: &'_ ShownRay| ray.scene.spheres.len() + ray.boxes.len();
-    let of_triangles = each(rays, |ray| the(&ray.scene.triangles, triangle(ray)));
-    let of_spheres = || {
-        each(rays, |ray| {
-            the(&ray.scene.spheres, ray.scene.triangles.len())
-        })
-    };
-    let of_boxes = || each(rays, |ray| the(&ray.boxes, ray.scene.triangles.len()));
+    let of_triangles = each(rays, |ray| &ray.scene.triangles);
     of_triangles
         .map(|pairs| triangles(&pairs))
-        .or_else(|| Some(spheres(&of_spheres()?)))
-        .or_else(|| Some(boxes(&of_boxes()?)))
+        .or_else(|| Some(spheres(&each(rays, |ray| &ray.scene.spheres)?)))
+        .or_else(|| Some(boxes(&each(rays, |ray| &ray.boxes)?)))
 }
 
 /// The mark of a ray.
@@ -47,36 +41,27 @@ fn mark(shown: &ShownRay) -> char {
 
 /// "8 rays: 5 must hit, 3 must miss".
 fn counts<T>(all: &[(&ShownRay, T)]) -> String {
-    let of = |decision| {
-        all.iter()
-            .filter(|(ray, _)| ray.decision == decision)
-            .count()
-    };
-    let mut text = plural(all.len(), "ray", "rays");
-    let parts = [
-        (of(HitOrMiss::Hit), "must hit"),
-        (of(HitOrMiss::Miss), "must miss"),
-        (of(HitOrMiss::Either), "may do either"),
+    let decisions = [
+        (HitOrMiss::Hit, "must hit"),
+        (HitOrMiss::Miss, "must miss"),
+        (HitOrMiss::Either, "may do either"),
     ];
-    let parts: Vec<String> = parts
-        .iter()
-        .filter(|(count, _)| *count > 0)
-        .map(|(count, what)| format!("{count} {what}"))
-        .collect();
-    text.push_str(&format!(": {}", parts.join(", ")));
-    text
+    let parts = decisions.into_iter().filter_map(|(decision, what)| {
+        let count = all
+            .iter()
+            .filter(|(ray, _)| ray.decision == decision)
+            .count();
+        (count > 0).then(|| format!("{count} {what}"))
+    });
+    let rays = plural(all.len(), "ray", "rays");
+    format!("{rays}: {}", parts.collect::<Vec<_>>().join(", "))
 }
 
 /// Adds the legend of marks, and how many rays are not in the drawing.
-fn finish(plot: &Plot, what: &str, outside: usize) -> Vec<String> {
-    let mut lines = plot.lines();
-    lines.push(legend(what));
-    lines.push(legend("o hit, x miss, ? either, * several different ones"));
-    if outside > 0 {
-        let rays = plural(outside, "ray is", "rays are");
-        lines.push(legend(&format!("{rays} outside the drawing")));
-    }
-    lines
+fn finish(plot: &Plot, what: &str, outside: usize) -> Drawing {
+    let signs = "o hit, x miss, ? either, * several different ones";
+    let drawing = Drawing::new(plot, &[what, signs]);
+    drawing.without(outside, ["ray is", "rays are"], "outside the drawing")
 }
 
 /// All triangles as one: each ray is where the line along it meets its triangle's plane, by its
@@ -85,10 +70,7 @@ fn triangles(all: &[(&ShownRay, &Triangle)]) -> Drawing {
     let mut plot = Plot::new([-0.6, -0.45], [1.6, 1.3]);
     // p0 at the bottom left, p1 at the bottom right, p2 at the top.
     let place = |b1: f64, b2: f64| [b1 + 0.5 * b2, b2];
-    let corners = [place(0.0, 0.0), place(1.0, 0.0), place(0.0, 1.0)];
-    for i in 0..3 {
-        plot.line(corners[i], corners[(i + 1) % 3]);
-    }
+    plot.outline(&[place(0.0, 0.0), place(1.0, 0.0), place(0.0, 1.0)]);
     let (mut front, mut back, mut never, mut outside) = (0, 0, 0, 0);
     for (shown, triangle) in all {
         let ray = &shown.ray;
@@ -119,7 +101,7 @@ fn triangles(all: &[(&ShownRay, &Triangle)]) -> Drawing {
     let what = "where rays cross the plane; p0 left, p1 right, p2 top";
     Drawing {
         words,
-        lines: finish(&plot, what, outside),
+        ..finish(&plot, what, outside)
     }
 }
 
@@ -128,13 +110,7 @@ fn triangles(all: &[(&ShownRay, &Triangle)]) -> Drawing {
 fn spheres(all: &[(&ShownRay, &Sphere)]) -> Drawing {
     const REACH: f64 = 3.6;
     let mut plot = Plot::new([-REACH, -1.1], [REACH, 1.7]);
-    for step in 0..90 {
-        let around = |step: i32| {
-            let angle = f64::from(step) / 90.0 * std::f64::consts::TAU;
-            [angle.cos(), angle.sin()]
-        };
-        plot.line(around(step), around(step + 1));
-    }
+    plot.unit_circle();
     let (mut inside, mut nearest, mut farthest, mut outside) = (0, f64::INFINITY, 0.0_f64, 0);
     for (shown, sphere) in all {
         let ray = &shown.ray;
@@ -157,7 +133,7 @@ fn spheres(all: &[(&ShownRay, &Sphere)]) -> Drawing {
     let what = "origins of rays that go right; farther ones are at the edge";
     Drawing {
         words,
-        lines: finish(&plot, what, outside),
+        ..finish(&plot, what, outside)
     }
 }
 
@@ -176,15 +152,12 @@ fn boxes(all: &[(&ShownRay, &Aabb)]) -> Drawing {
     let flat = |p: Vec3| [p[u], p[v]];
     let margin = 0.8 * (max - min);
     let mut plot = Plot::new(flat(min - margin), flat(max + margin));
-    let corners = [
+    plot.outline(&[
         [min[u], min[v]],
         [max[u], min[v]],
         [max[u], max[v]],
         [min[u], max[v]],
-    ];
-    for i in 0..4 {
-        plot.line(corners[i], corners[(i + 1) % 4]);
-    }
+    ]);
     let same = all.iter().filter(|(_, b)| (b.min, b.max) == (min, max));
     let mut outside = 0;
     for (shown, _) in same.take(RAYS_AT_A_BOX) {
@@ -204,10 +177,7 @@ fn boxes(all: &[(&ShownRay, &Aabb)]) -> Drawing {
         "a box with some of its rays, {} right, {} up",
         axes[u], axes[v]
     );
-    Drawing {
-        words: String::new(),
-        lines: finish(&plot, &what, outside),
-    }
+    finish(&plot, &what, outside)
 }
 
 /// The first two axes along which a box has a finite size.

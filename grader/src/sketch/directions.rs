@@ -1,6 +1,7 @@
 //! Draws light and scattering from the side: a surface, its normal, and directions as arrows.
 
 use super::model::{Ink, Layout, Sketch, Stroke, sides};
+use super::words::Anchor;
 use judge::shown::{ShownBounce, ShownPath, ShownPoint};
 use kit::Vec3;
 use wire::direct::LambertProbe;
@@ -131,7 +132,7 @@ pub(super) fn lit_point(shown: &ShownPoint) -> Option<Sketch> {
     }
     let viewer = place(0.4 * reach * Vec3::from(point.wo));
     strokes.push(Stroke::Arrow(Ink::Ray, [[0.0; 2], viewer]));
-    strokes.push(Stroke::Word(viewer, "wo".into()));
+    strokes.push(Stroke::Word(Anchor::Start, viewer, "wo".into()));
     let directions = rays
         .iter()
         .map(|traced| Vec3::from(traced.ray.d).try_normalize());
@@ -168,7 +169,11 @@ pub(super) fn path(shown: &ShownPath) -> Option<Sketch> {
         let [x, y] = corner(i + 1);
         strokes.push(Stroke::Line(Ink::Shape, [[x - 0.3, y], [x + 0.3, y]]));
         let beside = if y > 0.5 { 1.25 } else { -0.25 };
-        strokes.push(Stroke::Name([x, beside], (*name).to_owned()));
+        strokes.push(Stroke::Word(
+            Anchor::Middle,
+            [x, beside],
+            (*name).to_owned(),
+        ));
     }
     let traced = shown.yours.map_or_else(String::new, |traced| {
         format!(

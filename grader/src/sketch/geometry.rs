@@ -2,6 +2,7 @@
 
 use super::model::{Ink, Layout, Sketch, Stroke, TAxis, sides};
 use super::view::{self, Frame, View};
+use super::words::Anchor;
 use judge::shown::ShownRay;
 use kit::{Aabb, Ray, Scene, Sphere, Triangle, Vec3};
 
@@ -152,7 +153,7 @@ fn of_triangle(shown: &ShownRay, triangle: &Triangle) -> Option<(Vec<Stroke>, St
     let frame = Frame::around(&corners, &others)?;
     let mut strokes = edges_of(corners);
     for (i, corner) in corners.into_iter().enumerate() {
-        strokes.push(Stroke::Word(corner, format!("p{i}")));
+        strokes.push(Stroke::Word(Anchor::Start, corner, format!("p{i}")));
     }
     match shown.expected.is_empty() && shown.yours.is_empty() {
         true => strokes.push(Stroke::Mark(Ink::Shape, crossing)),

@@ -1,5 +1,7 @@
 //! The drawing: strokes in a plane.
 
+use super::words::Anchor;
+
 /// A drawing of one call.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sketch {
@@ -40,12 +42,8 @@ pub(super) enum Stroke {
     /// A line that ends with a head.
     Arrow(Ink, [[f64; 2]; 2]),
     Mark(Ink, [f64; 2]),
-    /// A word right of a point.
-    Word([f64; 2], String),
-    /// A word left of a point.
-    WordBefore([f64; 2], String),
-    /// A word around a point.
-    Name([f64; 2], String),
+    /// A word, right of its point if it starts there, left if it ends there, or around it.
+    Word(Anchor, [f64; 2], String),
 }
 
 /// The sides of a polygon.
@@ -119,19 +117,17 @@ impl Sketch {
 impl Stroke {
     /// A word beside the tip of an arrow.
     pub(super) fn word_at_tip([from, tip]: [[f64; 2]; 2], word: &str) -> Stroke {
-        match tip[0] < from[0] {
-            true => Stroke::WordBefore(tip, word.into()),
-            false => Stroke::Word(tip, word.into()),
-        }
+        let anchor = match tip[0] < from[0] {
+            true => Anchor::End,
+            false => Anchor::Start,
+        };
+        Stroke::Word(anchor, tip, word.into())
     }
 
     fn points(&self) -> Vec<[f64; 2]> {
         match self {
             Stroke::Line(_, ends) | Stroke::Arrow(_, ends) => ends.to_vec(),
-            Stroke::Mark(_, at)
-            | Stroke::Word(at, _)
-            | Stroke::WordBefore(at, _)
-            | Stroke::Name(at, _) => vec![*at],
+            Stroke::Mark(_, at) | Stroke::Word(_, at, _) => vec![*at],
         }
     }
 }

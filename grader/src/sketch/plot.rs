@@ -1,7 +1,5 @@
 //! A plot of characters.
 
-use crate::report::wrap::one_line;
-
 /// Columns of a plot of the size of an explanation.
 pub(crate) const WIDTH: usize = 60;
 
@@ -98,6 +96,23 @@ impl Plot {
     /// Draws the line between two points where nothing is drawn yet.
     pub(crate) fn line(&mut self, from: [f64; 2], to: [f64; 2]) {
         self.stroke(from, to, LINE);
+    }
+
+    /// Draws the outline of a polygon.
+    pub(crate) fn outline(&mut self, corners: &[[f64; 2]]) {
+        let next = corners.iter().cycle().skip(1);
+        for (from, to) in corners.iter().zip(next) {
+            self.line(*from, *to);
+        }
+    }
+
+    /// Draws the unit circle.
+    pub(crate) fn unit_circle(&mut self) {
+        let around = |step: u32| {
+            let angle = f64::from(step) / 90.0 * std::f64::consts::TAU;
+            [angle.cos(), angle.sin()]
+        };
+        self.outline(&(0..90).map(around).collect::<Vec<_>>());
     }
 
     /// As [`Plot::line`], with another mark.
@@ -212,11 +227,6 @@ pub(super) fn both(before: char, mark: char) -> char {
         ('o', 'x') | ('x', 'o') | (BOTH, _) => BOTH,
         _ => mark,
     }
-}
-
-/// A line below a plot.
-pub(crate) fn legend(text: &str) -> String {
-    one_line(&format!("  {text}"), WIDTH + 14)
 }
 
 #[cfg(test)]

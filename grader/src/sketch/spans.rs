@@ -2,6 +2,7 @@
 
 use super::model::{Ink, Layout, Sketch, Stroke};
 use super::text::COLUMNS;
+use super::words::Anchor;
 use crate::report::wrap::columns;
 use judge::shown::{ShownSpans, Span};
 
@@ -47,7 +48,8 @@ pub(super) fn spans(shown: &ShownSpans) -> Option<Sketch> {
                 strokes.push(Stroke::Line(Ink::Shape, [at(from), at(to)]));
                 strokes.extend([from, to].map(|end| Stroke::Mark(Ink::Shape, at(end))));
             }
-            strokes.push(Stroke::Name(at(middle), format!(" {} ", span.label)));
+            let label = format!(" {} ", span.label);
+            strokes.push(Stroke::Word(Anchor::Middle, at(middle), label));
         }
         line -= names.len() as f64;
     }

@@ -69,19 +69,16 @@ impl Sketch {
                     mark(&mut svg, *ink, place(*at), self.layout);
                     words.avoid(place(*at), 7.0);
                 }
-                Stroke::Word(..) | Stroke::WordBefore(..) | Stroke::Name(..) => {}
+                Stroke::Word(..) => {}
             }
         }
         for stroke in &self.strokes {
-            let (at, word, anchor) = match stroke {
-                Stroke::Word(at, word) => (*at, word, Anchor::Start),
-                Stroke::WordBefore(at, word) => (*at, word, Anchor::End),
-                Stroke::Name(at, word) => (*at, word, Anchor::Middle),
-                _ => continue,
+            let Stroke::Word(anchor, at, word) = stroke else {
+                continue;
             };
             let places = match self.layout {
-                Layout::Shape => around(place(at), anchor),
-                Layout::Rows => above_row(place(at)),
+                Layout::Shape => around(place(*at), *anchor),
+                Layout::Rows => above_row(place(*at)),
             };
             if let Some((at, anchor)) = words.place(word.trim(), &places) {
                 text(&mut svg, at, anchor, word.trim());

@@ -2,6 +2,7 @@
 
 use super::model::{Ink, Layout, Sketch, Stroke, TAxis};
 use super::plot::{BOTH, Plot, Side, both};
+use super::words::Anchor;
 use crate::report::wrap::{columns, wrap};
 
 /// Columns and lines of the shapes.
@@ -50,9 +51,7 @@ impl Sketch {
     /// What is false of the drawing: [`false_signs`].
     pub(crate) fn false_signs(&self) -> Vec<String> {
         let words = self.strokes.iter().filter_map(|stroke| match stroke {
-            Stroke::Word(_, word) | Stroke::WordBefore(_, word) | Stroke::Name(_, word) => {
-                Some(word.trim()).filter(|word| !word.is_empty())
-            }
+            Stroke::Word(_, _, word) => Some(word.trim()).filter(|word| !word.is_empty()),
             _ => None,
         });
         let of = |ink: Ink| self.shows(ink);
@@ -93,7 +92,7 @@ impl Sketch {
                 let columns = (ASPECT * size[0] / unit).round() as usize + 1;
                 let lines = (size[1] / unit).round() as usize + 1;
                 // Room for words beside the first and the last point.
-                let is_before = |stroke: &Stroke| matches!(stroke, Stroke::WordBefore(..));
+                let is_before = |stroke: &Stroke| matches!(stroke, Stroke::Word(Anchor::End, ..));
                 let before = match self.strokes.iter().any(is_before) {
                     true => WORDS,
                     false => 0,
@@ -143,15 +142,16 @@ impl Sketch {
             }
         }
         for stroke in &self.strokes {
-            match stroke {
-                Stroke::WordBefore(at, word) => plot.word(*at, word, Side::Before),
-                Stroke::Word(at, word) => plot.word(*at, word, Side::Behind),
-                Stroke::Name(at, word) if !word.trim().is_empty() => match self.layout {
-                    Layout::Rows => plot.word(*at, word.trim(), Side::Within),
-                    Layout::Shape => plot.word(*at, word, Side::Around),
-                },
-                _ => true,
-            };
+            if let Stroke::Word(anchor, at, word) = stroke
+                && !word.trim().is_empty()
+            {
+                match (anchor, self.layout) {
+                    (Anchor::End, _) => plot.word(*at, word, Side::Before),
+                    (Anchor::Start, _) => plot.word(*at, word, Side::Behind),
+                    (Anchor::Middle, Layout::Rows) => plot.word(*at, word.trim(), Side::Within),
+                    (Anchor::Middle, Layout::Shape) => plot.word(*at, word, Side::Around),
+                };
+            }
         }
         plot
     }

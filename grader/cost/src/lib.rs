@@ -8,6 +8,7 @@
 //! [`page`] (output); [`world`] compares with real ray casters.
 
 mod accuracy;
+mod cells;
 mod leak_view;
 mod leaks;
 mod machine;

@@ -2,7 +2,7 @@
 
 use crate::canvas::{Canvas, Label, Position};
 use crate::labels::Labels;
-use crate::plot::Plot;
+use crate::plot::{Axis, Plot};
 use crate::style::{self, SeriesStyle};
 
 /// The least radius around a point in which its text is shown, in points.
@@ -27,6 +27,36 @@ pub struct Point {
     pub label: Label,
     /// What it shows when the pointer is over it.
     pub tip: String,
+}
+
+/// A plot of points with the legend of their markers below it.
+pub struct Scatter {
+    /// The axes.
+    pub axes: [Axis; 2],
+    /// The points.
+    pub points: Vec<Point>,
+    /// The legend: markers with their areas and meanings.
+    pub key: Vec<(SeriesStyle, f64, String)>,
+}
+
+/// Height of the legend below the plot, in points.
+const KEY: f64 = 24.0;
+
+impl Scatter {
+    /// Draws it in the top left corner of a canvas, `width` by `height` points large.
+    pub fn draw(&self, canvas: &Canvas, [width, height]: [f64; 2], title: &str) {
+        let [x, y] = self.axes.clone();
+        let size = [width, height - KEY];
+        let plot = Plot::new(canvas, title, (0.0, 0.0), size, x, y);
+        let mut labels = Labels::new(plot.inner());
+        if let Some(y) = plot.separator() {
+            let [left, _, right, _] = plot.inner();
+            labels.keep_box_free([left, y - 1.0, right, y + 1.0]);
+        }
+        draw(canvas, &plot, labels, &self.points);
+        let start = (48.0, height - 0.5 * KEY);
+        key(canvas, start, width, self.key.iter().cloned())
+    }
 }
 
 /// Draws points where `labels` are free. The names of the first ones are nearest to their points.

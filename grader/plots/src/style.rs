@@ -101,6 +101,16 @@ impl SeriesStyle {
             dashes: DASHES[i % DASHES.len()],
         }
     }
+
+    /// Returns the style with this marker, filled or not, and with solid lines.
+    pub fn marked(self, marker: Marker, hollow: bool) -> SeriesStyle {
+        SeriesStyle {
+            marker,
+            hollow,
+            dashes: None,
+            ..self
+        }
+    }
 }
 
 /// Width of the rim around markers, in points.

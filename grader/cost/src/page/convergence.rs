@@ -1,8 +1,8 @@
 //! The error of pictures against samples and against time.
 
 use super::convergence_caption::{caption, finding};
+use crate::cells::factor;
 use crate::picture::{Curve, CurvePoint, Experiment, Thumbnail};
-use crate::table::factor;
 use pages::html::png_data_uri;
 use pictures::Image;
 use plots::canvas::{Label, for_both_widths};

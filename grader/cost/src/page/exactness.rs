@@ -4,20 +4,16 @@ use crate::quartiles::Quartiles;
 use crate::report::Precision;
 use crate::trees::table::by_precision;
 use crate::trees::{ExactnessRow, TreeReport};
-use plots::canvas::{Canvas, Label, file, for_both_widths, svg};
+use plots::canvas::{Label, file, for_both_widths, svg};
 use plots::figure::Figure;
-use plots::labels::Labels;
 use plots::numbers::{figures, grouped};
-use plots::plot::{Axis, Plot};
-use plots::scatter::{self, Point};
+use plots::plot::Axis;
+use plots::scatter::{Point, Scatter};
 use plots::style::{Marker, SeriesStyle};
 
 /// Sizes in points: the plot, and the plot on a telephone.
-const BROAD: [f64; 2] = [860.0, 400.0 + KEY];
-const NARROW: [f64; 2] = [300.0, 400.0 + KEY];
-
-/// Height of the legend below the plot, in points.
-const KEY: f64 = 24.0;
+const BROAD: [f64; 2] = [860.0, 424.0];
+const NARROW: [f64; 2] = [300.0, 424.0];
 
 /// Area of the markers in square points.
 const AREA: f64 = 60.0;
@@ -31,8 +27,9 @@ const NAME: f64 = 9.5;
 /// Draws the plot; `None` if nothing was measured.
 pub(crate) fn figure(trees: &TreeReport) -> Option<Figure> {
     let finding = finding(&trees.by_precision)?;
+    let scatter = scatter(&trees.by_precision);
     let drawing = for_both_widths(BROAD, NARROW, LABEL, |canvas, size, _| {
-        draw(canvas, size, "lost hits against speed", &trees.by_precision)
+        scatter.draw(canvas, size, "lost hits against speed")
     });
     let first = trees.by_precision.first();
     let (rays, grid_rays) = first.map_or((0, 0), |row| (row.rays, row.grid_rays));
@@ -66,9 +63,8 @@ pub(crate) fn figure(trees: &TreeReport) -> Option<Figure> {
 pub(crate) fn svg_file(trees: &TreeReport) -> Option<String> {
     let finding = finding(&trees.by_precision)?;
     let [w, h] = BROAD;
-    let drawing = svg(w, h, LABEL, |canvas| {
-        draw(canvas, BROAD, &finding, &trees.by_precision)
-    });
+    let scatter = scatter(&trees.by_precision);
+    let drawing = svg(w, h, LABEL, |canvas| scatter.draw(canvas, BROAD, &finding));
     Some(file(&drawing))
 }
 
@@ -111,21 +107,11 @@ fn finding(rows: &[ExactnessRow]) -> Option<String> {
     })
 }
 
-fn draw(canvas: &Canvas, size: [f64; 2], title: &str, rows: &[ExactnessRow]) {
-    let rates = rows
-        .iter()
-        .map(ExactnessRow::rate)
-        .flat_map(|r| [r.lower, r.upper]);
-    let x = Axis::around("millions of rays per second", rates, figures);
+fn scatter(rows: &[ExactnessRow]) -> Scatter {
+    let rates = rows.iter().map(ExactnessRow::rate);
+    let rates = rates.flat_map(|r| [r.lower, r.upper]);
     let lost = rows.iter().map(ExactnessRow::worst_per_million);
-    let y = Axis::log_and_zero("lost hits in a million rays", lost, grouped);
-    let plot = Plot::new(canvas, title, (0.0, 0.0), [size[0], size[1] - KEY], x, y);
     let is_first = |row: &ExactnessRow| rows.first().is_some_and(|first| row.split == first.split);
-    let mut labels = Labels::new(plot.inner());
-    if let Some(y) = plot.separator() {
-        let [left, _, right, _] = plot.inner();
-        labels.keep_box_free([left, y - 1.0, right, y + 1.0]);
-    }
     let columns = by_precision();
     let points = rows.iter().map(|row| {
         let style = style_of(row, is_first(row));
@@ -148,31 +134,33 @@ fn draw(canvas: &Canvas, size: [f64; 2], title: &str, rows: &[ExactnessRow]) {
             tip: columns.tip(row),
         }
     });
-    scatter::draw(canvas, &plot, labels, &points.collect::<Vec<_>>());
     let single = |row: &&ExactnessRow| row.precision != Precision::F64;
     let entries = [
         (rows.iter().find(|row| is_first(row) && !single(row)), "f64"),
         (rows.iter().find(|row| is_first(row) && single(row)), "f32"),
         (rows.iter().find(|row| !is_first(row)), "another tree"),
     ];
-    let there = entries
-        .into_iter()
-        .filter_map(|(row, text)| Some((style_of(row?, is_first(row?)), AREA, text.into())));
-    scatter::key(canvas, (48.0, size[1] - 0.5 * KEY), size[0], there)
+    let key = entries.into_iter();
+    Scatter {
+        axes: [
+            Axis::around("millions of rays per second", rates, figures),
+            Axis::log_and_zero("lost hits in a million rays", lost, grouped),
+        ],
+        points: points.collect(),
+        key: key
+            .filter_map(|(row, text)| Some((style_of(row?, is_first(row?)), AREA, text.into())))
+            .collect(),
+    }
 }
 
 /// Colour and shape show the precision, as in the plot of triangle tests; trees other than the
 /// first have a shape of their own.
 fn style_of(row: &ExactnessRow, is_first: bool) -> SeriesStyle {
     let is_single = row.precision != Precision::F64;
-    SeriesStyle {
-        marker: match (is_first, is_single) {
-            (false, _) => Marker::Triangle,
-            (true, false) => Marker::Disc,
-            (true, true) => Marker::Square,
-        },
-        hollow: !is_single,
-        dashes: None,
-        ..SeriesStyle::of(usize::from(is_single))
-    }
+    let marker = match (is_first, is_single) {
+        (false, _) => Marker::Triangle,
+        (true, false) => Marker::Disc,
+        (true, true) => Marker::Square,
+    };
+    SeriesStyle::of(usize::from(is_single)).marked(marker, !is_single)
 }

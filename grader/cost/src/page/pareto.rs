@@ -3,8 +3,8 @@
 use super::front::front;
 use super::kernel_name::name;
 use super::pareto_caption::{caption, finding};
+use crate::cells::plus_minus;
 use crate::report::{KernelFamily, KernelRow, Precision, Shape};
-use crate::table::plus_minus;
 use plots::canvas::{Canvas, Label, for_both_widths};
 use plots::columns::Columns;
 use plots::figure::Figure;
@@ -197,15 +197,12 @@ fn style_of(row: &KernelRow) -> SeriesStyle {
         Precision::F32 => 1,
         Precision::F32InF64 => 2,
     };
-    SeriesStyle {
-        marker: if row.student {
-            Marker::Star
-        } else {
-            SeriesStyle::of(i).marker
-        },
-        hollow: failure_rate(row) == 0.0 && !row.student,
-        dashes: None,
-        ..SeriesStyle::of(if row.student { 3 } else { i })
+    match row.student {
+        true => SeriesStyle::of(3).marked(Marker::Star, false),
+        false => {
+            let style = SeriesStyle::of(i);
+            style.marked(style.marker, failure_rate(row) == 0.0)
+        }
     }
 }
 

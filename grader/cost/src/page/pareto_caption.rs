@@ -3,8 +3,8 @@
 use super::front::{beats, bits};
 use super::kernel_name::name;
 use super::pareto::failure_rate;
+use crate::cells::plus_minus;
 use crate::report::{KernelFamily, KernelRow, Shape};
-use crate::table::plus_minus;
 use crate::timing::Timing;
 use plots::numbers::{figures, list};
 

@@ -1,7 +1,7 @@
 //! Build time against tracing time of trees.
 
+use crate::cells::plus_minus;
 use crate::quartiles::Quartiles;
-use crate::table::plus_minus;
 use crate::trees::table::by_build;
 use crate::trees::{BreakEven, SlackRow, TreeReport, TreeRow, WrongHits};
 use plots::canvas::{Canvas, Label, for_both_widths};

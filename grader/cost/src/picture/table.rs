@@ -1,7 +1,7 @@
 //! The results for pictures as text tables.
 
 use super::curve::{ConfidenceInterval, Curve, CurvePoint, Experiment, PictureReport};
-use crate::table::{factor, framed, plus_minus};
+use crate::cells::{factor, framed, plus_minus};
 use comfy_table::Table;
 use plots::columns::Columns;
 use std::fmt::Write;

@@ -3,7 +3,7 @@
 use super::{
     BreakEven, ExactnessRow, SlackRow, TraversalCost, TreeReport, TreeRow, WrongHits, in_a_million,
 };
-use crate::table::{figures, nanoseconds, narrow, plus_minus, ratio};
+use crate::cells::{figures, nanoseconds, narrow, plus_minus, ratio};
 use comfy_table::Table;
 use plots::columns::Columns;
 use plots::numbers::grouped;

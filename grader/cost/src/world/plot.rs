@@ -2,20 +2,18 @@
 
 use super::{COLUMNS, Row, WorldReport, table};
 use crate::precision::Precision;
-use plots::canvas::{Canvas, Label, Position, file, for_both_widths, svg};
+use plots::canvas::{Canvas, Label, file, for_both_widths, svg};
 use plots::columns::Columns;
 use plots::figure::Figure;
-use plots::labels::Labels;
 use plots::numbers::{figures, grouped};
 use plots::plot::{Axis, Plot};
-use plots::scatter::{self, Point};
+use plots::scatter::{Point, Scatter};
 use plots::style::{Marker, SeriesStyle};
 
 /// Sizes in points: of the large plot with its legend, and of a small one.
 const WIDTH: f64 = 860.0;
 const LARGE: f64 = 460.0;
 const SMALL: f64 = 190.0;
-const KEY: f64 = 24.0;
 const NARROW: f64 = 300.0;
 
 /// Font size of the names beside markers.
@@ -39,7 +37,7 @@ pub(crate) fn figure(report: &WorldReport) -> Option<Figure> {
         [NARROW, LARGE],
         LABEL,
         |canvas, [width, _], is_narrow| {
-            large(canvas, [width, LARGE], "worst case against speed", &rows);
+            large(canvas, width, "worst case against speed", &rows);
             if !is_narrow {
                 small(canvas, &rows);
             }
@@ -78,7 +76,7 @@ pub(crate) fn svg_file(report: &WorldReport) -> Option<String> {
     let rows = timed(report);
     let finding = finding(&rows)?;
     let drawing = svg(WIDTH, LARGE + SMALL, LABEL, |canvas| {
-        large(canvas, [WIDTH, LARGE], &finding, &rows);
+        large(canvas, WIDTH, &finding, &rows);
         small(canvas, &rows);
     });
     Some(file(&drawing))
@@ -111,72 +109,54 @@ fn style_of(row: &Row) -> SeriesStyle {
         (false, false) => (0, Marker::Disc),
         (false, true) => (1, Marker::Square),
     };
-    SeriesStyle {
-        marker,
-        hollow: !is_single && !is_ours,
-        dashes: None,
-        ..SeriesStyle::of(color)
+    SeriesStyle::of(color).marked(marker, !is_single && !is_ours)
+}
+
+/// A plot; `wrong` returns the height of a row, whose axis is `name_of_y`.
+fn panel(rows: &[&Row], name_of_y: &str, wrong: impl Fn(&Row) -> Option<f64>) -> Scatter {
+    let points = rows.iter().filter_map(|row| {
+        let (style, name) = (style_of(row), row.name.replace('_', " "));
+        let at = (row.million_rays?, wrong(row)?);
+        Some(Point {
+            style,
+            area: 60.0,
+            at,
+            bar: None,
+            tip: format!("{name}: {} of a million wrong", grouped(at.1)),
+            name,
+            label: Label::left(NAME).in_color(style.color),
+        })
+    });
+    let points: Vec<Point> = points.collect();
+    let speeds = points.iter().map(|point| point.at.0);
+    // The same heights in all plots.
+    let heights = points.iter().map(|point| point.at.1).chain([10.0, 1e6]);
+    let first = |is: &dyn Fn(&Row) -> bool| rows.iter().find(|row| is(row));
+    let is_single = |row: &Row| row.precision != Precision::F64;
+    let entries = [
+        ("f32", first(&|row| row.is_of_a_library() && is_single(row))),
+        (
+            "f64",
+            first(&|row| row.is_of_a_library() && !is_single(row)),
+        ),
+        ("First Light's tree", first(&|row| !row.is_of_a_library())),
+    ];
+    let key = entries.into_iter();
+    Scatter {
+        axes: [
+            // All ticks are powers of ten.
+            Axis::log("millions of rays per second", speeds, |x| x.to_string()),
+            Axis::log_and_zero(name_of_y, heights, grouped),
+        ],
+        key: key
+            .filter_map(|(text, row)| Some((style_of(row?), 60.0, text.into())))
+            .collect(),
+        points,
     }
 }
 
-/// A plot at `corner`; `wrong` returns the height of a row, whose axis is `name_of_y`.
-fn panel<'a>(
-    canvas: &'a Canvas,
-    title: &str,
-    (corner, size): (Position, [f64; 2]),
-    rows: &[&Row],
-    name_of_y: &str,
-    wrong: impl Fn(&Row) -> Option<f64>,
-) -> (Plot<'a>, Vec<Point>) {
-    let points: Vec<Point> = rows
-        .iter()
-        .filter_map(|row| {
-            let (style, name) = (style_of(row), row.name.replace('_', " "));
-            let at = (row.million_rays?, wrong(row)?);
-            Some(Point {
-                style,
-                area: 60.0,
-                at,
-                bar: None,
-                tip: format!("{name}: {} of a million wrong", grouped(at.1)),
-                name,
-                label: Label::left(NAME).in_color(style.color),
-            })
-        })
-        .collect();
-    let x = Axis::log(
-        "millions of rays per second",
-        points.iter().map(|point| point.at.0),
-        // All ticks are powers of ten.
-        |speed| speed.to_string(),
-    );
-    // The same heights in all plots.
-    let heights = points.iter().map(|point| point.at.1).chain([10.0, 1e6]);
-    let y = Axis::log_and_zero(name_of_y, heights, grouped);
-    (Plot::new(canvas, title, corner, size, x, y), points)
-}
-
-fn large(canvas: &Canvas, [width, height]: [f64; 2], title: &str, rows: &[&Row]) {
-    let place = ((0.0, 0.0), [width, height - KEY]);
-    let (plot, points) = panel(canvas, title, place, rows, WRONG, Row::worst);
-    scatter::draw(canvas, &plot, Labels::new(plot.inner()), &points);
-    let of = |is_single: bool| {
-        let is_other =
-            |row: &&&Row| row.is_of_a_library() && (row.precision != Precision::F64) == is_single;
-        rows.iter().find(is_other)
-    };
-    let entries = [
-        ("f32", of(true)),
-        ("f64", of(false)),
-        (
-            "First Light's tree",
-            rows.iter().find(|row| !row.is_of_a_library()),
-        ),
-    ];
-    let there = entries
-        .into_iter()
-        .filter_map(|(text, row)| Some((style_of(row?), 60.0, text.into())));
-    scatter::key(canvas, (48.0, height - 0.5 * KEY), width, there)
+fn large(canvas: &Canvas, width: f64, title: &str, rows: &[&Row]) {
+    panel(rows, WRONG, Row::worst).draw(canvas, [width, LARGE], title)
 }
 
 fn small(canvas: &Canvas, rows: &[&Row]) {
@@ -184,9 +164,11 @@ fn small(canvas: &Canvas, rows: &[&Row]) {
     for (i, name) in PANELS.into_iter().enumerate() {
         let column = COLUMNS.iter().find(|column| column.name == name);
         let title = column.map_or(name, |column| column.title);
-        let place = ((i as f64 * width, LARGE), [width, SMALL]);
+        let (corner, size) = ((i as f64 * width, LARGE), [width, SMALL]);
         // The ticks are close together here, and the large plot names the axis.
-        let (plot, points) = panel(canvas, title, place, rows, "", |row| row.value(name));
+        let Scatter { axes, points, .. } = panel(rows, "", |row| row.value(name));
+        let [x, y] = axes;
+        let plot = Plot::new(canvas, title, corner, size, x, y);
         for point in points {
             plot.marker(point.style, point.at, 24.0);
         }

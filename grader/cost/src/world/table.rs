@@ -2,7 +2,7 @@
 
 use super::row::{Cell, Row};
 use super::{COLUMNS, Column, Measure, WorldReport};
-use crate::table::framed;
+use crate::cells::framed;
 use comfy_table::presets;
 use plots::columns::Columns;
 use plots::numbers::{figures, grouped};

@@ -19,6 +19,30 @@ pub struct KernelInfo {
     pub uses_fma: bool,
 }
 
+impl KernelInfo {
+    /// A kernel that culls nothing and has no fused multiply-add.
+    pub(crate) const fn new(name: &'static str, paper: &'static str) -> KernelInfo {
+        KernelInfo {
+            name,
+            paper,
+            culls: false,
+            uses_fma: false,
+        }
+    }
+
+    /// The same, culling triangles seen from behind.
+    pub(crate) const fn culling(mut self) -> KernelInfo {
+        self.culls = true;
+        self
+    }
+
+    /// The same with fused multiply-adds.
+    pub(crate) const fn fused(mut self) -> KernelInfo {
+        self.uses_fma = true;
+        self
+    }
+}
+
 /// A ray intersection test, generic over the number type.
 pub trait Test: 'static {
     /// The shape that rays are tested against.

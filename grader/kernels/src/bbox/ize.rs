@@ -13,12 +13,7 @@ use lanes::Scalar;
 pub(crate) struct Ize;
 
 impl BoxTest for Ize {
-    const INFO: KernelInfo = KernelInfo {
-        name: "Ize, 2 ulp",
-        paper: "Ize 2013",
-        culls: false,
-        uses_fma: false,
-    };
+    const INFO: KernelInfo = KernelInfo::new("Ize, 2 ulp", "Ize 2013");
 
     #[inline(always)]
     fn intersect<R: Scalar>(b: &Aabb<R>, ray: &Ray<R>) -> Option<Interval<R>> {

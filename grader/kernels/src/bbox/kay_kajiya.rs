@@ -11,12 +11,7 @@ use lanes::Scalar;
 pub(crate) struct KayKajiya;
 
 impl BoxTest for KayKajiya {
-    const INFO: KernelInfo = KernelInfo {
-        name: "naive slabs",
-        paper: "Kay, Kajiya 1986",
-        culls: false,
-        uses_fma: false,
-    };
+    const INFO: KernelInfo = KernelInfo::new("naive slabs", "Kay, Kajiya 1986");
 
     #[inline(always)]
     fn intersect<R: Scalar>(b: &Aabb<R>, ray: &Ray<R>) -> Option<Interval<R>> {

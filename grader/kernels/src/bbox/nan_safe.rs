@@ -12,12 +12,7 @@ use lanes::Scalar;
 pub(super) struct NanSafe;
 
 impl BoxTest for NanSafe {
-    const INFO: KernelInfo = KernelInfo {
-        name: "NaN-safe slabs",
-        paper: "Barnes 2022",
-        culls: false,
-        uses_fma: false,
-    };
+    const INFO: KernelInfo = KernelInfo::new("NaN-safe slabs", "Barnes 2022");
 
     #[inline(always)]
     fn intersect<R: Scalar>(b: &Aabb<R>, ray: &Ray<R>) -> Option<Interval<R>> {

@@ -12,12 +12,7 @@ use lanes::Scalar;
 pub(crate) struct Williams;
 
 impl BoxTest for Williams {
-    const INFO: KernelInfo = KernelInfo {
-        name: "Williams",
-        paper: "Williams et al. 2005",
-        culls: false,
-        uses_fma: false,
-    };
+    const INFO: KernelInfo = KernelInfo::new("Williams", "Williams et al. 2005");
 
     #[inline(always)]
     fn intersect<R: Scalar>(b: &Aabb<R>, ray: &Ray<R>) -> Option<Interval<R>> {

@@ -14,12 +14,7 @@ use lanes::sphere::SphereEquation;
 pub(super) struct Haines;
 
 impl SphereTest for Haines {
-    const INFO: KernelInfo = KernelInfo {
-        name: "Haines's discriminant",
-        paper: "Haines et al. 2019",
-        culls: false,
-        uses_fma: false,
-    };
+    const INFO: KernelInfo = KernelInfo::new("Haines's discriminant", "Haines et al. 2019");
     const REPROJECTED: KernelInfo = KernelInfo {
         name: "Haines's, reprojected",
         ..Self::INFO

@@ -11,12 +11,7 @@ use lanes::Scalar;
 pub(super) struct QForm;
 
 impl SphereTest for QForm {
-    const INFO: KernelInfo = KernelInfo {
-        name: "q form",
-        paper: "Press et al. 1992",
-        culls: false,
-        uses_fma: false,
-    };
+    const INFO: KernelInfo = KernelInfo::new("q form", "Press et al. 1992");
     const REPROJECTED: KernelInfo = KernelInfo {
         name: "q form, reprojected",
         ..Self::INFO

@@ -12,12 +12,7 @@ use lanes::Scalar;
 pub(super) struct Quadratic;
 
 impl SphereTest for Quadratic {
-    const INFO: KernelInfo = KernelInfo {
-        name: "quadratic formula",
-        paper: "Haines 1989",
-        culls: false,
-        uses_fma: false,
-    };
+    const INFO: KernelInfo = KernelInfo::new("quadratic formula", "Haines 1989");
     const REPROJECTED: KernelInfo = KernelInfo {
         name: "quadratic, reprojected",
         ..Self::INFO

@@ -25,12 +25,7 @@ impl Test for BaldwinWeber {
     type Answer<R: Scalar> = Hit<R>;
     type AnswerF64 = HitF64;
 
-    const INFO: KernelInfo = KernelInfo {
-        name: "Baldwin-Weber",
-        paper: "Baldwin, Weber 2016",
-        culls: false,
-        uses_fma: false,
-    };
+    const INFO: KernelInfo = KernelInfo::new("Baldwin-Weber", "Baldwin, Weber 2016");
 
     /// The fixed column of the paper is the axis of the largest component of the normal. Its
     /// entries are 0, 0 and 1 and need not be stored. Here they are stored, so that the test has no

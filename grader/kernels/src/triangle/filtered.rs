@@ -13,12 +13,7 @@ use lanes::Scalar;
 pub(super) struct Filtered;
 
 impl TriangleTest for Filtered {
-    const INFO: KernelInfo = KernelInfo {
-        name: "filter, exact fallback",
-        paper: "Shewchuk 1997",
-        culls: false,
-        uses_fma: true,
-    };
+    const INFO: KernelInfo = KernelInfo::new("filter, exact fallback", "Shewchuk 1997").fused();
 
     #[inline(always)]
     fn intersect<R: Scalar>(tri: &Triangle<R>, ray: &Ray<R>) -> Option<TriangleHit<R>> {

@@ -14,12 +14,7 @@ const PAPER: &str = "Möller, Trumbore 1997";
 pub(crate) struct MollerTrumbore;
 
 impl TriangleTest for MollerTrumbore {
-    const INFO: KernelInfo = KernelInfo {
-        name: "Möller-Trumbore",
-        paper: PAPER,
-        culls: false,
-        uses_fma: false,
-    };
+    const INFO: KernelInfo = KernelInfo::new("Möller-Trumbore", PAPER);
 
     #[inline(always)]
     fn intersect<R: Scalar>(tri: &Triangle<R>, ray: &Ray<R>) -> Option<TriangleHit<R>> {
@@ -35,12 +30,7 @@ pub(super) struct UsualEpsilon;
 const EPSILON: f64 = 1e-6;
 
 impl TriangleTest for UsualEpsilon {
-    const INFO: KernelInfo = KernelInfo {
-        name: "Möller-Trumbore ε",
-        paper: PAPER,
-        culls: false,
-        uses_fma: false,
-    };
+    const INFO: KernelInfo = KernelInfo::new("Möller-Trumbore ε", PAPER);
 
     #[inline(always)]
     fn intersect<R: Scalar>(tri: &Triangle<R>, ray: &Ray<R>) -> Option<TriangleHit<R>> {
@@ -82,12 +72,7 @@ fn solve<R: Scalar>(
 pub(super) struct Culling;
 
 impl TriangleTest for Culling {
-    const INFO: KernelInfo = KernelInfo {
-        name: "Möller-Trumbore cull",
-        paper: PAPER,
-        culls: true,
-        uses_fma: false,
-    };
+    const INFO: KernelInfo = KernelInfo::new("Möller-Trumbore cull", PAPER).culling();
 
     #[inline(always)]
     fn intersect<R: Scalar>(tri: &Triangle<R>, ray: &Ray<R>) -> Option<TriangleHit<R>> {

@@ -12,12 +12,7 @@ use lanes::Scalar;
 pub(super) struct PlaneThenSides;
 
 impl TriangleTest for PlaneThenSides {
-    const INFO: KernelInfo = KernelInfo {
-        name: "plane, then sides",
-        paper: "Haines 1989",
-        culls: false,
-        uses_fma: false,
-    };
+    const INFO: KernelInfo = KernelInfo::new("plane, then sides", "Haines 1989");
 
     #[inline(always)]
     fn intersect<R: Scalar>(tri: &Triangle<R>, ray: &Ray<R>) -> Option<TriangleHit<R>> {

@@ -13,12 +13,7 @@ use lanes::Scalar;
 pub(crate) struct Plucker;
 
 impl TriangleTest for Plucker {
-    const INFO: KernelInfo = KernelInfo {
-        name: "Plücker",
-        paper: "Amanatides, Choi 1997",
-        culls: false,
-        uses_fma: false,
-    };
+    const INFO: KernelInfo = KernelInfo::new("Plücker", "Amanatides, Choi 1997");
 
     #[inline(always)]
     fn intersect<R: Scalar>(tri: &Triangle<R>, ray: &Ray<R>) -> Option<TriangleHit<R>> {

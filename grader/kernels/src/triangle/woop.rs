@@ -15,12 +15,7 @@ use lanes::triangle::edge_factors;
 pub(crate) struct Woop;
 
 impl TriangleTest for Woop {
-    const INFO: KernelInfo = KernelInfo {
-        name: "Woop",
-        paper: "Woop, Benthin, Wald 2013",
-        culls: false,
-        uses_fma: false,
-    };
+    const INFO: KernelInfo = KernelInfo::new("Woop", "Woop, Benthin, Wald 2013");
 
     #[inline(always)]
     fn intersect<R: Scalar>(tri: &Triangle<R>, ray: &Ray<R>) -> Option<TriangleHit<R>> {

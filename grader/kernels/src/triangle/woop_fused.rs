@@ -17,12 +17,7 @@ const PAPER: &str = "Woop et al. 2013; Jeannerod et al. 2013";
 pub(super) struct Fused;
 
 impl TriangleTest for Fused {
-    const INFO: KernelInfo = KernelInfo {
-        name: "Woop, FMA edges",
-        paper: PAPER,
-        culls: false,
-        uses_fma: true,
-    };
+    const INFO: KernelInfo = KernelInfo::new("Woop, FMA edges", PAPER).fused();
 
     #[inline(always)]
     fn intersect<R: Scalar>(tri: &Triangle<R>, ray: &Ray<R>) -> Option<TriangleHit<R>> {
@@ -36,12 +31,7 @@ impl TriangleTest for Fused {
 pub(super) struct FusedAtZero;
 
 impl TriangleTest for FusedAtZero {
-    const INFO: KernelInfo = KernelInfo {
-        name: "Woop, FMA at zero",
-        paper: PAPER,
-        culls: false,
-        uses_fma: true,
-    };
+    const INFO: KernelInfo = KernelInfo::new("Woop, FMA at zero", PAPER).fused();
 
     #[inline(always)]
     fn intersect<R: Scalar>(tri: &Triangle<R>, ray: &Ray<R>) -> Option<TriangleHit<R>> {

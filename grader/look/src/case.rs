@@ -3,7 +3,7 @@
 use super::box_tests;
 use super::calls::{Nearer, Row, differing, nearer, rows};
 use super::picture::{self, Picture, Pixels};
-use ::pictures::cause::Cause;
+use ::pictures::cause::{Cause, difference};
 use base::{GraderError, Workspace};
 use grader::course::packed;
 use grader::workers::runner::Worker;
@@ -252,7 +252,7 @@ fn picture(
         );
         let hits: Vec<Option<f64>> = rows.iter().map(Row::expected_t).collect();
         Some(Pixels {
-            difference: picture::difference(&new, &causes),
+            difference: difference(&new, &causes),
             boxes: box_tests::of_case(spec, answer, together, &calls, &hits)?,
             corners: picture::corners(new.size(), full),
             causes,

@@ -2,14 +2,14 @@
 
 use super::box_tests::BoxTests;
 use super::calls::Row;
-use ::pictures::cause::Cause;
+use ::pictures::cause::{self, Cause};
+use ::pictures::tone::misses_are_black;
 use judge::cases::Spec;
 use judge::findings::Aspect;
 use judge::snapshot::{Line, Snapshot};
+use pictures::Image;
 use pictures::image::Rgb;
-use pictures::{Image, palette};
 use std::collections::BTreeMap;
-use wire::Work;
 
 /// The pictures of a case or of a task.
 #[derive(Clone, Debug)]
@@ -106,19 +106,7 @@ pub fn corners([w, h]: [u32; 2], full: &Snapshot) -> Option<[[Vec<f64>; 2]; 4]> 
 impl Pixels {
     /// The number of pixels for each cause that occurs.
     pub fn counts(&self) -> Vec<(Cause, usize)> {
-        let count = |cause| self.causes.iter().filter(|c| **c == cause).count();
-        let counts = Cause::DIFFERENCES.map(|cause| (cause, count(cause)));
-        counts.into_iter().filter(|(_, count)| *count > 0).collect()
-    }
-}
-
-/// Whether black is the colour of a miss, and of nothing else: no unit normal is black, and no box
-/// near the camera.
-fn misses_are_black(work: &Work) -> bool {
-    match work {
-        Work::Boxes(_) | Work::BruteForce(_) => true,
-        Work::SceneHits(work) => !work.any_hit,
-        _ => false,
+        cause::counts(&self.causes)
     }
 }
 
@@ -128,15 +116,4 @@ fn from_the_bottom(picture: &Image) -> impl Iterator<Item = Rgb> {
     (0..h)
         .rev()
         .flat_map(move |y| (0..w).map(move |x| picture.get(x, y)))
-}
-
-/// The actual picture in grey, with the colour of the cause where it differs.
-pub fn difference(actual: &Image, causes: &[Cause]) -> Image {
-    let [w, h] = actual.size();
-    Image::from_fn([w, h], |x, y| {
-        match causes[((h - 1 - y) * w + x) as usize] {
-            Cause::Same => palette::dimmed(actual.get(x, y)),
-            cause => cause.colour(),
-        }
-    })
 }

@@ -15,7 +15,7 @@ use judge::cases::{PITFALL, checked};
 use judge::findings::Aspect;
 use judge::pictures::Differences;
 use judge::{Tier, plural};
-use pages::html::{escape, png_data_uri};
+use pages::html::{chip, escape, png_data_uri};
 use std::fmt::Write;
 
 const OWN_STYLE: &str = include_str!("look.css");
@@ -158,10 +158,10 @@ fn task_picture(rendered: &Rendered) -> String {
                 let _ = write!(legend, "<li class=\"note\">{}:</li>", escape(kind.about));
             }
             for (mark, count) in marks {
-                let [r, g, b] = mark.colour();
                 let _ = write!(
                     legend,
-                    "<li><span class=\"chip\" style=\"background:rgb({r},{g},{b})\"></span>{}: {}</li>",
+                    "<li>{}{}: {}</li>",
+                    chip(mark.colour()),
                     mark.label(),
                     plural(*count, "pixel", "pixels")
                 );

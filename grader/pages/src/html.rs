@@ -3,6 +3,7 @@
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use miniz_oxide::deflate::compress_to_vec_zlib;
+use pictures::image::Rgb;
 use pictures::{Image, png};
 
 /// The highest level of compression that does not take minutes.
@@ -38,6 +39,11 @@ pub fn image_uri(subtype: &str, bytes: &[u8]) -> String {
 /// Encodes the picture as a PNG in a data URI, for the `src` of an `<img>`.
 pub fn png_data_uri(picture: &Image) -> String {
     image_uri("png", &png::encode(picture))
+}
+
+/// A patch of a colour, for legends.
+pub fn chip([r, g, b]: Rgb) -> String {
+    format!("<span class=\"chip\" style=\"background:rgb({r},{g},{b})\"></span>")
 }
 
 /// Compresses `bytes` (zlib, RFC 1950) and encodes the result in base64. A script reads it with

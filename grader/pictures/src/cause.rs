@@ -1,6 +1,6 @@
 //! Why a pixel differs.
 
-use crate::image::Rgb;
+use crate::image::{Image, Rgb};
 use crate::palette;
 use judge::findings::Aspect;
 use judge::snapshot::Line;
@@ -115,6 +115,25 @@ impl Cause {
             Cause::Value => palette::ORANGE,
         }
     }
+}
+
+/// The number of pixels for each cause that occurs.
+pub fn counts(causes: &[Cause]) -> Vec<(Cause, usize)> {
+    let count = |cause| causes.iter().filter(|c| **c == cause).count();
+    let counts = Cause::DIFFERENCES.map(|cause| (cause, count(cause)));
+    counts.into_iter().filter(|(_, count)| *count > 0).collect()
+}
+
+/// The actual picture in grey, with the colour of the cause where it differs: a cause for each
+/// pixel, in rows from the bottom left.
+pub fn difference(actual: &Image, causes: &[Cause]) -> Image {
+    let [w, h] = actual.size();
+    Image::from_fn([w, h], |x, y| {
+        match causes[((h - 1 - y) * w + x) as usize] {
+            Cause::Same => palette::dimmed(actual.get(x, y)),
+            cause => cause.colour(),
+        }
+    })
 }
 
 #[cfg(test)]

@@ -36,6 +36,16 @@ pub fn of_answer([width, height]: [u32; 2], work: &Work, answer: &Answer) -> Opt
     }))
 }
 
+/// Whether black is the colour of a miss, and of nothing else: no unit normal is black, and no box
+/// near the camera.
+pub fn misses_are_black(work: &Work) -> bool {
+    match work {
+        Work::Boxes(_) | Work::BruteForce(_) => true,
+        Work::SceneHits(work) => !work.any_hit,
+        _ => false,
+    }
+}
+
 /// The picture of a task from the worker's answer, which fits it: its panels, one below the other.
 pub fn compose(picture: &TaskPicture, answer: &PictureAnswer) -> Image {
     let [w, h] = picture.work.size;

@@ -6,14 +6,14 @@ use crate::delta;
 use judge::findings::Aspect;
 use judge::snapshot::{Line, Value};
 use judge::whole::Verdict;
-use pages::html::escape;
+use pages::html::{chip, escape};
 use std::fmt::Write;
 
 /// Formats a call below its heading, which is text.
 pub fn call(row: &Row, heading: &str, verdict: &Verdict, words: &Words) -> String {
-    let [r, g, b] = row.cause.colour();
     let mut text = format!(
-        "<section class=\"call\"><h4><span class=\"chip\" style=\"background:rgb({r},{g},{b})\"></span>{}</h4>\n{}",
+        "<section class=\"call\"><h4>{}{}</h4>\n{}",
+        chip(row.cause.colour()),
         escape(heading),
         oracle(verdict, words)
     );

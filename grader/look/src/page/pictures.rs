@@ -7,7 +7,7 @@ use crate::box_walk::Step;
 use crate::case::Case;
 use crate::picture::{Picture, Pixels};
 use ::pictures::cause::Cause;
-use pages::html::{compressed, escape};
+use pages::html::{chip, compressed, escape};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -46,11 +46,11 @@ fn legend(pixels: &Pixels) -> String {
         "<p class=\"note\">Differences, by the first field that differs. Each button goes to the next such pixel.</p>\n<ul class=\"legend\">",
     );
     for (cause, count) in counts {
-        let [r, g, b] = cause.colour();
         let _ = write!(
             text,
-            "<li><button type=\"button\" data-cause=\"{}\"><span class=\"chip\" style=\"background:rgb({r},{g},{b})\"></span>{}: {count}</button></li>",
+            "<li><button type=\"button\" data-cause=\"{}\">{}{}: {count}</button></li>",
             cause as u8,
+            chip(cause.colour()),
             escape(cause.label())
         );
     }

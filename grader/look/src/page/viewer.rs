@@ -2,7 +2,7 @@
 
 use super::words::Words;
 use crate::magnitude;
-use pages::html::png_data_uri;
+use pages::html::{chip, png_data_uri};
 use pictures::Image;
 use std::fmt::Write;
 
@@ -91,11 +91,8 @@ fn magnitudes() -> String {
     let mut text = String::from(
         "<p class=\"note\">The largest difference of a channel, of 255, is at least</p><ul class=\"legend\">",
     );
-    for (least, [r, g, b]) in magnitude::legend() {
-        let _ = write!(
-            text,
-            "<li><span class=\"chip\" style=\"background:rgb({r},{g},{b})\"></span>{least}</li>"
-        );
+    for (least, colour) in magnitude::legend() {
+        let _ = write!(text, "<li>{}{least}</li>", chip(colour));
     }
     text + "</ul>"
 }

@@ -218,10 +218,7 @@ fn visits(lines: &Lines<'_>, ui: &Ui, case: &VisitCase, step: usize) {
         .iter()
         .step_by(triangles.len().div_ceil(MAX_SHAPES).max(1))
     {
-        let [a, b, c] = corners(triangle);
-        for (from, to) in [(a, b), (b, c), (c, a)] {
-            lines.line(from, to, thin, Hidden::Shown);
-        }
+        lines.outline(&corners(triangle), thin, Hidden::Shown, Pattern::Solid);
     }
     // Where only the results of tests are given, the boxes are all that there is to see.
     if case.scene.is_empty() {
@@ -281,9 +278,8 @@ fn light(lines: &Lines<'_>, ui: &Ui, case: &LightCase) {
         for triangle in [[a, b, c], [a, c, d]] {
             lines.triangle(triangle, fill, Stroke::NONE);
         }
-        for (from, to) in [(a, b), (b, c), (c, d), (d, a)] {
-            lines.line(from, to, Stroke::new(1.5, color), Hidden::Shown);
-        }
+        let stroke = Stroke::new(1.5, color);
+        lines.outline(&panel.corners, stroke, Hidden::Shown, Pattern::Solid);
     }
     for &at in &case.lights {
         lines.disc(at, 6.0, lines.palette.attention);

@@ -156,6 +156,35 @@ impl<'a> Lines<'a> {
         a + t * (b - a)
     }
 
+    /// Draws a line through points.
+    pub(super) fn path(&self, points: &[Vec3], stroke: Stroke, hidden: Hidden, pattern: Pattern) {
+        for pair in points.windows(2) {
+            self.patterned(pair[0], pair[1], stroke, hidden, pattern);
+        }
+    }
+
+    /// Draws the outline of a polygon.
+    pub(super) fn outline(
+        &self,
+        corners: &[Vec3],
+        stroke: Stroke,
+        hidden: Hidden,
+        pattern: Pattern,
+    ) {
+        let closed = corners.iter().chain(corners.first()).copied();
+        self.path(&closed.collect::<Vec<_>>(), stroke, hidden, pattern);
+    }
+
+    /// Draws a circle around a point: `u` and `v` are two of its radii, at a right angle.
+    pub(super) fn circle(&self, center: Vec3, [u, v]: [Vec3; 2], stroke: Stroke) {
+        let at = |i: u32| {
+            let (sin, cos) = (std::f64::consts::TAU * f64::from(i) / 64.0).sin_cos();
+            center + cos * u + sin * v
+        };
+        let points: Vec<Vec3> = (0..64).map(at).collect();
+        self.outline(&points, stroke, Hidden::Shown, Pattern::Solid);
+    }
+
     /// The twelve edges of a box.
     pub(super) fn aabb(&self, b: &Aabb, stroke: Stroke, hidden: Hidden) {
         self.patterned_box(b, stroke, hidden, Pattern::Solid);
@@ -190,10 +219,7 @@ impl<'a> Lines<'a> {
     /// A triangle of the scene: what is in front of its edges hides them.
     pub(super) fn face(&self, points: [Vec3; 3], fill: Color32, stroke: Stroke) {
         self.triangle(points, fill, Stroke::NONE);
-        let [a, b, c] = points;
-        for (from, to) in [(a, b), (b, c), (c, a)] {
-            self.line(from, to, stroke, Hidden::Faint);
-        }
+        self.outline(&points, stroke, Hidden::Faint, Pattern::Solid);
     }
 
     /// A filled triangle. Its edges are lines of their own: an outline would have long spikes at sharp
@@ -205,10 +231,7 @@ impl<'a> Lines<'a> {
                 .add(Shape::convex_polygon(at, fill, Stroke::NONE));
         }
         if stroke.width > 0.0 {
-            let [a, b, c] = points;
-            for (from, to) in [(a, b), (b, c), (c, a)] {
-                self.line(from, to, stroke, Hidden::Shown);
-            }
+            self.outline(&points, stroke, Hidden::Shown, Pattern::Solid);
         }
     }
 
@@ -232,25 +255,14 @@ impl<'a> Lines<'a> {
 
     /// The outline of a sphere: a circle around its centre, facing the camera.
     pub(super) fn sphere(&self, center: Vec3, radius: f64, camera: &Camera, stroke: Stroke) {
-        let circle = |i: u32| {
-            let (sin, cos) = (std::f64::consts::TAU * f64::from(i) / 64.0).sin_cos();
-            center + radius * (cos * camera.c2w.x_axis + sin * camera.c2w.y_axis)
-        };
-        for i in 0..64 {
-            self.line(circle(i), circle(i + 1), stroke, Hidden::Shown);
-        }
+        let radii = [camera.c2w.x_axis, camera.c2w.y_axis].map(|axis| radius * axis);
+        self.circle(center, radii, stroke);
     }
 
     /// A sphere as three circles.
     pub(super) fn ball(&self, center: Vec3, radius: f64, stroke: Stroke) {
         for (u, v) in [(Vec3::X, Vec3::Y), (Vec3::Y, Vec3::Z), (Vec3::Z, Vec3::X)] {
-            let at = |i: u32| {
-                let (sin, cos) = (std::f64::consts::TAU * f64::from(i) / 64.0).sin_cos();
-                center + radius * (cos * u + sin * v)
-            };
-            for i in 0..64 {
-                self.line(at(i), at(i + 1), stroke, Hidden::Shown);
-            }
+            self.circle(center, [radius * u, radius * v], stroke);
         }
     }
 

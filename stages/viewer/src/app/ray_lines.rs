@@ -31,16 +31,10 @@ pub(super) fn frustum(
         };
         let stroke = Stroke::new(1.5, color);
         let corners = [at(0.0, 0.0), at(1.0, 0.0), at(1.0, 1.0), at(0.0, 1.0)];
-        for (i, corner) in corners.iter().enumerate() {
-            lines.line(camera.pos, *corner, stroke, Hidden::Faint);
-            lines.line(*corner, corners[(i + 1) % 4], stroke, Hidden::Faint);
+        for corner in corners {
+            lines.line(camera.pos, corner, stroke, Hidden::Faint);
         }
-        let rectangle = |x0: f64, y0: f64, x1: f64, y1: f64, stroke: Stroke| {
-            let corners = [at(x0, y0), at(x1, y0), at(x1, y1), at(x0, y1)];
-            for (i, corner) in corners.iter().enumerate() {
-                lines.line(*corner, corners[(i + 1) % 4], stroke, Hidden::Shown);
-            }
-        };
+        lines.outline(&corners, stroke, Hidden::Faint, Pattern::Solid);
         let (w, h) = (f64::from(film.w), f64::from(film.h));
         // The grid: every pixel of a small film, else every tenth of a film's edge.
         let (columns, rows) = (w.min(10.0), h.min(10.0));
@@ -56,7 +50,9 @@ pub(super) fn frustum(
         if let Some((x, y)) = pixel {
             let (x, y) = (f64::from(x), f64::from(y));
             let stroke = Stroke::new(2.0, lines.palette.selected);
-            rectangle(x / w, y / h, (x + 1.0) / w, (y + 1.0) / h, stroke);
+            let around = [(x, y), (x + 1.0, y), (x + 1.0, y + 1.0), (x, y + 1.0)];
+            let corners = around.map(|(x, y)| at(x / w, y / h));
+            lines.outline(&corners, stroke, Hidden::Shown, Pattern::Solid);
         }
     });
 }
@@ -161,9 +157,8 @@ fn draw_lobe(lines: &Lines<'_>, lobe: &Lobe, p: Vec3, size: f64) {
     let color = lines.palette.ray(RayRole::Bounce);
     let thin = Stroke::new(1.0, color.gamma_multiply(0.7));
     for curve in &lobe.curves {
-        for pair in curve.windows(2) {
-            lines.line(p + size * pair[0], p + size * pair[1], thin, Hidden::Faint);
-        }
+        let curve: Vec<Vec3> = curve.iter().map(|q| p + size * *q).collect();
+        lines.path(&curve, thin, Hidden::Faint, Pattern::Solid);
     }
     for arrow in &lobe.arrows {
         lines.arrow(p, *arrow, size, color, "");

@@ -87,10 +87,7 @@ const CORNERS: [(f64, f64); 4] = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)
 /// The square of the pixel at a height.
 fn square(lines: &Lines<'_>, case: &PixelCase, height: f64, stroke: Stroke, pattern: Pattern) {
     let corners = CORNERS.map(|(x, y)| case.seen(Vec3::new(x, y, height)));
-    for i in 0..4 {
-        let [from, to] = [corners[i], corners[(i + 1) % 4]];
-        lines.patterned(from, to, stroke, Hidden::Shown, pattern);
-    }
+    lines.outline(&corners, stroke, Hidden::Shown, pattern);
 }
 
 pub(super) fn scatter_legend(case: &ScatterCase, palette: &Palette) -> Vec<Entry> {
@@ -114,21 +111,13 @@ pub(super) fn scatter_legend(case: &ScatterCase, palette: &Palette) -> Vec<Entry
 /// A surface, its normal, the directions of the call, and its lobe with the samples of all calls.
 pub(super) fn scatter(lines: &Lines<'_>, ui: &Ui, case: &ScatterCase) {
     let thin = Stroke::new(1.0, colors::line(ui));
-    let circle = |i: u32| {
-        let (sin, cos) = (std::f64::consts::TAU * f64::from(i) / 64.0).sin_cos();
-        Vec3::new(cos, 0.0, sin)
-    };
-    for i in 0..64 {
-        lines.line(circle(i), circle(i + 1), thin, Hidden::Shown);
-    }
+    lines.circle(Vec3::ZERO, [Vec3::X, Vec3::Z], thin);
     for &sample in case.samples.iter().take(MAX_DIRECTIONS) {
         lines.disc(sample, 2.0, lines.palette.ray(RayRole::Light));
     }
     let lobe = Stroke::new(1.5, lines.palette.right);
     for curve in &case.curves {
-        for pair in curve.windows(2) {
-            lines.line(pair[0], pair[1], lobe, Hidden::Shown);
-        }
+        lines.path(curve, lobe, Hidden::Shown, Pattern::Solid);
     }
     let o = Vec3::ZERO;
     lines.arrow(o, Vec3::Y, 1.0, ui.visuals().strong_text_color(), "n");
@@ -192,13 +181,9 @@ pub(super) fn plot(lines: &Lines<'_>, ui: &Ui, case: &PlotCase) {
         let stroke = Stroke::new(1.0, lines.palette.attention);
         lines.line(*low, *high, stroke, Hidden::Shown);
     }
-    for pair in case.curve.windows(2) {
-        lines.line(pair[0], pair[1], Stroke::new(2.0, color), Hidden::Shown);
-    }
-    for pair in case.right.windows(2) {
-        let stroke = Stroke::new(2.0, lines.palette.right);
-        lines.patterned(pair[0], pair[1], stroke, Hidden::Shown, Pattern::Dashed);
-    }
+    let [mean, right] = [color, lines.palette.right].map(|color| Stroke::new(2.0, color));
+    lines.path(&case.curve, mean, Hidden::Shown, Pattern::Solid);
+    lines.path(&case.right, right, Hidden::Shown, Pattern::Dashed);
     for &dot in case.dots.iter().take(MAX_SAMPLES) {
         lines.disc(dot, 2.0, color);
     }

@@ -138,10 +138,7 @@ fn wireframe(lines: &Lines<'_>, session: &Session, ui: &Ui) {
     let triangles = &scene.scene().triangles;
     let step = (3 * triangles.len()).div_ceil(MAX_EDGES).max(1);
     for triangle in triangles.iter().step_by(step) {
-        let [a, b, c] = corners(triangle);
-        for (from, to) in [(a, b), (b, c), (c, a)] {
-            lines.line(from, to, stroke, Hidden::Shown);
-        }
+        lines.outline(&corners(triangle), stroke, Hidden::Shown, Pattern::Solid);
     }
     for sphere in &scene.scene().spheres {
         lines.sphere(sphere.center, sphere.radius, &orbit.camera(), stroke);
@@ -168,10 +165,7 @@ pub(super) fn of_session(ui: &Ui, rect: Rect, session: &Session) {
     if let (Some(cut), Some(scene)) = (session.cut(), session.scene()) {
         let corners = cut.corners(&scene.bounds);
         let stroke = Stroke::new(1.5, lines.palette.attention);
-        for (i, corner) in corners.iter().enumerate() {
-            let next = corners[(i + 1) % corners.len()];
-            lines.patterned(*corner, next, stroke, Hidden::Faint, Pattern::Dashed);
-        }
+        lines.outline(&corners, stroke, Hidden::Faint, Pattern::Dashed);
     }
     match session.mode() {
         Mode::Edit => selection(&lines, session),

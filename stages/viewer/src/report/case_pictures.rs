@@ -6,14 +6,14 @@ use judge::cases::Spec;
 use judge::pictures::NAME;
 use judge::snapshot;
 use judge::whole::judge_whole;
-use pictures::cause::Cause;
+use pictures::cause::{self, Cause};
 use pictures::difference::{Mark, compare};
 use pictures::image::Rgb;
-use pictures::{Image, palette, png, tone};
+use pictures::{Image, png, tone};
 use std::collections::BTreeMap;
 use std::env;
 use std::path::{Path, PathBuf};
-use wire::{Answer, Work};
+use wire::Answer;
 
 /// The folder of the goldens: of the project that the report is in, else of the current folder or of
 /// this program.
@@ -44,23 +44,17 @@ pub fn of_case(
         Err(why) => return Some(Err(why)),
     };
     let causes = causes(spec, tier, answer, &golden, &actual)?;
-    let [w, h] = actual.size();
-    let cause_at = |x: u32, y: u32| causes[((h - 1 - y) * w + x) as usize];
-    let difference = Image::from_fn([w, h], |x, y| match cause_at(x, y) {
-        Cause::Same => palette::dimmed(actual.get(x, y)),
-        cause => cause.colour(),
-    });
-    let counts = Cause::DIFFERENCES.map(|cause| CauseCount {
+    let counts = cause::counts(&causes).into_iter();
+    let legend = counts.map(|(cause, pixels)| CauseCount {
         label: cause.label(),
         color: cause.colour(),
-        pixels: causes.iter().filter(|c| **c == cause).count(),
+        pixels,
     });
-    let legend = counts.into_iter().filter(|count| count.pixels > 0);
     Some(Ok(PicturePair {
         about: vec!["a pixel for each call".to_owned()],
+        difference: cause::difference(&actual, &causes),
         first: actual,
         second: golden,
-        difference,
         legend: legend.collect(),
     }))
 }
@@ -77,11 +71,7 @@ fn causes(
     let full = snapshot::full(&spec.work, answer)?;
     let whole = judge_whole(spec, tier, answer);
     let wrong: &BTreeMap<u32, Vec<_>> = whole.wrong_calls();
-    let misses_are_black = match &spec.work {
-        Work::Boxes(_) | Work::BruteForce(_) => true,
-        Work::SceneHits(work) => !work.any_hit,
-        _ => false,
-    };
+    let misses_are_black = tone::misses_are_black(&spec.work);
     let [w, h] = actual.size();
     let cause = |line: &snapshot::Line| {
         let (x, y) = (line.call % w, h - 1 - line.call / w);

@@ -39,6 +39,16 @@ pub struct Level {
     pub is_right: bool,
 }
 
+impl Level {
+    fn new(y: f64, name: impl Into<String>, is_right: bool) -> Level {
+        Level {
+            y,
+            name: name.into(),
+            is_right,
+        }
+    }
+}
+
 /// The width of a plot of height 1.
 pub const WIDTH: f64 = 1.6;
 
@@ -71,15 +81,10 @@ impl PlotCase {
         let mean = factors.iter().sum::<f64>() / count as f64;
         let ended = answers.iter().filter(|answer| answer.is_none()).count();
         let dots = work.numbers.iter().zip(&factors);
-        let level = |factor: f64, name: String, is_right| Level {
-            y: factor / highest,
-            name,
-            is_right,
-        };
-        let mut levels = vec![level(1.0, "the mean must be 1".to_owned(), true)];
+        let mut levels = vec![Level::new(1.0 / highest, "the mean must be 1", true)];
         if mean.is_finite() {
             let name = format!("the mean of yours is {mean:.3}");
-            levels.push(level(mean, name, false));
+            levels.push(Level::new(mean / highest, name, false));
         }
         Some(PlotCase {
             axes: [
@@ -131,11 +136,7 @@ impl PlotCase {
             Vec3::new(WIDTH * x, (y / highest).clamp(0.0, 1.0), 0.0)
         };
         let allowed = call.tolerance * tally.mean();
-        let level = |y: f64, name: &str| Level {
-            y: (y / highest).clamp(0.0, 1.0),
-            name: name.to_owned(),
-            is_right: true,
-        };
+        let level = |y: f64, name| Level::new((y / highest).clamp(0.0, 1.0), name, true);
         Some(PlotCase {
             axes: ["samples", "their mean and its standard error"],
             curve: points.iter().map(|(n, mean, _)| at(*n, *mean)).collect(),
@@ -182,14 +183,16 @@ impl PlotCase {
             .map(|((cos_i, _, yours), right)| (cos_i, yours, right))
             .collect();
         same_glass.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let level = |share: f64, name: String, is_right| Level {
-            y: share.clamp(0.0, 1.0),
-            name,
-            is_right,
+        let level = |share: f64, whose: &str, is_right| {
+            Level::new(
+                share.clamp(0.0, 1.0),
+                format!("{whose}: {share:.4}"),
+                is_right,
+            )
         };
-        let mut levels = vec![level(expected, format!("right: {expected:.4}"), true)];
+        let mut levels = vec![level(expected, "right", true)];
         if yours != expected && yours.is_finite() {
-            levels.push(level(yours, format!("yours: {yours:.4}"), false));
+            levels.push(level(yours, "yours", false));
         }
         let dots = same_glass
             .iter()

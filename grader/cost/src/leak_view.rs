@@ -45,7 +45,6 @@ pub(crate) struct MeshView {
 
 struct PixelHit {
     ray: Ray,
-    t: f64,
     triangle: usize,
     at_edge: bool,
 }
@@ -71,7 +70,6 @@ impl MeshView {
                 let aimed = aim_at_edge(&mesh[triangle], &edges[triangle], &ray, hit.t);
                 Some(PixelHit {
                     ray: aimed.unwrap_or(ray),
-                    t: hit.t,
                     triangle,
                     at_edge: aimed.is_some(),
                 })
@@ -126,19 +124,12 @@ impl MeshView {
 
     /// Whether the ray misses all triangles at the distance of its edge.
     fn is_leak(&self, kernel: &TriangleKernel, hit: &PixelHit) -> bool {
-        let wall = hit.ray_length() * FARTHEST;
-        !self.mesh.iter().any(|tri| {
-            kernel
-                .answer(tri, &hit.ray)
-                .is_some_and(|hit| hit.t <= wall)
-        })
-    }
-}
-
-impl PixelHit {
-    /// Returns the distance along the ray: 1 for rays aimed at an edge.
-    fn ray_length(&self) -> f64 {
-        if self.at_edge { 1.0 } else { self.t }
+        let hits = self
+            .mesh
+            .iter()
+            .filter_map(|tri| kernel.answer(tri, &hit.ray));
+        // The ray reaches its edge at t = 1.
+        !hits.map(|hit| hit.t).any(|t| t <= FARTHEST)
     }
 }
 

@@ -36,30 +36,13 @@ impl Quartiles {
         (self.upper - self.median).max(self.median - self.lower)
     }
 
-    /// Returns `f` of all three, which does not decrease.
-    pub fn map(&self, f: impl Fn(f64) -> f64) -> Quartiles {
-        let [lower, median, upper] = [self.lower, self.median, self.upper].map(f);
-        Quartiles {
-            lower,
-            median,
-            upper,
-        }
-    }
-
     /// Returns all three times `factor`, which is not negative.
     pub fn scaled(&self, factor: f64) -> Quartiles {
-        self.map(|x| factor * x)
-    }
-
-    /// Returns a positive number over each of the three: the upper quartile becomes the lower one.
-    pub fn dividing(&self, number: f64) -> Quartiles {
-        let Quartiles { lower, upper, .. } = *self;
-        let swapped = Quartiles {
-            lower: upper,
-            upper: lower,
-            ..*self
-        };
-        swapped.map(|x| number / x)
+        Quartiles {
+            lower: factor * self.lower,
+            median: factor * self.median,
+            upper: factor * self.upper,
+        }
     }
 }
 

@@ -7,10 +7,8 @@ use crate::figure::Figure;
 pub enum Kind {
     /// Words: names of rows, and what they are made of.
     Words,
-    /// A number in each row.
+    /// Numbers.
     Numbers,
-    /// A number in some rows. Without any, the column is left out.
-    SomeNumbers,
 }
 
 /// A column: its head, and its cell in a row.
@@ -50,10 +48,10 @@ impl<'a, T> Columns<'a, T> {
         self.with(Kind::Numbers, head, move |row| Some(cell(row)))
     }
 
-    /// Adds a column of numbers that not every row has.
+    /// Adds a column of numbers that not every row has. Where none has, the column is left out.
     #[must_use]
     pub fn and_some(self, head: &str, cell: impl Fn(&T) -> Option<String> + 'a) -> Columns<'a, T> {
-        self.with(Kind::SomeNumbers, head, cell)
+        self.with(Kind::Numbers, head, cell)
     }
 
     fn with(
@@ -93,7 +91,7 @@ impl<'a, T> Columns<'a, T> {
         let rows: Vec<&T> = rows.into_iter().collect();
         let is_shown = |column: &&Column<T>| {
             let is_known = |row: &&T| (column.cell)(row).is_some();
-            column.kind != Kind::SomeNumbers || rows.iter().any(is_known)
+            rows.is_empty() || rows.iter().any(is_known)
         };
         let shown: Vec<&Column<T>> = self.0.iter().filter(is_shown).collect();
         let cells = |row: &&T| {

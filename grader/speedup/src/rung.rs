@@ -88,6 +88,8 @@ impl<'a> Rung<'a> {
     /// The `t` and the primitive of the closest hit. Adds to `counts`.
     pub fn closest(&self, ray: &Ray, counts: &mut TestCounts) -> Option<(f64, PrimId)> {
         let triangles = self.triangles;
+        let exact =
+            &mut |id: PrimId, ray: &Ray| intersect::test_triangle(&triangles[id.0 as usize], ray);
         match &self.tree {
             Tree::None => {
                 counts.prim_tests += triangles.len() as u64;
@@ -105,9 +107,6 @@ impl<'a> Rung<'a> {
                 Some((hit.t, hit.prim))
             }
             Tree::Wide(tree) => {
-                let exact = &mut |id: PrimId, ray: &Ray| {
-                    intersect::test_triangle(&triangles[id.0 as usize], ray)
-                };
                 let (id, hit) = tree.closest(ray, None, exact, counts)?;
                 Some((hit.t, id))
             }
@@ -117,6 +116,8 @@ impl<'a> Rung<'a> {
     /// Whether there is any hit. Adds to `counts`.
     pub fn occluded(&self, ray: &Ray, counts: &mut TestCounts) -> bool {
         let triangles = self.triangles;
+        let exact =
+            &mut |id: PrimId, ray: &Ray| intersect::test_triangle(&triangles[id.0 as usize], ray);
         match &self.tree {
             Tree::None => {
                 let mut tests = 0;
@@ -128,12 +129,7 @@ impl<'a> Rung<'a> {
                 is_hit
             }
             Tree::Binary(tree) => occludes_bvh(tree, ray, &mut Mesh { triangles, counts }),
-            Tree::Wide(tree) => {
-                let exact = &mut |id: PrimId, ray: &Ray| {
-                    intersect::test_triangle(&triangles[id.0 as usize], ray)
-                };
-                tree.occluded(ray, None, exact, counts)
-            }
+            Tree::Wide(tree) => tree.occluded(ray, None, exact, counts),
         }
     }
 }

@@ -1,8 +1,9 @@
 //! The distribution of the errors of `t`, compared with the forward error bound.
 
 use super::kernel_name::name;
-use crate::report::{Accuracy, KernelFamily, KernelRow, Precision, RayFamily};
+use crate::report::{Accuracy, KernelFamily, KernelRow, Precision, Quantiles, RayFamily};
 use plots::canvas::{Label, for_both_widths};
+use plots::columns::Columns;
 use plots::figure::Figure;
 use plots::numbers::{figures, list, rounded, tick};
 use plots::plot::{Axis, Plot};
@@ -83,30 +84,29 @@ pub(crate) fn figure(family: &KernelFamily) -> Figure {
             }
         }
     });
-    let mut head = vec!["test".to_string()];
-    head.extend(shown.iter().flat_map(|&rays| {
-        ["median", "99.9 %", "largest"].map(|quantile| format!("{}: {quantile}", rays.name()))
-    }));
-    let rows = family.rows.iter().map(|row| {
-        let errors = shown.iter().flat_map(|&rays| {
-            let relative = accuracy(row, rays).and_then(|a| a.t).map(|t| t.relative);
-            match relative {
-                Some(of) => [of.p50, of.p999, of.max].map(figures),
-                None => ["", "", ""].map(String::from),
-            }
-        });
-        std::iter::once(name(row)).chain(errors).collect()
+    let quantiles: [(&str, fn(&Quantiles) -> f64); 3] = [
+        ("median", |of| of.p50),
+        ("99.9 %", |of| of.p999),
+        ("largest", |of| of.max),
+    ];
+    let all = shown
+        .iter()
+        .flat_map(|rays| quantiles.map(|of| (*rays, of)));
+    let columns = all.fold(Columns::new("test", name), |columns, (rays, (name, of))| {
+        columns.and_some(&format!("{}: {name}", rays.name()), move |row| {
+            Some(figures(of(&accuracy(row, rays)?.t?.relative)))
+        })
     });
-    Figure {
+    let figure = Figure {
         finding: finding(family, hard),
         drawing,
         caption: "The share of hits whose relative error of t is at most the value on the axis; the thick grey lines are the forward error \
                   bounds of robust tests."
             .into(),
         notes: caption(family, hard),
-        head,
-        rows: rows.collect(),
-    }
+        ..Figure::default()
+    };
+    columns.table(&family.rows, figure)
 }
 
 /// What the plot shows: by how much the best test is better than the worst on hard rays.

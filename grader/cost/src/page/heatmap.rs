@@ -4,6 +4,7 @@ use super::heatmap_cell::{CellClass, CellLook, cells};
 use super::kernel_name::name;
 use crate::report::{Accuracy, KernelFamily, KernelRow};
 use plots::canvas::{Canvas, Label, Position, for_both_widths};
+use plots::columns::Columns;
 use plots::figure::Figure;
 use plots::numbers::list;
 use plots::style::{self, text_color_on};
@@ -66,21 +67,19 @@ pub(crate) fn figure(family: &KernelFamily) -> Figure {
         };
         draw_key(canvas, corner, family, is_narrow)
     });
-    let mut head = vec!["test".to_string()];
-    head.extend(headings.iter().map(ToString::to_string));
-    let row_of = |row: &KernelRow| {
-        let cells = cells(row).into_iter().map(|cell| cell.text);
-        std::iter::once(name(row)).chain(cells).collect()
-    };
-    Figure {
+    let columns = headings.iter().enumerate();
+    let columns = columns.fold(Columns::new("test", name), |columns, (i, head)| {
+        columns.and_some(head, move |row| Some(cells(row).into_iter().nth(i)?.text))
+    });
+    let figure = Figure {
         finding: finding(family),
         drawing,
         caption: "Each cell is a test on a family of rays, with its correct bits of t, or with the share of rays that are wrong, shaded by degree."
             .into(),
         notes: caption(family),
-        head,
-        rows: family.rows.iter().map(row_of).collect(),
-    }
+        ..Figure::default()
+    };
+    columns.table(&family.rows, figure)
 }
 
 /// Where names and cells are.

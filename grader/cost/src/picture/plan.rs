@@ -70,6 +70,27 @@ fn without_lamp([w, h]: [u32; 2]) -> [u32; 4] {
     [0, 0, w, h * 3 / 4]
 }
 
+/// An experiment without methods: lit pictures without the lamp, in the lower part of `film`. The
+/// converged picture has paths of `depth` bounces and this many samples in a pixel.
+fn lit(
+    title: &'static str,
+    scene: &'static str,
+    film: [u32; 2],
+    [depth, samples]: [u32; 2],
+) -> ExperimentPlan {
+    ExperimentPlan {
+        title,
+        scene,
+        film,
+        cell: without_lamp(film),
+        seeds: 3,
+        converged: format!("--shade lit -m {depth} --sampler sobol -s {samples}"),
+        is_relative: false,
+        samples_are: "camera rays per pixel",
+        methods: Vec::new(),
+    }
+}
+
 /// Sampling of the pixel area. With normal shading nothing else is random.
 fn edges(quick: bool) -> ExperimentPlan {
     let samples: &[u32] = pick(quick, &[1, 4, 16, 64], &[1, 4, 16, 64, 256]);
@@ -108,16 +129,6 @@ fn direct_light(quick: bool, title: &'static str, scene: &'static str) -> Experi
         |name, flags| RenderMethod::new(name, format!("--shade lit -m 1 {flags}"), samples);
     let film = pick(quick, [24, 18], [40, 30]);
     ExperimentPlan {
-        title,
-        scene,
-        film,
-        cell: without_lamp(film),
-        seeds: 3,
-        converged: format!(
-            "--shade lit -m 1 --sampler sobol -s {}",
-            pick(quick, 512, 2048)
-        ),
-        is_relative: false,
         samples_are: "camera rays per pixel, one light sample each",
         methods: vec![
             method("uniform hemisphere", "-H --sampler independent"),
@@ -125,6 +136,7 @@ fn direct_light(quick: bool, title: &'static str, scene: &'static str) -> Experi
             method("MIS", "--mis --sampler independent"),
             method("MIS, Sobol", "--mis --sampler sobol"),
         ],
+        ..lit(title, scene, film, [1, pick(quick, 512, 2048)])
     }
 }
 
@@ -140,19 +152,10 @@ fn depth(quick: bool) -> ExperimentPlan {
         )
     };
     let film = pick(quick, [20, 16], [32, 24]);
+    let converged = [64, pick(quick, 256, 1024)];
     ExperimentPlan {
-        title: "ray depth",
-        scene: "cornell_spheres.dae",
-        film,
-        cell: without_lamp(film),
-        seeds: 3,
-        converged: format!(
-            "--shade lit -m 64 --sampler sobol -s {}",
-            pick(quick, 256, 1024)
-        ),
-        is_relative: false,
-        samples_are: "camera rays per pixel",
         methods: depths.iter().map(method).collect(),
+        ..lit("ray depth", "cornell_spheres.dae", film, converged)
     }
 }
 
@@ -168,19 +171,11 @@ fn clamp(quick: bool) -> ExperimentPlan {
         RenderMethod::new(format!("clamp {limit}"), flags, samples)
     }));
     let film = pick(quick, [20, 16], [32, 24]);
+    let converged = [8, pick(quick, 2048, 8192)];
     ExperimentPlan {
-        title: "fireflies",
-        scene: "cornell_mirror_glass.dae",
-        film,
-        cell: without_lamp(film),
         seeds: pick(quick, 3, 8),
-        converged: format!(
-            "--shade lit -m 8 --sampler sobol -s {}",
-            pick(quick, 2048, 8192)
-        ),
-        is_relative: false,
-        samples_are: "camera rays per pixel",
         methods,
+        ..lit("fireflies", "cornell_mirror_glass.dae", film, converged)
     }
 }
 
@@ -190,16 +185,8 @@ fn adaptive(quick: bool) -> ExperimentPlan {
     let tolerances: &[f64] = pick(quick, &[0.2, 0.1], &[0.2, 0.1, 0.05]);
     let step = |tolerance: &f64| (format!("-s {most} -a 64 {tolerance}"), most);
     let film = pick(quick, [12, 9], [32, 24]);
+    let converged = [1, pick(quick, 2048, 4096)];
     ExperimentPlan {
-        title: "adaptive sampling",
-        scene: "cornell_spheres.dae",
-        film,
-        cell: without_lamp(film),
-        seeds: 3,
-        converged: format!(
-            "--shade lit -m 1 --sampler sobol -s {}",
-            pick(quick, 2048, 4096)
-        ),
         is_relative: true,
         samples_are: "mean camera rays per pixel",
         methods: vec![
@@ -214,5 +201,6 @@ fn adaptive(quick: bool) -> ExperimentPlan {
                 steps: tolerances.iter().map(step).collect(),
             },
         ],
+        ..lit("adaptive sampling", "cornell_spheres.dae", film, converged)
     }
 }

@@ -104,10 +104,6 @@ impl Target for Aabb {
             max: stored_vec(self.max, precision),
         }
     }
-
-    fn is_front_facing(&self, _: &Ray) -> bool {
-        true
-    }
 }
 
 fn random_box(dice: &mut ProbeRng) -> Aabb {

@@ -37,7 +37,9 @@ pub(crate) trait Target: kernels::shapes::Shape {
 
     /// Whether the ray certainly hits the front face if it hits, so that a culling kernel must hit,
     /// too.
-    fn is_front_facing(&self, ray: &Ray) -> bool;
+    fn is_front_facing(&self, _ray: &Ray) -> bool {
+        true
+    }
 }
 
 /// Returns `count` pairs of a family.

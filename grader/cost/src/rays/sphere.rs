@@ -81,10 +81,6 @@ impl Target for Sphere {
             radius: precision.stored(self.radius),
         }
     }
-
-    fn is_front_facing(&self, _: &Ray) -> bool {
-        true
-    }
 }
 
 fn random_sphere(dice: &mut ProbeRng) -> Sphere {

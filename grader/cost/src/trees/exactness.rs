@@ -12,7 +12,7 @@ use kit::{Ray, Triangle};
 use serde::{Deserialize, Serialize};
 
 /// Results for one tree, with one pair of tests in one precision.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct ExactnessRow {
     /// The rule that splits a node of the tree.
     pub split: String,
@@ -49,11 +49,7 @@ impl ExactnessRow {
             precision: precision(tree.precision),
             slack_ulp: tree.slack_ulp,
             time,
-            rays: 0,
-            missed: 0,
-            wrong: 0,
-            grid_rays: 0,
-            grid_lost: 0,
+            ..ExactnessRow::default()
         }
     }
 
@@ -64,7 +60,12 @@ impl ExactnessRow {
 
     /// Millions of rays in a second.
     pub fn rate(&self) -> Quartiles {
-        self.time.ns.dividing(1e3)
+        let ns = &self.time.ns;
+        Quartiles {
+            lower: 1e3 / ns.upper,
+            median: 1e3 / ns.median,
+            upper: 1e3 / ns.lower,
+        }
     }
 
     /// Rays with another hit than the exact one, in a million: at the mesh or at the integer

@@ -1,8 +1,8 @@
 //! Figures of Part 4.
 
-use super::parts::{Figure, rectangle, w};
+use super::parts::{Figure, graph, rectangle, w};
 use crate::drawing::{Drawing, Side, turn};
-use kit::{PixelSampler, Vec2, math};
+use kit::{PixelSampler, math};
 
 pub(super) fn figures() -> Vec<Figure> {
     vec![
@@ -144,11 +144,8 @@ fn fresnel() -> String {
         (1.0 / 1.5, "blue", "from outside", w(62.0, 0.3)),
         (1.5, "red", "from inside", w(26.0, 0.6)),
     ] {
-        let points: Vec<Vec2> = (0..=360)
-            .map(|k| f64::from(k) / 4.0)
-            .map(|degrees| w(degrees, fraction(degrees, eta)))
-            .collect();
-        d.path(&points, colour);
+        let of_glass = graph(|degrees| fraction(degrees, eta), [0.0, 90.0], 360);
+        d.path(&of_glass, colour);
         d.note(at, Side::Centre, words, colour);
     }
     let critical = math::atan2(1.0, (1.5 * 1.5 - 1.0_f64).sqrt()).to_degrees();

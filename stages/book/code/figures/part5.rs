@@ -1,6 +1,6 @@
 //! Figures of Part 5.
 
-use super::parts::{Figure, log10, w};
+use super::parts::{Figure, graph, log10, w};
 use crate::drawing::{Drawing, Side};
 use kit::{PixelSampler, Tally, Vec2, math};
 
@@ -94,17 +94,11 @@ fn bell() -> String {
          within 1.96 standard errors s.",
     );
     let height = |x: f64| math::exp(-0.5 * x * x);
-    let curve = |from: f64, to: f64| -> Vec<Vec2> {
-        (0..=80)
-            .map(|k| from + (to - from) * f64::from(k) / 80.0)
-            .map(|x| w(x, height(x)))
-            .collect()
-    };
-    let mut inside = curve(-1.96, 1.96);
+    let mut inside = graph(height, [-1.96, 1.96], 80);
     inside.push(w(1.96, 0.0));
     inside.push(w(-1.96, 0.0));
     d.area(&inside, "green");
-    d.path(&curve(-3.4, 3.4), "ink");
+    d.path(&graph(height, [-3.4, 3.4], 80), "ink");
     d.line(w(-3.5, 0.0), w(3.5, 0.0), "ink");
     for (x, words) in [(-1.96, "I - 1.96 s"), (1.96, "I + 1.96 s")] {
         d.line(w(x, 0.0), w(x, height(x)), "green");
@@ -192,14 +186,8 @@ fn miss() -> String {
         (32, "red", "b = 32", w(1.75, 0.75)),
         (256, "green", "256", w(2.85, 0.55)),
     ] {
-        let points: Vec<Vec2> = (0..=120)
-            .map(|k| 1.0 + f64::from(k) / 40.0)
-            .map(|x| {
-                let p = math::pow(10.0, -x);
-                w(x, math::pow(1.0 - p, f64::from(batch)))
-            })
-            .collect();
-        d.path(&points, colour);
+        let missed = |x: f64| math::pow(1.0 - math::pow(10.0, -x), f64::from(batch));
+        d.path(&graph(missed, [1.0, 4.0], 120), colour);
         d.note(at, Side::Centre, words, colour);
     }
     d.finish()

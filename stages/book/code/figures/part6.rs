@@ -1,6 +1,6 @@
 //! Figures of Part 6: eight at a time.
 
-use super::parts::{Figure, rectangle, w};
+use super::parts::{Figure, graph, rectangle, w};
 use crate::drawing::{Drawing, Side};
 use kit::Vec2;
 
@@ -129,13 +129,13 @@ fn busy() -> String {
     for q in [0.0, 0.25, 0.5, 0.75, 1.0] {
         d.note(w(q, 0.0), Side::Below, format!("q = {q}"), "ink");
     }
-    let curve = |share: &dyn Fn(f64) -> f64| -> Vec<Vec2> {
-        let each = (0..=38).map(|k| 0.025 * f64::from(k));
-        each.map(|q| w(q, share(q))).collect()
-    };
     let ends = [
-        ("red", curve(&together), "8 together"),
-        ("blue", curve(&|q| moved_up(q, 64)), "64, moved up"),
+        ("red", graph(together, [0.0, 0.95], 38), "8 together"),
+        (
+            "blue",
+            graph(|q| moved_up(q, 64), [0.0, 0.95], 38),
+            "64, moved up",
+        ),
     ];
     for (colour, points, words) in ends {
         d.path(&points, colour);

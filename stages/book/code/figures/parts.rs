@@ -22,6 +22,12 @@ pub(super) fn outline(b: &Aabb, gap: f64) -> [Vec2; 5] {
     [a, b, c, d, a]
 }
 
+/// The graph of `f` from one `x` to another, in so many steps of equal size.
+pub(super) fn graph(f: impl Fn(f64) -> f64, [from, to]: [f64; 2], steps: u32) -> Vec<Vec2> {
+    let at = |k: u32| from + (to - from) * f64::from(k) / f64::from(steps);
+    (0..=steps).map(at).map(|x| w(x, f(x))).collect()
+}
+
 /// The logarithm to base 10.
 pub(super) fn log10(x: f64) -> f64 {
     kit::math::ln(x) / std::f64::consts::LN_10

@@ -11,11 +11,14 @@ pub enum Kind {
     Numbers,
 }
 
+/// The text of a row's cell, if it has one.
+type CellOf<'a, T> = Box<dyn Fn(&T) -> Option<String> + 'a>;
+
 /// A column: its head, and its cell in a row.
 struct Column<'a, T> {
     kind: Kind,
     head: String,
-    cell: Box<dyn Fn(&T) -> Option<String> + 'a>,
+    cell: CellOf<'a, T>,
 }
 
 /// The columns of a table whose rows are of `T`.

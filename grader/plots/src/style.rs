@@ -2,6 +2,8 @@
 //! without colour.
 
 use crate::canvas::{Canvas, Position};
+use pictures::image::Rgb;
+use pictures::palette;
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::fmt;
 
@@ -20,28 +22,31 @@ impl fmt::Display for Color {
 /// CSS rules that replace the colours of text, and those of plots on a dark page.
 pub const COLOR_RULES: &str = include_str!("colors.css");
 
-/// The palette of Okabe and Ito, "Color universal design" (2008), strongest contrasts first. Its
-/// yellow has too little contrast for lines on white.
+const fn of([r, g, b]: Rgb) -> Color {
+    Color(r, g, b)
+}
+
+/// The colours of lines, strongest contrasts first. Yellow has too little contrast on white.
 const PALETTE: [Color; 7] = [
-    Color(0, 114, 178),
-    Color(213, 94, 0),
-    Color(0, 158, 115),
+    of(palette::BLUE),
+    VERMILION,
+    GREEN,
     Color(0, 0, 0),
-    Color(204, 121, 167),
-    Color(230, 159, 0),
-    Color(86, 180, 233),
+    PURPLE,
+    of(palette::ORANGE),
+    SKY,
 ];
 
 /// Bluish green: correct.
-pub const GREEN: Color = PALETTE[2];
+pub const GREEN: Color = of(palette::GREEN);
 /// Sky blue: within the bound.
-pub const SKY: Color = PALETTE[6];
+pub const SKY: Color = of(palette::SKY_BLUE);
 /// Yellow: beyond the bound.
-pub const YELLOW: Color = Color(240, 228, 66);
+pub const YELLOW: Color = of(palette::YELLOW);
 /// Vermilion: wrong.
-pub const VERMILION: Color = PALETTE[1];
+pub const VERMILION: Color = of(palette::VERMILION);
 /// Reddish purple: leaks.
-pub const PURPLE: Color = PALETTE[4];
+pub const PURPLE: Color = of(palette::PURPLE);
 /// Grid lines.
 pub const GRID: Color = Color(222, 222, 222);
 /// Error bounds.

@@ -84,7 +84,8 @@ pub(crate) fn figure(family: &KernelFamily) -> Figure {
             }
         }
     });
-    let quantiles: [(&str, fn(&Quantiles) -> f64); 3] = [
+    type Quantile = (&'static str, fn(&Quantiles) -> f64);
+    let quantiles: [Quantile; 3] = [
         ("median", |of| of.p50),
         ("99.9 %", |of| of.p999),
         ("largest", |of| of.max),

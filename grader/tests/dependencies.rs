@@ -101,7 +101,7 @@ const MAY_DEPEND_ON: &[(&str, &[&str])] = &[
             "base", "grader", "judge", "kit", "pictures", "scenes", "wire",
         ],
     ),
-    ("plots", &["base", "pages"]),
+    ("plots", &["base", "pages", "pictures"]),
     // It links indicatif, which `grader part1` does not compile.
     ("progress", &["base"]),
     ("files", &["base"]),

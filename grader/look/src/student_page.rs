@@ -128,14 +128,9 @@ pub(super) fn drawing(sketch: &Sketch) -> String {
 
 /// The picture of the task: expected and yours with a slider, and where they differ.
 fn task_picture(rendered: &Rendered) -> String {
-    let about = rendered
-        .picture
-        .panels
-        .iter()
-        .map(|kind| kind.about)
-        .collect::<Vec<_>>()
-        .join("; below: ");
-    let about = escape(&about);
+    let panels = &rendered.picture.panels;
+    let abouts: Vec<&str> = panels.iter().map(|kind| kind.about).collect();
+    let about = escape(&abouts.join("; below: "));
     let (yours, comparison) = match &rendered.yours {
         Ok(yours) => yours,
         Err(status) => {
@@ -153,8 +148,8 @@ fn task_picture(rendered: &Rendered) -> String {
         legend.push_str("<p class=\"good\">Your picture is as expected.</p>\n");
     } else {
         legend.push_str("<ul class=\"legend\">");
-        for (kind, marks) in rendered.picture.panels.iter().zip(&comparison.counts) {
-            if rendered.picture.panels.len() > 1 && !marks.is_empty() {
+        for (kind, marks) in panels.iter().zip(&comparison.counts) {
+            if panels.len() > 1 && !marks.is_empty() {
                 let _ = write!(legend, "<li class=\"note\">{}:</li>", escape(kind.about));
             }
             for (mark, count) in marks {

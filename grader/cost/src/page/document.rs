@@ -14,11 +14,8 @@ const STYLE: &str = include_str!("pictures.css");
 /// Returns the HTML page of the results.
 pub fn page(report: &CostReport) -> String {
     let mut sections: Vec<(String, String)> = Vec::new();
-    for family in report
-        .families
-        .iter()
-        .filter(|family| !family.rows.is_empty())
-    {
+    let families = report.families.iter();
+    for family in families.filter(|family| !family.rows.is_empty()) {
         sections.push((title(family.shape).into(), family_section(family)));
     }
     if let Some(trees) = &report.bvh {
@@ -79,11 +76,8 @@ pub fn page(report: &CostReport) -> String {
 /// Returns a plot as an SVG file: accuracy against time of the first shape, or else what exactness
 /// costs a tree, or else what real ray casters answer; `None` if there is none.
 pub fn plot(report: &CostReport) -> Option<String> {
-    let family = report
-        .families
-        .iter()
-        .find(|family| !family.rows.is_empty());
-    if let Some(family) = family {
+    let mut families = report.families.iter();
+    if let Some(family) = families.find(|family| !family.rows.is_empty()) {
         return Some(file(&pareto::figure(family).drawing));
     }
     let trees = report.bvh.as_ref().and_then(exactness::svg_file);

@@ -108,8 +108,8 @@ fn finding(rows: &[ExactnessRow]) -> Option<String> {
 }
 
 fn scatter(rows: &[ExactnessRow]) -> Scatter {
-    let rates = rows.iter().map(ExactnessRow::rate);
-    let rates = rates.flat_map(|r| [r.lower, r.upper]);
+    let quartiles = rows.iter().map(ExactnessRow::rate);
+    let rates = quartiles.flat_map(|r| [r.lower, r.upper]);
     let lost = rows.iter().map(ExactnessRow::worst_per_million);
     let is_first = |row: &ExactnessRow| rows.first().is_some_and(|first| row.split == first.split);
     let columns = by_precision();

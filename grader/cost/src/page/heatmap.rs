@@ -67,8 +67,8 @@ pub(crate) fn figure(family: &KernelFamily) -> Figure {
         };
         draw_key(canvas, corner, family, is_narrow)
     });
-    let columns = headings.iter().enumerate();
-    let columns = columns.fold(Columns::new("test", name), |columns, (i, head)| {
+    let numbered = headings.iter().enumerate();
+    let columns = numbered.fold(Columns::new("test", name), |columns, (i, head)| {
         columns.and_some(head, move |row| Some(cells(row).into_iter().nth(i)?.text))
     });
     let figure = Figure {
@@ -244,12 +244,9 @@ fn caption(family: &KernelFamily) -> String {
         );
     }
     if let Some(yours) = family.rows.iter().find(|row| row.student) {
-        let wrong: Vec<&str> = yours
-            .by_ray_family
-            .iter()
-            .filter(|a| a.wrong_per_million() > 0.0)
-            .map(|a| a.family.name())
-            .collect();
+        let families = yours.by_ray_family.iter();
+        let is_wrong = |a: &&Accuracy| a.wrong_per_million() > 0.0;
+        let wrong: Vec<&str> = families.filter(is_wrong).map(|a| a.family.name()).collect();
         text += &if wrong.is_empty() {
             "Your code has no wrong decision.".to_string()
         } else {
@@ -260,9 +257,6 @@ fn caption(family: &KernelFamily) -> String {
 }
 
 fn is_right(row: &KernelRow) -> bool {
-    row.leaks_per_million.unwrap_or(0.0) == 0.0
-        && row
-            .by_ray_family
-            .iter()
-            .all(|a| a.wrong_per_million() == 0.0)
+    let mut families = row.by_ray_family.iter();
+    row.leaks_per_million.unwrap_or(0.0) == 0.0 && families.all(|a| a.wrong_per_million() == 0.0)
 }

@@ -17,12 +17,8 @@ pub(super) fn caption(family: &KernelFamily) -> String {
     );
     text += &with_and_without_fma(family);
     if let Some(yours) = family.rows.iter().find(|row| row.student) {
-        let better: Vec<String> = family
-            .rows
-            .iter()
-            .filter(|row| beats(row, yours))
-            .map(name)
-            .collect();
+        let is_better = |row: &&KernelRow| beats(row, yours);
+        let better: Vec<String> = family.rows.iter().filter(is_better).map(name).collect();
         text += &format!(
             "Your code (star) takes {} and has {} correct bits; {}.",
             times_as_long(&yours.time),

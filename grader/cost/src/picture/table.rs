@@ -41,48 +41,41 @@ pub fn show(pictures: &PictureReport) -> String {
 }
 
 fn table(experiment: &Experiment) -> Table {
-    let columns = Columns::new("picture", |row: &Row| match row.is_first {
-        true => row.curve.name.clone(),
-        false => String::new(),
+    // The name is in the first row of a curve, the slope in the last.
+    let columns = Columns::new("picture", |(curve, i, _): &Row| match i {
+        0 => curve.name.clone(),
+        _ => String::new(),
     })
-    .and("samples", |row| format!("{:.0}", row.point.samples))
-    .and("ms", |row| plus_minus(&row.point.seconds.scaled(1e3), 1))
-    .and("RMSE %", |row| share(row.point.rmse))
-    .and("relative %", |row| share(row.point.relative_mse.sqrt()))
-    .and("slope", |row| {
-        let slope = row.curve.slope.filter(|_| row.is_last);
+    .and("samples", |(.., point)| format!("{:.0}", point.samples))
+    .and("ms", |(.., point)| {
+        plus_minus(&point.seconds.scaled(1e3), 1)
+    })
+    .and("RMSE %", |(.., point)| share(point.rmse))
+    .and("relative %", |(.., point)| share(point.relative_mse.sqrt()))
+    .and("slope", |(curve, i, _)| {
+        let slope = curve.slope.filter(|_| i + 1 == curve.points.len());
         slope.map_or(String::new(), |slope| format!("{slope:.2}"))
     })
-    .and("bias %", |row| {
-        let bias = row.point.bias;
-        bias.map_or(String::new(), |bias| format!("{:.1}", 100.0 * bias))
+    .and("bias %", |(.., point)| {
+        let percent = |bias| format!("{:.1}", 100.0 * bias);
+        point.bias.map_or(String::new(), percent)
     })
-    .and("mean %", |row| {
-        format!("{:+.1}", 100.0 * row.point.mean_difference)
+    .and("mean %", |(.., point)| {
+        format!("{:+.1}", 100.0 * point.mean_difference)
     })
-    .and("efficiency", |row| {
-        let efficiency = row.point.relative_efficiency.as_ref();
+    .and("efficiency", |(.., point)| {
+        let efficiency = point.relative_efficiency.as_ref();
         efficiency.map_or(String::new(), factor)
     });
     let rows = experiment.curves.iter().flat_map(|curve| {
         let points = curve.points.iter().enumerate();
-        points.map(move |(i, point)| Row {
-            curve,
-            point,
-            is_first: i == 0,
-            is_last: i + 1 == curve.points.len(),
-        })
+        points.map(move |(i, point)| (curve, i, point))
     });
-    framed(&columns, &rows.collect::<Vec<_>>())
+    framed(&columns, &rows.collect::<Vec<Row>>())
 }
 
-/// A point of a curve, whose name is in its first row, and whose slope is in its last.
-struct Row<'a> {
-    curve: &'a Curve,
-    point: &'a CurvePoint,
-    is_first: bool,
-    is_last: bool,
-}
+/// A point of a curve, and its number.
+type Row<'a> = (&'a Curve, usize, &'a CurvePoint);
 
 fn share(error: ConfidenceInterval) -> String {
     let [value, low, high] = [error.value, error.low, error.high].map(|e| percent(100.0 * e));

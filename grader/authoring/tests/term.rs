@@ -105,7 +105,7 @@ fn the_files_of_a_term_change_course_book_and_handouts() {
     let task = course.select("part1.task3").expect("a task")[0];
     assert_eq!(
         [Tier::Core, Tier::Robust].map(|tier| task.points(tier)),
-        [33.5, 15.0]
+        [34.0, 15.0]
     );
     let cameras = course.select("part1.task2").expect("a task")[0];
     assert_eq!((task.examples, cameras.examples), (0.0, 2.0));
@@ -366,7 +366,7 @@ fn an_update_keeps_the_points_that_were_given() {
         update.kept_points,
         [
             "part1.task3/range: 2 points, and not 1.5",
-            "part1.task3/range_ends, a new case with 1 points, is left out",
+            "part1.task3/range_ends, a new case with 0.5 points, is left out",
         ]
     );
     assert_eq!(update.lost_points, [""; 0]);

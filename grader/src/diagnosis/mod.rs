@@ -619,7 +619,7 @@ mod tests {
         assert_eq!(certainty("6*b"), Some(Certainty::Perhaps));
         let several = is_named("400*b").expect("500 values agree");
         assert!(
-            several.says.starts_with("several mistakes"),
+            several.says.starts_with("500 of 900 wrong values"),
             "{}",
             several.says
         );

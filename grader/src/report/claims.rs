@@ -16,7 +16,7 @@ use crate::signature::Signature;
 use crate::sketch::Sketch;
 use judge::Tier;
 use judge::cases::Spec;
-use judge::findings::{Fault, Message};
+use judge::findings::{Fault, Finding, Message};
 use judge::shown::ShownCall;
 
 /// A sentence that is true but for few wrong answers is true of at least this share of them.
@@ -75,8 +75,8 @@ impl Answers<'_> {
                 if let Some(other) = wrong.find(|finding| !listed.contains(&finding.aspect)) {
                     return Some(format!("{} is wrong", other.aspect.label()));
                 }
-                let mut hidden = findings().filter(|of| of.expected > 0 && of.judged == 0);
-                let hidden = hidden.next().filter(|_| *all_judged)?;
+                let is_hidden = |of: &&Finding| of.expected > 0 && of.judged == 0;
+                let hidden = findings().find(is_hidden).filter(|_| *all_judged)?;
                 Some(format!("{} is not judged", hidden.aspect.label()))
             }
             Shared::Function(only) => {

@@ -257,8 +257,8 @@ fn worst_answer(out: &mut Lines, cases: &[&CaseResult]) {
         return;
     };
     wrong_calls(out, &case.name, finding);
-    let found = message::with_telling_digits(&worst.message);
-    let found = format!("    {}", message::without_signs_of_zeros(&found));
+    let telling = message::with_telling_digits(&worst.message);
+    let found = format!("    {}", message::without_signs_of_zeros(&telling));
     let mut lines = wrap_to(&found, 4, out.page.width, RESULT);
     if !worst.message.question.is_empty() {
         let question = format!("    {}", worst.message.question);

@@ -295,13 +295,14 @@ fn manner(cases: &[&CaseResult], aspect: Aspect) -> Option<Shared> {
     })
 }
 
-/// The class that is told of an error: small ones are those of rounding.
+/// The class that is told of an error: small ones are those of rounding, and any other length of the
+/// right direction is [`Class::TooShort`].
 pub(crate) fn told_class(aspect: Aspect, class: Class) -> Class {
     match class {
         Class::Off(power) if power <= SINGLE_PRECISION && HAS_A_SIZE.contains(&aspect) => {
             Class::Rounded
         }
-        Class::TooShort | Class::TooLong => Class::WrongLength,
+        Class::TooLong => Class::TooShort,
         class => class,
     }
 }
@@ -318,7 +319,8 @@ fn in_words(aspect: Aspect, class: Class, is_robust: bool) -> Option<String> {
         Class::WrongSign => format!("{label}: every wrong answer has the wrong sign"),
         Class::Negative => format!("{label}: negative where 0 is right"),
         Class::OtherSide => format!("{label}: on the other side of the surface"),
-        Class::WrongLength => format!("{label}: the right direction with a wrong length"),
+        Class::TooShort => format!("{label}: the right direction with a wrong length"),
+        Class::WrongLength => format!("{label}: not of unit length"),
         Class::Swapped => format!("{label}: the right numbers in the wrong order"),
         Class::Ratio(0) => format!("{label}: nearly right, less than a factor of 1.5 off"),
         Class::SlightlyLess => format!("{label}: too small, by less than a factor of 1.5"),
@@ -623,6 +625,21 @@ mod tests {
             assert!(says(wrong, None).ends_with(judged), "{wrong:?}");
         }
         assert!(says(Aspect::Bounds, Some(Aspect::Work)).ends_with(judged));
+    }
+
+    #[test]
+    fn only_lengths_of_right_directions_are_told_as_such() {
+        let said = |class| in_words_of(Aspect::SampledDirection, class);
+        let words = "sampled direction: not of unit length";
+        assert_eq!(said(Class::WrongLength).as_deref(), Some(words));
+        let words = "sampled direction: the right direction with a wrong length";
+        for class in [Class::TooShort, Class::TooLong] {
+            assert_eq!(said(class).as_deref(), Some(words));
+        }
+    }
+
+    fn in_words_of(aspect: Aspect, class: Class) -> Option<String> {
+        super::in_words(aspect, told_class(aspect, class), false)
     }
 
     #[test]

@@ -8,7 +8,7 @@ use crate::tools::aspects::hits::show;
 use crate::tools::aspects::numbers;
 use crate::tools::call_text::{all_or_none, material, point};
 use crate::tools::findings::{Aspect, Class, Findings, Message};
-use kit::Vec3;
+use kit::{Frame, Vec3};
 use wire::global::{PathAnswer, ScriptedPath, Step};
 use wire::work::{Ray, Xyz};
 
@@ -43,7 +43,7 @@ pub(crate) fn paths(findings: &mut Findings, paths: &[ScriptedPath], answers: &[
             about,
         );
         rays(findings, call, path, answer, &right, &about);
-        direct(findings, call, answer, &right, &about);
+        direct(findings, call, path, answer, &right, &about);
         throughput::judge(findings, call, path, answer, &right, &about);
         draws::judge(findings, call, path, answer, &right, &about);
     }
@@ -113,15 +113,38 @@ fn leaves(ray: &Ray, step: &Step) -> Option<Class> {
     let off = Vec3::from(ray.o) - Vec3::from(step.p);
     if off.is_nan() || off.length() > PLACE_BOUND || ray.min_t != 0.0 || ray.max_t != f64::INFINITY
     {
-        return Some(Class::of_offset(off.length()));
+        return Some(Class::of_offset(off.length(), off.length()));
+    }
+    if off == Vec3::ZERO {
+        return Some(Class::of_offset(0.0, 0.0));
     }
     (off.dot(n) * d.dot(n) <= 0.0).then_some(Class::Negated)
+}
+
+/// The class of wrong calls of `direct`: all in the local space, all along the ray, or others.
+fn class_of_calls(path: &ScriptedPath, called: &[(u32, Xyz)], wanted: &[(u32, Xyz)]) -> Class {
+    let all = |other: &dyn Fn(&Step, Vec3) -> Vec3| {
+        let mut pairs = called.iter().zip(wanted);
+        let is_other = |((i, wo), (j, right)): (&(u32, Xyz), &(u32, Xyz))| {
+            let other = other(&path.steps[*j as usize], Vec3::from(*right));
+            i == j && (Vec3::from(*wo) - other).length() < PLACE_BOUND
+        };
+        called.len() == wanted.len() && pairs.all(is_other)
+    };
+    if all(&|_, wo| -wo) {
+        Class::Named("along the ray")
+    } else if all(&|step, wo| Frame::around(step.n.into()).to_local(wo)) {
+        Class::Named("in the local space")
+    } else {
+        Class::Wrong
+    }
 }
 
 /// Judges the calls of `direct`: one at every surface except mirrors and glass.
 fn direct(
     findings: &mut Findings,
     call: usize,
+    path: &ScriptedPath,
     answer: &PathAnswer,
     Right { direct: wanted, .. }: &Right,
     about: &impl Fn() -> String,
@@ -132,7 +155,8 @@ fn direct(
         && pairs.into_iter().all(|((i, wo), (j, right))| {
             i == j && (Vec3::from(*wo) - Vec3::from(*right)).length() < PLACE_BOUND
         });
-    findings.judge(Aspect::Questions, call, same, 1.0, || {
+    let class = (!same).then(|| class_of_calls(path, &answer.direct, wanted));
+    findings.judge_class(Aspect::Questions, call, class, 1.0, || {
         let calls = |of: &[(u32, Xyz)]| {
             let each = of.iter();
             all_or_none(each.map(|(i, wo)| format!("surface {i} with wo = {}", point(*wo))))
@@ -149,4 +173,50 @@ fn direct(
         )
         .asked(about())
     });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use wire::Work;
+
+    fn path() -> ScriptedPath {
+        let specs = crate::tasks::part4_task2::cases::cases(0).into_iter();
+        let mut paths = specs.filter_map(|spec| match spec.work {
+            Work::Paths(paths) => paths.into_iter().find(|path| path.steps.len() > 1),
+            _ => None,
+        });
+        paths.next().expect("a case has a path of two surfaces")
+    }
+
+    #[test]
+    fn wrong_origins_have_classes_of_their_own() {
+        let step = path().steps[0];
+        let (p, n) = (Vec3::from(step.p), Vec3::from(step.n));
+        let class = |offset: Vec3| {
+            let o = (p + offset).into();
+            let (d, min_t, max_t) = (step.n, 0.0, f64::INFINITY);
+            leaves(&Ray { o, d, min_t, max_t }, &step)
+        };
+        assert_eq!(class(1e-12 * n), None);
+        assert_eq!(class(-1e-12 * n), Some(Class::Negated));
+        assert_eq!(
+            class(Vec3::ZERO),
+            Some(Class::Named("at the surface itself"))
+        );
+    }
+
+    #[test]
+    fn a_local_wo_is_told_from_one_along_the_ray() {
+        let path = path();
+        let n = path.steps[0].n;
+        let wo = Frame::around(n.into()).to_world(Vec3::new(0.6, 0.0, 0.8));
+        let class = |called: Vec3| class_of_calls(&path, &[(0, called.into())], &[(0, wo.into())]);
+        assert_eq!(class(-wo), Class::Named("along the ray"));
+        assert_eq!(
+            class(Vec3::new(0.6, 0.0, 0.8)),
+            Class::Named("in the local space")
+        );
+        assert_eq!(class(n.into()), Class::Wrong);
+    }
 }

@@ -30,7 +30,7 @@ pub enum Class {
     Negative,
     /// A direction on the other side of the surface.
     OtherSide,
-    /// The right direction, or any of chance, with another length.
+    /// A vector of chance that is not of unit length.
     WrongLength,
     /// The right direction, and shorter than 1.
     TooShort,
@@ -157,9 +157,12 @@ impl Class {
         }
     }
 
-    /// The class of a ray's origin that is off by `off`: a fixed offset from the surface has a
-    /// name.
-    pub fn of_offset(off: f64) -> Class {
+    /// The class of a ray's origin that is off by `off`, and `from_surface` away from the point that
+    /// it leaves: that point itself and a fixed offset have names.
+    pub fn of_offset(off: f64, from_surface: f64) -> Class {
+        if from_surface < AT_THE_POINT {
+            return Class::Named("at the surface itself");
+        }
         match off {
             MIN_FIXED_OFFSET..=MAX_FIXED_OFFSET => Class::Named("an epsilon away"),
             _ => Class::of_size(off),
@@ -208,6 +211,9 @@ pub(crate) const SAME: f64 = 1e-6;
 /// multiply it; 3.14159 for π is off by 8e-7.
 const ROUNDED: f64 = 1e-5;
 
+/// An origin that is nearer to its point is that point: `Surface::leave` moves it 1e-12 or more.
+const AT_THE_POINT: f64 = 1e-14;
+
 /// The smallest error of an origin that counts as a fixed offset. Rounding errors are smaller.
 const MIN_FIXED_OFFSET: f64 = 1e-9;
 
@@ -223,6 +229,20 @@ pub const BLACK_CHANNEL: i8 = i8::MAX;
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn an_origin_at_the_surface_itself_is_told_from_one_that_is_moved_too_far() {
+        let moved = 2e-12;
+        assert_eq!(
+            Class::of_offset(moved, 0.0),
+            Class::Named("at the surface itself")
+        );
+        assert_eq!(Class::of_offset(moved, 2.0 * moved), Class::Off(-39));
+        assert_eq!(
+            Class::of_offset(1e-4, 1e-4),
+            Class::Named("an epsilon away")
+        );
+    }
 
     #[test]
     fn negative_numbers_and_numbers_on_the_wrong_side_have_classes_of_their_own() {

@@ -4,7 +4,9 @@
 //! right sum is exact. The distribution of the rays and the mean of the estimates are tested
 //! separately.
 
-use super::lamps::{SKY_PDF, ShadingPlace, VisiblePart, environment_map, sample_of_delta_light};
+use super::lamps::{
+    SKY_PDF, ShadingPlace, VisiblePart, environment_map, first_lamp, sample_of_delta_light,
+};
 use super::shadow_targets::{Source, Target, target};
 use super::terms::{self, Term};
 use crate::plural;
@@ -250,7 +252,8 @@ impl Estimate<'_> {
             let seen = Vec3::from(recorded.seen);
             sum += self.place.scattered(d) * seen;
             terms.push(Term::of(&self.place, d, seen, 1.0 / TAU, samples));
-            mistakes.add(&self.place, recorded);
+            let lamp = first_lamp(&self.work.world, recorded);
+            mistakes.add(&self.place, recorded, lamp);
         }
         self.distinct(findings);
         if self.lacks_rays(findings, wanted) {
@@ -508,8 +511,10 @@ impl Estimate<'_> {
     fn start(&self, findings: &mut Findings, recorded: &RecordedRay) {
         findings.expect(Aspect::Origin);
         let right = self.place.start(recorded.ray.d.into());
-        let off = (Vec3::from(recorded.ray.o) - right).length();
-        let class = (off.is_nan() || off > ORIGIN_BOUND).then(|| Class::of_offset(off));
+        let o = Vec3::from(recorded.ray.o);
+        let (off, from_surface) = ((o - right).length(), (o - self.place.p).length());
+        let is_off = off.is_nan() || off > ORIGIN_BOUND;
+        let class = is_off.then(|| Class::of_offset(off, from_surface));
         findings.judge_class(Aspect::Origin, self.call, class, off, || {
             Message::new(format!(
                 "your result: a ray with the origin {}; expected: {}, from Surface::leave",

@@ -2,7 +2,7 @@
 
 use kit::{Emitter, Environment, Frame, LightSample, Spectrum, Surface, Vec2, Vec3, math, warp};
 use std::f64::consts::{PI, TAU};
-use wire::direct::ShadedPoint;
+use wire::direct::{RecordedRay, ShadedPoint};
 use wire::light::{Light, LitWorld, MEAN_F, Material, Panel, scripted_f};
 use wire::work::Xyz;
 
@@ -31,6 +31,18 @@ pub(crate) fn environment_map(world: &LitWorld) -> Option<Environment> {
     let texels: Vec<Spectrum> = around.texels.iter().map(|&texel| texel.into()).collect();
     let width = around.width as usize;
     Environment::new(width, texels.len() / width, texels).ok()
+}
+
+/// The radiance of the lamp that the ray hits first, on whichever side; black if it hits none.
+pub(super) fn first_lamp(world: &LitWorld, recorded: &RecordedRay) -> Vec3 {
+    let ray = &recorded.ray;
+    let hits = world.panels.iter().filter_map(|panel| {
+        let (t, _) = panel.meets(ray.o, ray.d)?;
+        (t > ray.min_t && t < ray.max_t).then_some((t, panel))
+    });
+    let first = hits.min_by(|a, b| a.0.total_cmp(&b.0));
+    let emitted = first.and_then(|(_, panel)| panel.material.emitted());
+    emitted.map_or(Vec3::ZERO, Vec3::from)
 }
 
 impl ShadingPlace {

@@ -2,7 +2,7 @@
 //! mistake is recognised whatever rays are sampled.
 
 use super::lamps::ShadingPlace;
-use kit::{Spectrum, Vec3};
+use kit::{Frame, Spectrum, Vec3};
 use wire::direct::RecordedRay;
 
 /// The sum of a hemisphere estimate for each of several mistakes.
@@ -24,6 +24,9 @@ pub(crate) struct HemisphereMistakes {
     world_z: Vec3,
     geometric: Vec3,
     grey: Vec3,
+    geometric_frame: Vec3,
+    both_sides: Vec3,
+    backs: Vec3,
     last: Vec3,
     right: Vec3,
     rays: u32,
@@ -31,8 +34,8 @@ pub(crate) struct HemisphereMistakes {
 }
 
 impl HemisphereMistakes {
-    /// Adds one ray and the radiance along it.
-    pub(crate) fn add(&mut self, place: &ShadingPlace, recorded: &RecordedRay) {
+    /// Adds one ray, the radiance along it, and that of the `lamp` that it hits on either side.
+    pub(crate) fn add(&mut self, place: &ShadingPlace, recorded: &RecordedRay, lamp: Vec3) {
         let (wo, wi) = (place.wo, place.frame.to_local(recorded.ray.d.into()));
         let seen = Vec3::from(recorded.seen);
         let light = place.f(wo, wi) * seen;
@@ -57,6 +60,23 @@ impl HemisphereMistakes {
         self.world_up += light * d.y.abs();
         let luminance = Spectrum::from(recorded.seen).luminance();
         self.grey += place.f(wo, wi) * luminance * wi.z.abs();
+        let of_lamp = place.f(wo, wi) * lamp * wi.z.abs();
+        let background = if recorded.hit {
+            Vec3::ZERO
+        } else {
+            light * wi.z.abs()
+        };
+        self.both_sides += of_lamp + background;
+        if recorded.hit && seen == Vec3::ZERO {
+            self.backs += of_lamp;
+        }
+        self.backs += background;
+        let around_ng = Frame::around(place.ng);
+        let (to_viewer, to_light) = (
+            around_ng.to_local(place.frame.to_world(wo)),
+            around_ng.to_local(d),
+        );
+        self.geometric_frame += place.f(to_viewer, to_light) * seen * to_light.z.abs();
         self.last = light * wi.z.abs();
         self.right += light * wi.z.abs();
         self.rays += 1;
@@ -64,7 +84,7 @@ impl HemisphereMistakes {
     }
 
     /// The sums, with `share` as the weight of each ray, and the names of the mistakes.
-    pub(crate) fn sums(&self, share: f64) -> [(&'static str, Vec3); 18] {
+    pub(crate) fn sums(&self, share: f64) -> [(&'static str, Vec3); 21] {
         let of_those = f64::from(self.rays) / f64::from(self.rays_to_light.max(1));
         [
             ("without the cosine", self.without_cosine * share),
@@ -85,6 +105,56 @@ impl HemisphereMistakes {
             ("grey light", self.grey * share),
             ("the last ray alone", self.last * share),
             ("mean of what finds light", self.right * share * of_those),
+            ("around the geometric normal", self.geometric_frame * share),
+            ("lamps on both sides", self.both_sides * share),
+            ("lamps from behind", self.backs * share),
         ]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::lamps::first_lamp;
+    use super::super::worlds::{floor, of_panels};
+    use super::*;
+    use wire::light::{Material, Panel};
+    use wire::work::Ray;
+
+    #[test]
+    fn a_lamp_that_is_seen_from_behind_has_a_sum_of_its_own() {
+        let place = ShadingPlace::of(&floor());
+        let d = Vec3::Y;
+        let sums = |faces: f64| {
+            let lamp = Panel {
+                axis: 1,
+                at: place.p.y + 1.0,
+                min: [-9.0; 2],
+                max: [9.0; 2],
+                faces,
+                material: Material::Emission([1.0; 3]),
+            };
+            let seen = if faces < 0.0 { [1.0; 3] } else { [0.0; 3] };
+            let ray = RecordedRay {
+                ray: Ray {
+                    o: place.start(d).into(),
+                    d: d.into(),
+                    min_t: 0.0,
+                    max_t: f64::INFINITY,
+                },
+                seen,
+                hit: true,
+            };
+            let mut mistakes = HemisphereMistakes::default();
+            mistakes.add(&place, &ray, first_lamp(&of_panels(vec![lamp]), &ray));
+            let sums = mistakes.sums(1.0);
+            ["lamps on both sides", "lamps from behind"].map(|name| {
+                sums.into_iter()
+                    .find(|(own, _)| *own == name)
+                    .map(|(_, sum)| sum)
+            })
+        };
+        let lit = Some(place.scattered(d));
+        assert_eq!(sums(1.0), [lit, lit]);
+        assert_eq!(sums(-1.0), [lit, Some(Vec3::ZERO)]);
     }
 }

@@ -111,14 +111,16 @@ fn rays(
 fn leaves(ray: &Ray, step: &Step) -> Option<Class> {
     let (n, d) = (Vec3::from(step.n), Vec3::from(ray.d));
     let off = Vec3::from(ray.o) - Vec3::from(step.p);
-    if off.is_nan() || off.length() > PLACE_BOUND || ray.min_t != 0.0 || ray.max_t != f64::INFINITY
-    {
-        return Some(Class::of_offset(off.length(), off.length()));
+    let is_whole = ray.min_t == 0.0 && ray.max_t == f64::INFINITY;
+    if off.is_nan() || off.length() > PLACE_BOUND {
+        Some(Class::of_offset(off.length(), off.length()))
+    } else if !is_whole {
+        Some(Class::Named("another range"))
+    } else if off == Vec3::ZERO {
+        Some(Class::of_offset(0.0, 0.0))
+    } else {
+        (off.dot(n) * d.dot(n) <= 0.0).then_some(Class::Negated)
     }
-    if off == Vec3::ZERO {
-        return Some(Class::of_offset(0.0, 0.0));
-    }
-    (off.dot(n) * d.dot(n) <= 0.0).then_some(Class::Negated)
 }
 
 /// The class of wrong calls of `direct`: all in the local space, all along the ray, or others.
@@ -193,17 +195,25 @@ mod tests {
     fn wrong_origins_have_classes_of_their_own() {
         let step = path().steps[0];
         let (p, n) = (Vec3::from(step.p), Vec3::from(step.n));
-        let class = |offset: Vec3| {
-            let o = (p + offset).into();
-            let (d, min_t, max_t) = (step.n, 0.0, f64::INFINITY);
-            leaves(&Ray { o, d, min_t, max_t }, &step)
+        let moved = |offset: Vec3| Ray {
+            o: (p + offset).into(),
+            d: step.n,
+            min_t: 0.0,
+            max_t: f64::INFINITY,
         };
+        let class = |offset: Vec3| leaves(&moved(offset), &step);
         assert_eq!(class(1e-12 * n), None);
         assert_eq!(class(-1e-12 * n), Some(Class::Negated));
         assert_eq!(
             class(Vec3::ZERO),
             Some(Class::Named("at the surface itself"))
         );
+        let min_t = 1e-3;
+        let late = Ray {
+            min_t,
+            ..moved(Vec3::ZERO)
+        };
+        assert_eq!(leaves(&late, &step), Some(Class::Named("another range")));
     }
 
     #[test]

@@ -386,7 +386,7 @@ fn an_update_keeps_the_points_that_were_given() {
         changes,
         [
             "points: 2 core points -> 1.5 core points",
-            "new: 1 core point"
+            "new: 0.5 core points"
         ]
     );
     drop(taken);

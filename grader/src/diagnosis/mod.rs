@@ -395,7 +395,7 @@ fn guesses<'a>(best: &Ranked, twins: impl Iterator<Item = &'a Ranked<'a>>) -> Op
             guesses += 1;
             named.mistakes.extend(new);
             let says = twin.descriptions.join(", and ");
-            let other = format!("; code that {says} fits as well");
+            let other = format!("; the same is true of code that {says}");
             named.others.push_str(&other);
             let hint = twin.hints.join(" ");
             if !named.hint.contains(&hint) {
@@ -431,7 +431,7 @@ mod tests {
         assert_eq!(
             diagnosis.says,
             "your answers equal those of code that does this: on 8 of 8 calls; \
-             code that does that fits as well"
+             the same is true of code that does that"
         );
     }
 
@@ -593,7 +593,7 @@ mod tests {
         ];
         let diagnosis = diagnose(&all, &together).expect("the pairs are known");
         assert_eq!(diagnosis.mistakes, ["this", "that", "other"]);
-        assert!(diagnosis.says.contains(" fits as well"));
+        assert!(diagnosis.says.contains("; the same is true of code"));
     }
 
     #[test]

@@ -21,7 +21,7 @@ pub struct KernelInfo {
 
 impl KernelInfo {
     /// A kernel that culls nothing and has no fused multiply-add.
-    pub(crate) const fn new(name: &'static str, paper: &'static str) -> KernelInfo {
+    pub const fn new(name: &'static str, paper: &'static str) -> KernelInfo {
         KernelInfo {
             name,
             paper,
@@ -31,13 +31,13 @@ impl KernelInfo {
     }
 
     /// The same, culling triangles seen from behind.
-    pub(crate) const fn culling(mut self) -> KernelInfo {
+    pub const fn culling(mut self) -> KernelInfo {
         self.culls = true;
         self
     }
 
     /// The same with fused multiply-adds.
-    pub(crate) const fn fused(mut self) -> KernelInfo {
+    pub const fn fused(mut self) -> KernelInfo {
         self.uses_fma = true;
         self
     }

@@ -189,7 +189,7 @@ fn answers_that_were_learned_by_heart_lose() {
         let known = grade(&class, stage, &files, task, cases::KNOWN_SEED).scores;
         // The table is good; it does not know the rays that a hit has shortened.
         assert!(
-            known.score > 0.8 * known.max_score,
+            known.score > 0.6 * known.max_score,
             "{task}: {}",
             known.score
         );

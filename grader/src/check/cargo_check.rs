@@ -91,8 +91,8 @@ impl Checked {
     }
 }
 
-/// The text of a message that is not `shown` yet. A library is compiled for itself and for its tests,
-/// with the same messages.
+/// The text of a message that is not `shown` yet. A library is compiled for itself and for its
+/// tests, with the same messages.
 fn new_text(line: &str, shown: &mut BTreeSet<String>) -> Option<String> {
     rendered(line).filter(|text| shown.insert(text.clone()))
 }

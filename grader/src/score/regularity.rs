@@ -295,8 +295,8 @@ fn manner(cases: &[&CaseResult], aspect: Aspect) -> Option<Shared> {
     })
 }
 
-/// The class that is told of an error: small ones are those of rounding, and any other length of the
-/// right direction is [`Class::TooShort`].
+/// The class that is told of an error: small ones are those of rounding, and any other length of
+/// the right direction is [`Class::TooShort`].
 pub(crate) fn told_class(aspect: Aspect, class: Class) -> Class {
     match class {
         Class::Off(power) if power <= SINGLE_PRECISION && HAS_A_SIZE.contains(&aspect) => {

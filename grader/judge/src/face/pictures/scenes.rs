@@ -2,7 +2,7 @@
 
 use super::SIZE;
 use crate::tools::questions::eye::view;
-use crate::tools::questions::picture_shapes::{octahedron, ring, spheres_in_a_pile};
+use crate::tools::questions::picture_shapes::{behind, octahedron, ring, spheres_in_a_pile};
 use crate::tools::questions::probes::wire_triangle;
 use crate::tools::questions::scattering;
 use crate::tools::questions::tree_plan::along_morton_curve;
@@ -45,13 +45,7 @@ pub(super) fn cut_ring() -> Subject {
         corner(-1.9, 1.9),
         corner(1.9, 1.9),
     ));
-    // Behind the eye, across the line of sight.
-    let behind = |x: f64, y: f64| 1.5 * eye + Vec3::new(x, y, -0.3 * y);
-    triangles.push(Triangle::flat(
-        behind(-1.0, -0.4),
-        behind(1.2, -0.4),
-        behind(0.0, 1.1),
-    ));
+    triangles.push(behind(eye, [(-1.0, -0.4), (1.2, -0.4), (0.0, 1.1)]));
     Subject::Shapes {
         triangles: triangles.iter().map(wire_triangle).collect(),
         spheres: Vec::new(),

@@ -123,8 +123,13 @@ fn leaves(ray: &Ray, step: &Step) -> Option<Class> {
     }
 }
 
-/// The class of wrong calls of `direct`: all in the local space, all along the ray, or others.
-fn class_of_calls(path: &ScriptedPath, called: &[(u32, Xyz)], wanted: &[(u32, Xyz)]) -> Class {
+/// The class of wrong calls of `direct`: all in the local space, all along the ray, or others. `None`
+/// if they are right.
+fn class_of_calls(
+    path: &ScriptedPath,
+    called: &[(u32, Xyz)],
+    wanted: &[(u32, Xyz)],
+) -> Option<Class> {
     let all = |other: &dyn Fn(&Step, Vec3) -> Vec3| {
         let mut pairs = called.iter().zip(wanted);
         let is_other = |((i, wo), (j, right)): (&(u32, Xyz), &(u32, Xyz))| {
@@ -133,12 +138,14 @@ fn class_of_calls(path: &ScriptedPath, called: &[(u32, Xyz)], wanted: &[(u32, Xy
         };
         called.len() == wanted.len() && pairs.all(is_other)
     };
-    if all(&|_, wo| -wo) {
-        Class::Named("along the ray")
+    if all(&|_, wo| wo) {
+        None
+    } else if all(&|_, wo| -wo) {
+        Some(Class::Named("along the ray"))
     } else if all(&|step, wo| Frame::around(step.n.into()).to_local(wo)) {
-        Class::Named("in the local space")
+        Some(Class::Named("in the local space"))
     } else {
-        Class::Wrong
+        Some(Class::Wrong)
     }
 }
 
@@ -152,12 +159,7 @@ fn direct(
     about: &impl Fn() -> String,
 ) {
     findings.expect(Aspect::Questions);
-    let pairs = answer.direct.iter().zip(wanted);
-    let same = answer.direct.len() == wanted.len()
-        && pairs.into_iter().all(|((i, wo), (j, right))| {
-            i == j && (Vec3::from(*wo) - Vec3::from(*right)).length() < PLACE_BOUND
-        });
-    let class = (!same).then(|| class_of_calls(path, &answer.direct, wanted));
+    let class = class_of_calls(path, &answer.direct, wanted);
     findings.judge_class(Aspect::Questions, call, class, 1.0, || {
         let calls = |of: &[(u32, Xyz)]| {
             let each = of.iter();
@@ -208,9 +210,8 @@ mod tests {
             class(Vec3::ZERO),
             Some(Class::Named("at the surface itself"))
         );
-        let min_t = 1e-3;
         let late = Ray {
-            min_t,
+            min_t: 1e-3,
             ..moved(Vec3::ZERO)
         };
         assert_eq!(leaves(&late, &step), Some(Class::Named("another range")));
@@ -222,11 +223,12 @@ mod tests {
         let n = path.steps[0].n;
         let wo = Frame::around(n.into()).to_world(Vec3::new(0.6, 0.0, 0.8));
         let class = |called: Vec3| class_of_calls(&path, &[(0, called.into())], &[(0, wo.into())]);
-        assert_eq!(class(-wo), Class::Named("along the ray"));
+        assert_eq!(class(wo), None);
+        assert_eq!(class(-wo), Some(Class::Named("along the ray")));
         assert_eq!(
             class(Vec3::new(0.6, 0.0, 0.8)),
-            Class::Named("in the local space")
+            Some(Class::Named("in the local space"))
         );
-        assert_eq!(class(n.into()), Class::Wrong);
+        assert_eq!(class(n.into()), Some(Class::Wrong));
     }
 }

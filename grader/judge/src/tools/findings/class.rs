@@ -157,8 +157,8 @@ impl Class {
         }
     }
 
-    /// The class of a ray's origin that is off by `off`, and `from_surface` away from the point that
-    /// it leaves: that point itself and a fixed offset have names.
+    /// The class of a ray's origin that is off by `off`, and `from_surface` away from the point
+    /// that it leaves: that point itself and a fixed offset have names.
     pub fn of_offset(off: f64, from_surface: f64) -> Class {
         if from_surface < AT_THE_POINT {
             return Class::Named("at the surface itself");

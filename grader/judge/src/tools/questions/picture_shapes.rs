@@ -71,6 +71,13 @@ pub(crate) fn ring(around: u32, across: u32) -> Vec<Triangle> {
         .collect()
 }
 
+/// A triangle behind `eye`, across its line of sight to the world's origin, with `corners` to the
+/// right and up.
+pub(crate) fn behind(eye: Vec3, corners: [(f64, f64); 3]) -> Triangle {
+    let [p0, p1, p2] = corners.map(|(x, y)| 1.5 * eye + Vec3::new(x, y, -0.3 * y));
+    Triangle::flat(p0, p1, p2)
+}
+
 /// An octahedron around `center` with flat faces.
 pub(crate) fn octahedron(center: Vec3, radius: f64) -> Vec<Triangle> {
     let signs = [1.0, -1.0];

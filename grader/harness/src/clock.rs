@@ -92,14 +92,19 @@ pub(crate) fn time_of_this_thread() -> Duration {
 }
 
 /// The processor time of all threads of this process, or of this thread.
+///
+/// Once a process has a limit of processor time, as in a sandbox, Linux reads the time of all
+/// threads from a sum that it renews at ticks, at ends of threads and when a thread's own time is
+/// read. So the own time comes first, without which a few milliseconds of work take none.
 fn time(of_all_threads: bool) -> Duration {
     #[cfg(unix)]
     {
         use rustix::time::{ClockId, clock_gettime};
-        let time = clock_gettime(match of_all_threads {
-            true => ClockId::ProcessCPUTime,
-            false => ClockId::ThreadCPUTime,
-        });
+        let own = clock_gettime(ClockId::ThreadCPUTime);
+        let time = match of_all_threads {
+            true => clock_gettime(ClockId::ProcessCPUTime),
+            false => own,
+        };
         Duration::new(time.tv_sec.unsigned_abs(), time.tv_nsec as u32)
     }
     #[cfg(not(unix))]
@@ -318,6 +323,20 @@ mod tests {
         let (own, all) = (time(false), time(true));
         (0..20).for_each(|_| assert!(control.round() < Duration::MAX));
         assert!(time(false) > own && time(true) > all);
+    }
+
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn a_limit_of_processor_time_does_not_make_the_clock_coarse() {
+        use rustix::process::{Resource, Rlimit, getrlimit, setrlimit};
+        let old = getrlimit(Resource::Cpu);
+        let current = old.current.or(old.maximum).or(Some(1_000_000));
+        setrlimit(Resource::Cpu, Rlimit { current, ..old }).unwrap();
+        for _ in 0..20 {
+            let before = time(true);
+            (0..50_000).for_each(|i| drop(std::hint::black_box(i)));
+            assert!(time(true) > before);
+        }
     }
 
     /// What is left of five seconds after so many seconds.

@@ -31,6 +31,6 @@ fn work_on_another_thread_counts_as_time_of_the_build() {
     assert!(graded("").score > 0.0);
     let quadratic = graded(WORK);
     let is_judged = quadratic.undecided().next().is_none();
-    // A busy machine decides nothing, and says so.
+    eprintln!("The growth is judged: {is_judged}. A busy machine decides nothing, and says so.");
     assert!(!is_judged || quadratic.score == 0.0, "{quadratic:?}");
 }

@@ -35,8 +35,12 @@ impl Figure {
             "<details><summary>Numbers</summary>\n<p>{}</p>\n<div class=\"wide\" tabindex=\"0\"><table>\n<thead><tr>",
             prose(self.notes.trim_end())
         );
-        for head in &self.head {
-            let _ = write!(html, "<th scope=\"col\">{}</th>", escape(head));
+        let class = |column| match self.is_words(column) {
+            true => " class=\"words\"",
+            false => "",
+        };
+        for (i, head) in self.head.iter().enumerate() {
+            let _ = write!(html, "<th scope=\"col\"{}>{}</th>", class(i), escape(head));
         }
         html.push_str("</tr></thead>\n<tbody>\n");
         for row in &self.rows {
@@ -44,12 +48,18 @@ impl Figure {
             for (i, cell) in row.iter().enumerate() {
                 let _ = match i {
                     0 => write!(html, "<th scope=\"row\">{}</th>", escape(cell)),
-                    _ => write!(html, "<td>{}</td>", escape(cell)),
+                    _ => write!(html, "<td{}>{}</td>", class(i), escape(cell)),
                 };
             }
             html.push_str("</tr>\n");
         }
         html + "</tbody></table></div></details>\n"
+    }
+
+    /// Whether a column holds words, which are aligned at the left, and not numbers.
+    fn is_words(&self, column: usize) -> bool {
+        let mut cells = self.rows.iter().filter_map(|row| row.get(column));
+        cells.all(|cell| !cell.contains(|c: char| c.is_ascii_digit()))
     }
 }
 

@@ -5,8 +5,8 @@ use super::run::{Kind, VersionsWorker};
 use base::{GraderError, Workspace};
 use grader::course::{Course, Task};
 use grader::grade::picture;
-use judge::cases;
 use judge::pictures::{Differences, TaskPicture};
+use judge::{Tier, cases};
 use pictures::Image;
 use pictures::difference::{Mark, compare};
 use rayon::prelude::*;
@@ -33,8 +33,8 @@ impl Proportion {
     }
 }
 
-/// Grades each mutant of `task` and renders its picture. Of a task without a picture there is
-/// nothing to compare.
+/// Grades each mutant of `task` in the core cases and renders its picture. Of a task without a
+/// picture there is nothing to compare.
 pub fn of_task(
     workspace: &Workspace,
     course: &Course,
@@ -53,11 +53,13 @@ pub fn of_task(
         GraderError::new(format!("the reference renders no picture ({status:?})"))
     })?;
     let specs = cases::of(&task.key, 0);
+    let mut core = task.clone();
+    core.cases.retain(|entry| entry.tier == Tier::Core);
     let mutants = versions.versions.par_iter().enumerate();
     mutants
         .filter(|(_, (_, kind))| matches!(kind, Kind::Mutant(_)))
         .map(|(version, (name, _))| {
-            let result = versions.grade_one(task, &specs, version, None)?.result;
+            let result = versions.grade_one(&core, &specs, version, None)?.result;
             let yours = render(version)?;
             Ok(Proportion {
                 mutant: name.clone(),

@@ -68,6 +68,7 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
                 grid(PICTURE),
             )
             .only(&[Direction, UnitLength])
+            .mainly(&[Direction, UnitLength])
         },
         case(
             "extreme_lenses",

@@ -174,12 +174,16 @@ fn textures_of_gltf_are_found() {
     let beside = square(material, "", &more(r#"{"uri":"my%20tiles.png"}"#));
     let scene = loaded(&[("a.glb", &beside)]).scene;
     assert_eq!(scene.textures.files, ["my tiles.png"]);
+    let absolute = square(material, "", &more(r#"{"uri":"file:///a/my%20tiles.png"}"#));
+    let scene_of_uri = loaded(&[("a.glb", &absolute)]).scene;
+    assert_eq!(scene_of_uri.textures.files, ["/a/my tiles.png"]);
     assert_eq!(scene.textures.of_material(0), Some(0));
     let corners = [Vec2::ZERO, Vec2::X, Vec2::ONE];
     assert_eq!(scene.textures.coordinates[0], corners);
     for image in [
         r#"{"bufferView":2,"mimeType":"image/png"}"#,
         r#"{"uri":"data:image/png;base64,AAABAAIAAAACAAMA"}"#,
+        r#"{"uri":"Data:image/png;base64,AAABAAIAAAACAAMA"}"#,
     ] {
         let scene = loaded(&[("a.glb", &square(material, "", &more(image)))]).scene;
         let bytes = &scene.textures.embedded[&scene.textures.files[0]];

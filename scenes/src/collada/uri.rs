@@ -59,10 +59,10 @@ fn is_absolute(uri: &str) -> bool {
 }
 
 /// Removes `file:` and the host: `file:///a` is `/a`, `file:///C:/a` is `C:/a`.
-fn without_scheme(uri: &str) -> &str {
-    let path = match uri.strip_prefix("file:") {
-        None => return uri,
-        Some(path) => path,
+pub(crate) fn without_scheme(uri: &str) -> &str {
+    let path = match uri.split_once(':') {
+        Some((scheme, path)) if scheme.eq_ignore_ascii_case("file") => path,
+        _ => return uri,
     };
     let path = path.strip_prefix("//localhost").unwrap_or(path);
     let path = path.strip_prefix("//").unwrap_or(path);
@@ -95,6 +95,7 @@ mod tests {
             ("file:///C:/a/b.png", "C:/a/b.png"),
             ("file://localhost/a.png", "/a.png"),
             ("file:a.png", "a.png"),
+            ("FILE:///a.png", "/a.png"),
             (r"C:\a\b.png", "C:/a/b.png"),
             (r"..\a\b.png", "../a/b.png"),
             ("100%.png", "100%.png"),

@@ -14,7 +14,7 @@ use crate::Loaded;
 use crate::collada::limits::{MAX_DEPTH, MAX_INSTANCES, MAX_PRIMITIVES};
 use crate::collada::transform::Affine;
 use crate::collada::truncated;
-use crate::collada::uri::percent_decoded;
+use crate::collada::uri::{percent_decoded, without_scheme};
 use crate::diagnostic::{Diagnostic, SceneError};
 use crate::limited_file;
 use crate::placement::FAR_AWAY;
@@ -72,7 +72,7 @@ impl File<'_> {
 
     /// The path of a file that this one refers to, relative to its folder.
     pub(super) fn path(&self, uri: &str) -> String {
-        percent_decoded(uri).replace('\\', "/")
+        without_scheme(&percent_decoded(uri).replace('\\', "/")).to_owned()
     }
 
     fn read_buffers(&mut self, gltf: &Gltf) -> Result<(), SceneError> {
@@ -82,7 +82,7 @@ impl File<'_> {
                     let blob = gltf.blob.clone();
                     blob.ok_or_else(|| self.damaged("its binary part is missing"))?
                 }
-                Source::Uri(uri) if uri.starts_with("data:") => self.data(uri)?,
+                Source::Uri(uri) if is_data(uri) => self.data(uri)?,
                 Source::Uri(uri) => {
                     let path = self.folder.join(self.path(uri));
                     limited_file::read(&path).map_err(|why| {
@@ -96,6 +96,12 @@ impl File<'_> {
         }
         Ok(())
     }
+}
+
+/// Whether a URI holds the bytes themselves. Its scheme may have capital letters.
+pub(super) fn is_data(uri: &str) -> bool {
+    let scheme = uri.split_once(':').map(|(scheme, _)| scheme);
+    scheme.is_some_and(|scheme| scheme.eq_ignore_ascii_case("data"))
 }
 
 fn damaged(name: &str, why: impl std::fmt::Display) -> SceneError {

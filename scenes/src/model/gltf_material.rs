@@ -6,7 +6,7 @@
 //! texture. What is unlit, or of the old specular glossiness, is diffuse.
 
 use super::builder::Builder;
-use super::gltf::File;
+use super::gltf::{File, is_data};
 use crate::diagnostic::SceneError;
 use gltf::image::Source;
 use gltf::material::AlphaMode;
@@ -255,7 +255,7 @@ fn image(
             let bytes = file.buffers.view(&view).map_err(|why| file.damaged(why))?;
             bytes.to_vec()
         }
-        Source::Uri { uri, .. } if uri.starts_with("data:") => file.data(uri)?,
+        Source::Uri { uri, .. } if is_data(uri) => file.data(uri)?,
         Source::Uri { uri, .. } => return Ok(Some(file.path(uri))),
     };
     builder.textures.embedded.insert(name.clone(), bytes);

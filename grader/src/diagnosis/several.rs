@@ -110,7 +110,9 @@ pub(super) fn two_at_once(ranked: &[Ranked], student: &Signature) -> Option<Diag
     if !is_one_mistake {
         first.mistakes.extend(second.mistakes);
         first.others.push_str(&second.others);
-        first.hint = format!("{} {}", first.hint, second.hint);
+        if first.hint != second.hint {
+            first.hint = format!("{} {}", first.hint, second.hint);
+        }
     }
     Some(Diagnosis {
         mistakes: first.mistakes,

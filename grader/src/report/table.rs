@@ -90,7 +90,7 @@ fn rounding_errors(text: &mut String, report: &Report) {
     if !lines.is_empty() {
         let _ = write!(
             text,
-            "\nRounding errors of t, in ulp (units in the last place):\n{lines}"
+            "\nRounding errors of t where all are right, in ulp (units in the last place):\n{lines}"
         );
     }
 }

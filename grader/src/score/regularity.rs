@@ -457,8 +457,8 @@ fn where_wrong(
     (!telling.is_empty()).then_some(Shared::Circumstances(telling))
 }
 
-/// Whether a case fails as a whole, in an aspect of all its answers or by a crash, although none of
-/// its calls has the circumstance.
+/// Whether a case fails as a whole, in an aspect of all its answers or by a crash, although not all
+/// of its calls have the circumstance: nobody knows which of them it fails for.
 pub(crate) fn fails_elsewhere(
     (task, case): (&str, &CaseResult),
     specs: &[Spec],
@@ -473,7 +473,7 @@ pub(crate) fn fails_elsewhere(
     };
     fails
         && !case.with_neighbours
-        && spec.is_some_and(|spec| !(0..spec.calls()).any(|call| has(spec, call)))
+        && spec.is_some_and(|spec| !(0..spec.calls()).all(|call| has(spec, call)))
 }
 
 /// Drops the circumstances that a wrong call does not have, each given by its own, and what is left

@@ -24,15 +24,18 @@ pub struct FailedCase<'a> {
     pub crashed_call: Option<u32>,
 }
 
-/// Returns a test for the worst answer of a task's failed cases, or for the call that crashed, core
-/// points first; `None` if no answer fits in a short test.
+/// Returns a test for the worst answer of a task's failed cases, or for the call that crashed, of
+/// core cases if one fails; `None` if no answer fits in a short test.
 pub fn worst<'a>(
     failed: impl IntoIterator<Item = FailedCase<'a>>,
     specs: &[Spec],
     task: &str,
 ) -> Option<String> {
     let mut failed: Vec<FailedCase<'a>> = failed.into_iter().collect();
-    failed.sort_by_key(|case| case.tier == Tier::Robust);
+    // A test of extra credit would pass before the mistake is mended.
+    if failed.iter().any(|case| case.tier == Tier::Core) {
+        failed.retain(|case| case.tier == Tier::Core);
+    }
     failed.into_iter().find_map(|case| {
         let spec = specs.iter().find(|spec| spec.is(task, case.name))?;
         let worst = case

@@ -160,7 +160,7 @@ const ALWAYS_THE_SAME: Class = Class::Named("the same in each call");
 
 /// The question about random results that are the same in each call.
 const FROM_THE_SAMPLER: &str =
-    "Do the random numbers come from the sampler that the function is given?";
+    "Do they come from the random numbers that the function is given, or from its sampler?";
 
 /// The number of different directions, bit for bit.
 fn different(directions: &[Option<Vec3>]) -> usize {

@@ -361,9 +361,10 @@ fn no_command_of_the_grader_compiles_the_grader_again() {
 }
 
 /// `x - 1` at x = 0 panics in a stage. Generic functions, such as `raytrace_pixel`, are compiled
-/// with the worker, and would wrap in silence without its own line.
+/// with the worker, and would wrap in silence without its own line. Where the library panics, tables
+/// of lines lead to the student's line that called it (`harness::caller`).
 #[test]
-fn overflow_is_checked_wherever_code_of_a_stage_is_compiled() {
+fn overflow_is_checked_and_lines_are_known_wherever_code_of_a_stage_is_compiled() {
     let root = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
     let read = |file: &str| -> toml::Table {
         let text = std::fs::read_to_string(format!("{root}/{file}")).expect("a file");
@@ -378,5 +379,8 @@ fn overflow_is_checked_wherever_code_of_a_stage_is_compiled() {
             .get(package)
             .and_then(|of| of.get("overflow-checks"));
         assert_eq!(checks, Some(&toml::Value::Boolean(true)), "{package}");
+        let debug = packages.get(package).and_then(|of| of.get("debug"));
+        let debug = debug.and_then(toml::Value::as_str);
+        assert_eq!(debug, Some("line-tables-only"), "{package}");
     }
 }

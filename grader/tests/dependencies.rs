@@ -361,8 +361,8 @@ fn no_command_of_the_grader_compiles_the_grader_again() {
 }
 
 /// `x - 1` at x = 0 panics in a stage. Generic functions, such as `raytrace_pixel`, are compiled
-/// with the worker, and would wrap in silence without its own line. Where the library panics, tables
-/// of lines lead to the student's line that called it (`harness::caller`).
+/// with the worker, and would wrap in silence without its own line. Where the library panics,
+/// tables of lines lead to the student's line that called it (`harness::caller`).
 #[test]
 fn overflow_is_checked_and_lines_are_known_wherever_code_of_a_stage_is_compiled() {
     let root = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
@@ -375,12 +375,9 @@ fn overflow_is_checked_and_lines_are_known_wherever_code_of_a_stage_is_compiled(
     let manifest = read("Cargo.toml");
     let packages = &manifest["profile"]["release"]["package"];
     for package in course.stages().into_iter().chain(["worker"]) {
-        let checks = packages
-            .get(package)
-            .and_then(|of| of.get("overflow-checks"));
-        assert_eq!(checks, Some(&toml::Value::Boolean(true)), "{package}");
-        let debug = packages.get(package).and_then(|of| of.get("debug"));
-        let debug = debug.and_then(toml::Value::as_str);
+        let rules = &packages[package];
+        assert_eq!(rules["overflow-checks"].as_bool(), Some(true), "{package}");
+        let debug = rules["debug"].as_str();
         assert_eq!(debug, Some("line-tables-only"), "{package}");
     }
 }

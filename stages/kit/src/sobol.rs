@@ -11,14 +11,21 @@
 //! and visits its points in its own order, so that different pairs are independent. The order
 //! permutes the points within blocks of 2ᵏ, so the first 2ᵏ samples of every pair are still well
 //! distributed.
+//!
+//! Two pairs that belong together are a sequence in four dimensions: the second pair ([`Half`])
+//! visits its points in an order that depends on the first pair.
+
+/// Which two of the four dimensions of a point: all bits are 0 for the first two, 1 for the others.
+pub(crate) type Half = u32;
 
 /// Point `index` of the sequence that `key` scrambles: two numbers in units of 2⁻³².
 #[inline]
-pub(crate) fn point(index: u32, key: u64) -> [u32; 2] {
-    let (low, high) = (key as u32, (key >> 32) as u32);
+pub(crate) fn point(index: u32, key: u64, half: Half) -> [u32; 2] {
+    let (low, high) = halves_of(key, half);
     // Scrambling the index maps blocks of 2ᵏ points to such blocks, and each of them is as well
     // distributed as the first.
     let index = scramble(index.reverse_bits(), low).reverse_bits();
+    let index = index_in_half(index, half);
     // The first dimension of the sequence is the index with its bits reversed (van der Corput).
     let x = scramble(index, high);
     let y = scramble(second_dimension(index), second_seed(low, high));
@@ -27,19 +34,32 @@ pub(crate) fn point(index: u32, key: u64) -> [u32; 2] {
     [xy as u32, (xy >> 32) as u32]
 }
 
+/// A coordinate of a point as a number in [0, 1).
+#[inline(always)]
+pub(crate) fn fraction(coordinate: u32) -> f64 {
+    f64::from(coordinate) / (1_u64 << 32) as f64
+}
+
 /// Computes [`point`] for several indices and keys. Returns all first numbers, then all second
 /// ones.
 #[inline(always)]
-pub(crate) fn points<const N: usize>(indices: &[u32; N], keys: &[u64; N]) -> [[u32; N]; 2] {
+pub(crate) fn points<const N: usize>(
+    indices: &[u32; N],
+    keys: &[u64; N],
+    halves: &[Half; N],
+) -> [[u32; N]; 2] {
     let (mut low, mut high, mut index) = ([0; N], [0; N], *indices);
     for i in 0..N {
-        (low[i], high[i]) = (keys[i] as u32, (keys[i] >> 32) as u32);
+        (low[i], high[i]) = halves_of(keys[i], halves[i]);
     }
     reverse_bits(&mut index);
     for i in 0..N {
         index[i] = scramble(index[i], low[i]);
     }
     reverse_bits(&mut index);
+    for i in 0..N {
+        index[i] = index_in_half(index[i], halves[i]);
+    }
     let mut points = [[0; N]; 2];
     for i in 0..N {
         points[0][i] = scramble(index[i], high[i]);
@@ -57,6 +77,29 @@ fn reverse_bits<const N: usize>(numbers: &mut [u32; N]) {
         *number = number.reverse_bits();
     }
 }
+
+/// The seeds of the order and of the first dimension. Both halves of a point have the same order.
+#[inline(always)]
+fn halves_of(key: u64, half: Half) -> (u32, u32) {
+    let (low, high) = (key as u32, (key >> 32) as u32);
+    (low, high ^ low.wrapping_mul(0x85eb_ca6b) & half)
+}
+
+/// The place of point `index` in the order of its half: its own in the first one.
+#[inline(always)]
+fn index_in_half(index: u32, half: Half) -> u32 {
+    let bits = index & half;
+    let mut sum = index;
+    for (bit, column) in (2..).zip(SECOND_HALF) {
+        sum ^= column & 0_u32.wrapping_sub(bits >> bit & 1);
+    }
+    sum
+}
+
+/// What bit 2 of an index, bit 3 and so on add to its place: found by a search for points whose
+/// four coordinates together are spread evenly, too, most of all 16, 64 and 256 points. Beyond 1024
+/// points only the halves themselves become more even.
+const SECOND_HALF: [u32; 8] = [2, 3, 3, 1, 0x2e, 0x35, 0x34, 3];
 
 /// The seed that scrambles the second dimension, from the halves of the key.
 #[inline(always)]
@@ -101,9 +144,14 @@ mod tests {
     /// The defining property of the sequence, for several keys and all shapes of intervals.
     #[test]
     fn every_elementary_interval_contains_one_point() {
-        for key in [0, 1, 0x1234_5678_9abc_def0, u64::MAX] {
+        for (key, half) in [
+            (0, 0),
+            (1, u32::MAX),
+            (0x1234_5678_9abc_def0, 0),
+            (!0, u32::MAX),
+        ] {
             for k in 0..=10_u32 {
-                let points: Vec<[u32; 2]> = (0..1 << k).map(|i| point(i, key)).collect();
+                let points: Vec<[u32; 2]> = (0..1 << k).map(|i| point(i, key, half)).collect();
                 for i in 0..=k {
                     let mut occupied = vec![false; 1 << k];
                     for [x, y] in &points {
@@ -117,6 +165,29 @@ mod tests {
                         occupied[cell] = true;
                     }
                 }
+            }
+        }
+    }
+
+    /// Of 64 points each elementary interval of a sixteenth of the space holds four.
+    #[test]
+    fn both_halves_together_are_even() {
+        for key in [0, 0x1234_5678_9abc_def0] {
+            let both = |i| [point(i, key, 0), point(i, key, u32::MAX)].concat();
+            let points: Vec<Vec<u32>> = (0..64).map(both).collect();
+            for digits in 0..5_u32.pow(4) {
+                let digits = [1, 5, 25, 125].map(|unit| digits / unit % 5);
+                if digits.iter().sum::<u32>() != 4 {
+                    continue;
+                }
+                let mut cells = [0; 16];
+                for point in &points {
+                    let cell = point.iter().zip(digits).fold(0, |cell, (x, count)| {
+                        cell << count | (u64::from(*x) << count) >> 32
+                    });
+                    cells[cell as usize] += 1;
+                }
+                assert_eq!(cells, [4; 16], "{digits:?}");
             }
         }
     }
@@ -146,7 +217,8 @@ mod tests {
 
     #[test]
     fn different_keys_give_different_points() {
-        assert_ne!(point(3, 1), point(3, 2));
-        assert_ne!(point(3, 1), point(3, 1 << 32));
+        assert_ne!(point(3, 1, 0), point(3, 2, 0));
+        assert_ne!(point(3, 1, 0), point(3, 1 << 32, 0));
+        assert_ne!(point(3, 1, 0), point(3, 1, u32::MAX));
     }
 }

@@ -239,6 +239,7 @@ fn pictures_do_not_depend_on_threads() {
         Pattern::Independent,
         Pattern::Stratified { samples: 16 },
         Pattern::Sobol,
+        Pattern::Sobol4,
     ] {
         for adaptive in [None, Some((16, 0.3))] {
             let mut job = job(40, 30, 16);

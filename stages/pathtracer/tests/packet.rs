@@ -37,7 +37,11 @@ fn render(
         cell: film.whole(),
         samples,
         sampling: Sampling {
-            pattern: Pattern::Sobol,
+            pattern: if samples % 2 == 0 {
+                Pattern::Sobol4
+            } else {
+                Pattern::Sobol
+            },
             seed: 5,
             first_sample: 3,
         },

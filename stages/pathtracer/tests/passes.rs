@@ -66,6 +66,7 @@ fn passes_give_the_pixels_of_one_pass() {
                 Pattern::Independent,
                 Pattern::Stratified { samples },
                 Pattern::Sobol,
+                Pattern::Sobol4,
             ] {
                 let job = job(&scene, samples, pattern);
                 let passes = Passes {

@@ -68,6 +68,7 @@ impl RenderSettings {
                         samples: self.samples,
                     },
                     SamplerName::Sobol => Pattern::Sobol,
+                    SamplerName::Sobol4 => Pattern::Sobol4,
                 },
                 seed: self.seed,
                 first_sample: 0,
@@ -124,7 +125,7 @@ impl RenderSettings {
     /// The next distribution of samples.
     pub fn next_sampler(&mut self) {
         self.sampler = match self.sampler {
-            SamplerName::Sobol => SamplerName::Stratified,
+            SamplerName::Sobol | SamplerName::Sobol4 => SamplerName::Stratified,
             SamplerName::Stratified => SamplerName::Independent,
             SamplerName::Independent => SamplerName::Sobol,
         };
@@ -149,6 +150,7 @@ impl RenderSettings {
         }
         match self.sampler {
             SamplerName::Sobol => {}
+            SamplerName::Sobol4 => flags += " --sampler sobol4",
             SamplerName::Stratified => flags += " --sampler stratified",
             SamplerName::Independent => flags += " --sampler independent",
         }

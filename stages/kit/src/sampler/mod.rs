@@ -25,6 +25,10 @@ pub enum Pattern {
     /// Owen-scrambled Sobol points. The samples are well distributed in each pair of dimensions,
     /// which reduces noise. Best with a power of two of samples.
     Sobol,
+    /// The same, but two calls of [`PixelSampler::next_2d`] that follow each other share points that
+    /// are well distributed in four dimensions: the place in a pixel, and the point on a light that
+    /// is sampled there.
+    Sobol4,
 }
 
 /// Parameters of the samplers of an image.
@@ -76,6 +80,8 @@ pub struct PixelSampler {
     key: u64,
     samples_started: u32,
     dimension: u32,
+    /// The number of points that [`PixelSampler::next_2d`] has returned of the current sample.
+    points: u32,
 }
 
 impl PixelSampler {
@@ -92,6 +98,7 @@ impl PixelSampler {
             key: mix(pixel ^ mix(seed)),
             samples_started: first_sample,
             dimension: 0,
+            points: 0,
         }
     }
 
@@ -113,7 +120,7 @@ impl PixelSampler {
     #[inline]
     pub fn start_samples(&mut self, count: u32) {
         self.samples_started += count;
-        self.dimension = 0;
+        (self.dimension, self.points) = (0, 0);
     }
 
     /// Number of samples of the pixel that have started, including those before
@@ -138,7 +145,7 @@ impl PixelSampler {
                 let (index, key) = self.sample_and_key();
                 stratified::sample_1d(index, samples.max(1), key, self.independent())
             }
-            Pattern::Sobol => self.sobol().x,
+            Pattern::Sobol | Pattern::Sobol4 => self.sobol().x,
         }
     }
 
@@ -156,6 +163,7 @@ impl PixelSampler {
                 stratified::sample_2d(index, samples.max(1), key, jitter).into()
             }
             Pattern::Sobol => self.sobol(),
+            Pattern::Sobol4 => self.sobol4(),
         }
     }
 
@@ -182,8 +190,24 @@ impl PixelSampler {
     fn sobol(&mut self) -> Vec2 {
         let (index, key) = self.sample_and_key();
         self.dimension += 1;
-        let [x, y] = sobol::point(index, key);
-        Vec2::new(f64::from(x), f64::from(y)) / (1_u64 << 32) as f64
+        sobol::point(index, key, 0).map(sobol::fraction).into()
+    }
+
+    /// The index of the current sample, the key of the current pair of points, and which of them is
+    /// next.
+    #[inline(always)]
+    fn sample_and_pair(&self) -> (u32, u64, sobol::Half) {
+        // No dimension has this key.
+        let key = mix(self.key ^ mix(!u64::from(self.points / 2)));
+        let half = 0_u32.wrapping_sub(self.points % 2);
+        (self.samples_started.wrapping_sub(1), key, half)
+    }
+
+    #[inline]
+    fn sobol4(&mut self) -> Vec2 {
+        let (index, key, half) = self.sample_and_pair();
+        self.points += 1;
+        sobol::point(index, key, half).map(sobol::fraction).into()
     }
 }
 
@@ -202,9 +226,15 @@ mod tests {
     use super::*;
     use crate::Tally;
 
-    pub(super) fn all_patterns() -> [Sampling; 3] {
+    pub(super) fn all_patterns() -> [Sampling; 4] {
         let stratified = Pattern::Stratified { samples: 256 };
-        [Pattern::Independent, stratified, Pattern::Sobol].map(|pattern| Sampling {
+        [
+            Pattern::Independent,
+            stratified,
+            Pattern::Sobol,
+            Pattern::Sobol4,
+        ]
+        .map(|pattern| Sampling {
             pattern,
             seed: 3,
             first_sample: 0,
@@ -297,12 +327,36 @@ mod tests {
                 .collect();
             means.variance().sqrt()
         };
-        let [independent, stratified, sobol] = all_patterns().map(error);
-        assert!(sobol < 0.02 * independent, "{sobol} {independent}");
+        let [independent, stratified, sobol, sobol4] = all_patterns().map(error);
+        assert!(
+            sobol.max(sobol4) < 0.02 * independent,
+            "{sobol} {sobol4} {independent}"
+        );
         assert!(
             (0.02..0.1).contains(&(stratified / independent)),
             "{stratified} {independent}"
         );
+    }
+
+    /// Products of a place in the pixel and a point on a light, as in a penumbra. Points that are
+    /// well distributed in two dimensions only help little there.
+    #[test]
+    fn two_points_together_are_well_distributed() {
+        let error = |sampling| {
+            let means: Tally = (0..64)
+                .map(|x| {
+                    let mut sampler = PixelSampler::new(x, 0, sampling);
+                    let values = (0..64).map(|_| {
+                        let (p, q) = (sampler.get_sample(), sampler.next_2d());
+                        f64::from(u8::from(p.x + q.x > 1.0) + u8::from(p.y + q.y > 1.0))
+                    });
+                    values.collect::<Tally>().mean()
+                })
+                .collect();
+            means.variance()
+        };
+        let [_, _, sobol, sobol4] = all_patterns().map(error);
+        assert!(sobol4 < 0.6 * sobol, "{sobol4} {sobol}");
     }
 
     /// Numbers of different dimensions are not correlated.

@@ -18,6 +18,7 @@ pub struct PixelSamplers<const N: usize> {
     keys: [u64; N],
     samples_started: [u32; N],
     dimensions: [u32; N],
+    points: [u32; N],
 }
 
 impl<const N: usize> PixelSamplers<N> {
@@ -29,6 +30,7 @@ impl<const N: usize> PixelSamplers<N> {
             keys: [0; N],
             samples_started: [0; N],
             dimensions: [0; N],
+            points: [0; N],
         };
         for (i, sampler) in samplers.iter().enumerate() {
             lanes.set(i, sampler);
@@ -44,6 +46,7 @@ impl<const N: usize> PixelSamplers<N> {
             key: self.keys[i],
             samples_started: self.samples_started[i],
             dimension: self.dimensions[i],
+            points: self.points[i],
         }
     }
 
@@ -54,6 +57,7 @@ impl<const N: usize> PixelSamplers<N> {
         self.keys[i] = sampler.key;
         self.samples_started[i] = sampler.samples_started;
         self.dimensions[i] = sampler.dimension;
+        self.points[i] = sampler.points;
     }
 
     /// Skips the number that [`PixelSamplers::next_1d`] would return, in each sampler.
@@ -67,7 +71,7 @@ impl<const N: usize> PixelSamplers<N> {
     /// Calls [`PixelSampler::next_1d`] on each sampler.
     #[inline(always)]
     pub fn next_1d(&mut self) -> [f64; N] {
-        if self.pattern == Pattern::Sobol {
+        if matches!(self.pattern, Pattern::Sobol | Pattern::Sobol4) {
             return self.sobol()[0];
         }
         let mut numbers = [0.0; N];
@@ -83,8 +87,10 @@ impl<const N: usize> PixelSamplers<N> {
     /// ones.
     #[inline(always)]
     pub fn next_2d(&mut self) -> [[f64; N]; 2] {
-        if self.pattern == Pattern::Sobol {
-            return self.sobol();
+        match self.pattern {
+            Pattern::Sobol => return self.sobol(),
+            Pattern::Sobol4 => return self.sobol4(),
+            Pattern::Independent | Pattern::Stratified { .. } => {}
         }
         let [mut first, mut second] = [[0.0; N]; 2];
         for (i, (x, y)) in first.iter_mut().zip(&mut second).enumerate() {
@@ -102,15 +108,31 @@ impl<const N: usize> PixelSamplers<N> {
             (indices[i], keys[i]) = self.get(i).sample_and_key();
         }
         self.skip_1d();
-        let points = sobol::points(&indices, &keys);
-        let mut numbers = [[0.0; N]; 2];
-        for (numbers, points) in numbers.iter_mut().zip(&points) {
-            for (number, point) in numbers.iter_mut().zip(points) {
-                *number = f64::from(*point) / (1_u64 << 32) as f64;
-            }
-        }
-        numbers
+        fractions(&sobol::points(&indices, &keys, &[0; N]))
     }
+
+    #[inline(always)]
+    fn sobol4(&mut self) -> [[f64; N]; 2] {
+        let (mut indices, mut keys, mut halves) = ([0; N], [0; N], [0; N]);
+        for i in 0..N {
+            (indices[i], keys[i], halves[i]) = self.get(i).sample_and_pair();
+        }
+        for points in &mut self.points {
+            *points += 1;
+        }
+        fractions(&sobol::points(&indices, &keys, &halves))
+    }
+}
+
+#[inline(always)]
+fn fractions<const N: usize>(points: &[[u32; N]; 2]) -> [[f64; N]; 2] {
+    let mut numbers = [[0.0; N]; 2];
+    for (numbers, points) in numbers.iter_mut().zip(points) {
+        for (number, point) in numbers.iter_mut().zip(points) {
+            *number = sobol::fraction(*point);
+        }
+    }
+    numbers
 }
 
 #[cfg(test)]

@@ -215,6 +215,8 @@ pub enum SamplerName {
     Stratified,
     /// Owen-scrambled Sobol points: less noise
     Sobol,
+    /// Sobol points whose pairs are spread evenly together: less noise in soft shadows
+    Sobol4,
 }
 
 /// The tone curve of a `.png`.

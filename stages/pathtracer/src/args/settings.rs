@@ -164,6 +164,7 @@ impl Args {
                 SamplerName::Independent => Pattern::Independent,
                 SamplerName::Stratified => Pattern::Stratified { samples },
                 SamplerName::Sobol => Pattern::Sobol,
+                SamplerName::Sobol4 => Pattern::Sobol4,
             },
             seed: self.seed,
             first_sample: self.first_sample.unwrap_or(0),

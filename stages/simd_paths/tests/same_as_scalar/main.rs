@@ -129,7 +129,7 @@ fn pattern(i: usize) -> Pattern {
         Pattern::Sobol,
         Pattern::Independent,
         Pattern::Stratified { samples: 5 },
-        Pattern::Sobol,
+        Pattern::Sobol4,
     ][i % 4]
 }
 

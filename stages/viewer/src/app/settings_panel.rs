@@ -85,6 +85,7 @@ pub(super) fn settings(ui: &mut Ui, session: &mut Session, commands: &mut Vec<Co
                 &mut settings.sampler,
                 &[
                     (SamplerName::Sobol, "Sobol", None),
+                    (SamplerName::Sobol4, "Sobol in pairs", None),
                     (SamplerName::Stratified, "stratified", None),
                     (SamplerName::Independent, "independent", None),
                 ],

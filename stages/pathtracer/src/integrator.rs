@@ -226,7 +226,8 @@ impl<'a, T: RayTracer> PathIntegrator<'a, T> {
         if !self.settings.roulette {
             return Some(throughput);
         }
-        let survivor = play_roulette(throughput, bounces, u);
+        let factor = f64::from(self.settings.roulette_factor);
+        let survivor = play_roulette(throughput * factor, bounces, u).map(|t| t / factor);
         self.tracer.roulette_played(throughput, survivor);
         survivor
     }

@@ -44,6 +44,8 @@ pub struct LightSettings {
     pub direct_sampling: DirectSampling,
     /// Whether Russian roulette ends dim paths.
     pub roulette: bool,
+    /// How many times as often as by their throughput alone paths survive, at least 1.
+    pub roulette_factor: u32,
     /// Whether light fades towards the plane of a triangle (`--soft-terminator`).
     pub soft_terminator: bool,
     /// The largest luminance of a sample's indirect light (`--clamp`).
@@ -66,6 +68,7 @@ impl Default for LightSettings {
             max_depth: 1,
             direct_sampling: DirectSampling::Lights,
             roulette: true,
+            roulette_factor: 1,
             soft_terminator: false,
             clamp: None,
             adaptive: None,

@@ -486,6 +486,11 @@ fn roulette_samplers_and_adaptive_agree() {
         ..plain
     };
     assert_agree("roulette", &lit, [&plain, &no_roulette], 64, DETECTED);
+    let longer = LightSettings {
+        roulette_factor: 4,
+        ..plain
+    };
+    assert_agree("roulette", &lit, [&longer, &no_roulette], 64, DETECTED);
     let adaptive = LightSettings {
         adaptive: Some((32, 0.2)),
         ..plain

@@ -107,6 +107,13 @@ fn all_settings() -> Vec<(u32, LightSettings)> {
             },
         ),
         (
+            6,
+            LightSettings {
+                roulette_factor: 3,
+                ..deep
+            },
+        ),
+        (
             2,
             LightSettings {
                 direct_sampling: DirectSampling::Mis,

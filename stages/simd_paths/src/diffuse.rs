@@ -163,14 +163,16 @@ impl<S: Simd> PathPacket<'_, S> {
             self.samplers.skip_1d();
             return (throughput, mask64x8::splat(simd, true));
         };
+        let factor = f64x8::splat(simd, f64::from(self.settings.roulette_factor));
+        let throughput = throughput * factor;
         let q = roulette::survival_probability(throughput);
         let is_positive = f64x8::splat(simd, 0.0).simd_lt(q);
         if bounce <= min_bounces {
             self.samplers.skip_1d();
-            return (throughput, is_positive);
+            return (throughput / factor, is_positive);
         }
         let u = next_1d(simd, &mut self.samplers);
         let (throughput, survives) = roulette::play(throughput, q, u);
-        (throughput, is_positive & survives)
+        (throughput / factor, is_positive & survives)
     }
 }

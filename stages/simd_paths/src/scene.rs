@@ -59,6 +59,8 @@ pub struct PathSettings {
     pub samples_bsdf: bool,
     /// Bounces after which Russian roulette starts; `None` switches it off.
     pub min_bounces: Option<u32>,
+    /// What roulette multiplies throughputs by, and divides those of survivors by.
+    pub roulette_factor: u32,
     /// Whether the BSDF of diffuse surfaces has the factor
     /// [`Sides::terminator`](kit::shading_normal::Sides::terminator).
     pub soft_terminator: bool,

@@ -83,6 +83,7 @@ impl<'a> PacketRenderer<'a> {
                 has_textures: !textures.is_empty(),
                 samples_bsdf: settings.direct_sampling == DirectSampling::Mis,
                 min_bounces: settings.roulette.then_some(MIN_BOUNCES),
+                roulette_factor: settings.roulette_factor,
                 soft_terminator: settings.soft_terminator,
                 keeps_direct: settings.clamp.is_some() && settings.max_depth > 1,
             },

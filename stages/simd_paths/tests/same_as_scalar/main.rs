@@ -145,6 +145,7 @@ fn with_lists_and_trees_and_every_material_and_light() {
             has_textures: i % 8 == 3,
             samples_bsdf: i % 4 == 1,
             min_bounces: [Some(3), Some(1), None][i % 3],
+            roulette_factor: 1 + (i % 4) as u32,
             soft_terminator: i % 5 == 2,
             keeps_direct: i % 2 == 0,
         };
@@ -185,6 +186,7 @@ const TO_DEPTH_5: PathSettings = PathSettings {
     has_textures: false,
     samples_bsdf: false,
     min_bounces: Some(3),
+    roulette_factor: 1,
     soft_terminator: false,
     keeps_direct: false,
 };

@@ -216,12 +216,14 @@ impl<'a> ScalarPaths<'a> {
 
     fn roulette(&self, throughput: Spectrum, bounce: u32, u: f64) -> Option<Spectrum> {
         self.count(|counts| counts.bounces += 1);
-        match self.settings.min_bounces {
+        let factor = f64::from(self.settings.roulette_factor);
+        let survivor = match self.settings.min_bounces {
             // Replaces the threshold of the stage.
-            Some(first) if bounce > first => play_roulette(throughput, u32::MAX, u),
-            Some(_) => play_roulette(throughput, 0, u),
-            None => Some(throughput),
-        }
+            Some(first) if bounce > first => play_roulette(throughput * factor, u32::MAX, u),
+            Some(_) => play_roulette(throughput * factor, 0, u),
+            None => return Some(throughput),
+        };
+        survivor.map(|throughput| throughput / factor)
     }
 }
 

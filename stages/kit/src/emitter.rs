@@ -5,6 +5,7 @@
 //! that emit. [`LitScene`](crate::LitScene) creates the emitters of a scene.
 
 use crate::emitting_sphere;
+use crate::lamps::Lamps;
 use crate::math;
 use crate::warp;
 use crate::{EmittingMesh, Environment, PrimId, Spectrum, Sphere, Vec2, Vec3};
@@ -85,6 +86,8 @@ pub enum Emitter {
     },
     /// An environment map.
     Environment(Environment),
+    /// Many lamps: each sample chooses one. Only for light sampling: their [`Emitter::pdf`] is 0.
+    Lamps(Lamps),
 }
 
 impl Emitter {
@@ -164,6 +167,7 @@ impl Emitter {
                 })
             }
             Emitter::Environment(environment) => environment.sample(u),
+            Emitter::Lamps(lamps) => lamps.sample(p, u),
         }
     }
 
@@ -173,7 +177,10 @@ impl Emitter {
     /// lights.
     pub fn pdf(&self, p: Vec3, wi: Vec3, distance: f64, normal: Vec3) -> f64 {
         match self {
-            Emitter::Point { .. } | Emitter::Spot { .. } | Emitter::Directional { .. } => 0.0,
+            Emitter::Point { .. }
+            | Emitter::Spot { .. }
+            | Emitter::Directional { .. }
+            | Emitter::Lamps(_) => 0.0,
             Emitter::Mesh(mesh) => {
                 let cos = -wi.dot(normal);
                 if cos > 0.0 {

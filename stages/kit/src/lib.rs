@@ -33,6 +33,7 @@ pub mod film;
 pub mod frame;
 pub mod hit;
 pub mod hole;
+pub mod lamps;
 pub mod light;
 pub mod lit;
 pub mod material;

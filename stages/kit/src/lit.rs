@@ -2,6 +2,7 @@
 
 use crate::area_lights::add_area_lights;
 use crate::emitting_mesh::{EmittingMesh, EmittingTriangle};
+use crate::lamps::Lamps;
 use crate::math;
 use crate::{Emitter, Environment, Hit, Light, Material, PrimId, Scene, Spectrum, Surface, Vec3};
 
@@ -36,6 +37,9 @@ pub struct LitScene {
     emitter_of: Vec<Option<u32>>,
 }
 
+/// The largest number of lamps that each point samples all of.
+const MOST_LAMPS: usize = 8;
+
 impl LitScene {
     /// Collects the light sources of `scene` and of its `environment` map, if there is one.
     pub fn new(mut scene: Scene, environment: Option<Environment>) -> LitScene {
@@ -53,6 +57,21 @@ impl LitScene {
         };
         lit.add_emitting_surfaces();
         lit
+    }
+
+    /// The same scene, but if it has more than eight lamps with an area, they are one emitter,
+    /// whose samples choose a lamp. For light sampling only, without [`LitScene::emitter_of`].
+    #[must_use]
+    pub fn with_chosen_lamps(mut self) -> LitScene {
+        let is_lamp = |e: &Emitter| matches!(e, Emitter::Mesh(_) | Emitter::Sphere { .. });
+        let (lamps, mut others): (Vec<_>, Vec<_>) =
+            self.emitters.iter().cloned().partition(is_lamp);
+        if lamps.len() > MOST_LAMPS {
+            others.push(Emitter::Lamps(Lamps::new(lamps)));
+            self.emitter_of.fill(None);
+            self.emitters = others;
+        }
+        self
     }
 
     /// The surface data for shading at `hit`.

@@ -35,8 +35,9 @@ pub enum DirectSampling {
 /// How light transport is simulated.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LightSettings {
-    /// Samples per area light (`-l`); with [`DirectSampling::Hemisphere`] directions per area
-    /// light.
+    /// Samples per area light (`-l`), or of all together with
+    /// [`LitScene::with_chosen_lamps`](kit::LitScene::with_chosen_lamps); with
+    /// [`DirectSampling::Hemisphere`] directions per area light.
     pub light_samples: u32,
     /// Ray depth (`-m`): 0 is emission only, 1 is direct light.
     pub max_depth: u32,

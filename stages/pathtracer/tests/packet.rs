@@ -4,7 +4,8 @@
 
 use crate::common::{own_scenes, scene_files};
 use kit::sampler::{Pattern, Sampling};
-use kit::{FilmSize, LitScene};
+use kit::scene::NamedLight;
+use kit::{FilmSize, Light, LitScene, Spectrum, Vec3};
 use pathtracer::{
     Accel, AccelKind, DirectSampling, Job, Lens, LightSettings, Rendered, Textures, render_lit,
 };
@@ -194,6 +195,49 @@ fn pictures_and_counts_equal_those_of_scalar_paths() {
         early > 3,
         "only {early} pictures have pixels that stop early"
     );
+}
+
+/// Of twelve lamps each sample chooses one: packets and scalar paths the same, and the mean is that
+/// of sampling all.
+#[test]
+fn one_of_many_lamps_is_chosen() {
+    let mut scene = scenes::load(&all_scene_files()[0]).expect("a scene").scene;
+    let bounds = scene.primitive_bounds();
+    let all = bounds.iter().fold(bounds[0], |all, b| all.union(*b));
+    let size = all.extent();
+    scene.lights = (0..12)
+        .map(|i| NamedLight {
+            name: format!("lamp {i}"),
+            light: Light::Area {
+                center: all.min
+                    + size * Vec3::new(f64::from(i) / 11.0, 0.9, f64::from(i % 4) / 3.0),
+                edge_x: 0.05 * size.x * Vec3::X,
+                edge_y: 0.02 * size.z * Vec3::Z,
+                direction: -Vec3::Y,
+                radiance: Spectrum::grey(f64::from(i + 1)),
+            },
+        })
+        .collect();
+    let each = LitScene::new(scene, None);
+    let chosen = each.clone().with_chosen_lamps();
+    assert!(each.emitters.len() > 11 && chosen.emitters.len() == 1);
+    let textures = Textures::default();
+    let settings = LightSettings::default();
+    let [scalar, packets] = [AccelKind::Bvh, AccelKind::Simd].map(|kind| {
+        let accel = Accel::build(kind, &chosen.scene);
+        render((&chosen, &textures), &accel, 64, &settings)
+    });
+    assert!(packets.film == scalar.film, "the pictures differ");
+    let accel = Accel::build(AccelKind::Simd, &each.scene);
+    let all_lamps = render((&each, &textures), &accel, 64, &settings);
+    let mean = |rendered: &Rendered| {
+        let pixels = rendered.film.pixels().iter();
+        let sum: Spectrum = pixels.map(|pixel| pixel.radiance).sum();
+        sum.luminance()
+    };
+    let ratio = mean(&packets) / mean(&all_lamps);
+    assert!((ratio - 1.0).abs() < 0.02, "{ratio}");
+    assert!(packets.counters.rays < all_lamps.counters.rays / 2);
 }
 
 #[test]

@@ -33,7 +33,7 @@ pub struct Args {
     #[arg(short = 's', long, value_name = "INT", default_value_t = 1, value_parser = samples)]
     pub samples: u32,
 
-    /// Samples per area light [default: 1]
+    /// Samples per area light; of more than eight area lights together [default: 1]
     #[arg(short = 'l', long, value_name = "INT", value_parser = samples)]
     pub light_samples: Option<u32>,
 

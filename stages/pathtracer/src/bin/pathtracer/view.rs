@@ -5,7 +5,7 @@ use base::errln;
 use kit::{Camera, Environment, FilmSize, LitScene, Scene};
 use pathtracer::args::{Args, NormalsName, Shade};
 use pathtracer::trial::light_waits_for;
-use pathtracer::{LightSettings, Picture, Textures};
+use pathtracer::{DirectSampling, LightSettings, Picture, Textures};
 use scenes::placement;
 use std::io::{IsTerminal, stderr};
 use std::path::Path;
@@ -73,7 +73,12 @@ pub(crate) fn picture(
         Shade::Normals | Shade::Lit => None,
     };
     let Some(hole) = waits_for else {
-        return Picture::new(args.shade, scene, environment);
+        return match Picture::new(args.shade, scene, environment) {
+            Picture::Lit(lit) if light.direct_sampling == DirectSampling::Lights => {
+                Picture::Lit(lit.with_chosen_lamps())
+            }
+            picture => picture,
+        };
     };
     if LitScene::new(scene.clone(), environment.clone()).has_light() {
         errln!(

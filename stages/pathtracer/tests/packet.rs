@@ -38,11 +38,7 @@ fn render(
         cell: film.whole(),
         samples,
         sampling: Sampling {
-            pattern: if samples % 2 == 0 {
-                Pattern::Sobol4
-            } else {
-                Pattern::Sobol
-            },
+            pattern: [Pattern::Sobol4, Pattern::Sobol][(samples % 2) as usize],
             seed: 5,
             first_sample: 3,
         },

@@ -24,8 +24,8 @@ pub(crate) fn point(index: u32, key: u64, half: Half) -> [u32; 2] {
     let (low, high) = halves_of(key, half);
     // Scrambling the index maps blocks of 2ᵏ points to such blocks, and each of them is as well
     // distributed as the first.
-    let index = scramble(index.reverse_bits(), low).reverse_bits();
-    let index = index_in_half(index, half);
+    let scrambled = scramble(index.reverse_bits(), low).reverse_bits();
+    let index = index_in_half(scrambled, half);
     // The first dimension of the sequence is the index with its bits reversed (van der Corput).
     let x = scramble(index, high);
     let y = scramble(second_dimension(index), second_seed(low, high));

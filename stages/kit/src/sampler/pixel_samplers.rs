@@ -108,7 +108,7 @@ impl<const N: usize> PixelSamplers<N> {
             (indices[i], keys[i]) = self.get(i).sample_and_key();
         }
         self.skip_1d();
-        fractions(&sobol::points(&indices, &keys, &[0; N]))
+        fractions(sobol::points(&indices, &keys, &[0; N]))
     }
 
     #[inline(always)]
@@ -120,19 +120,13 @@ impl<const N: usize> PixelSamplers<N> {
         for points in &mut self.points {
             *points += 1;
         }
-        fractions(&sobol::points(&indices, &keys, &halves))
+        fractions(sobol::points(&indices, &keys, &halves))
     }
 }
 
 #[inline(always)]
-fn fractions<const N: usize>(points: &[[u32; N]; 2]) -> [[f64; N]; 2] {
-    let mut numbers = [[0.0; N]; 2];
-    for (numbers, points) in numbers.iter_mut().zip(points) {
-        for (number, point) in numbers.iter_mut().zip(points) {
-            *number = sobol::fraction(*point);
-        }
-    }
-    numbers
+fn fractions<const N: usize>(points: [[u32; N]; 2]) -> [[f64; N]; 2] {
+    points.map(|coordinates| coordinates.map(sobol::fraction))
 }
 
 #[cfg(test)]

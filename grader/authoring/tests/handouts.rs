@@ -214,7 +214,8 @@ fn a_handout_contains_the_students_files_and_no_others() {
 /// chapters, two cases of grids with their results, and more pairs. Less by 238,000: what grades
 /// submissions, stores goldens and reviews them is not in a handout. 21,000 are the cases of the
 /// record of a hit and of a sphere's normals, with what mistakes answer there. 13,500 are walls
-/// among triangles, classes of rays' origins and lamps' sides, and drawings of wrong hits.
+/// among triangles, classes of rays' origins and lamps' sides, and drawings of wrong hits. 14,000
+/// are many lamps of which each sample chooses one, and samplers with points in pairs.
 const LARGEST: usize = 8_203_500;
 
 #[test]

@@ -101,7 +101,10 @@ impl Lamp {
         let distance2 = d.length_squared();
         let at_front = self.power / distance2.max(self.radius2);
         match self.front {
-            Some(front) => at_front * (d.dot(front).max(0.0) / distance2.sqrt()),
+            // At the centre itself the distance is 0, and no light comes.
+            Some(front) => {
+                at_front * (d.dot(front).max(0.0) / distance2.max(f64::MIN_POSITIVE).sqrt())
+            }
             None => at_front,
         }
     }
@@ -159,6 +162,8 @@ mod tests {
             Vec3::new(1.0, 2.0, 3.0),
             Vec3::new(0.2, 0.1, 1.9),
             near,
+            // The centre of a flat lamp.
+            Vec3::new(0.25, 0.125, 2.0),
         ] {
             let mut sampler = PixelSampler::new(0, 0, 1);
             let mut mean = |emitters: &[Emitter]| {

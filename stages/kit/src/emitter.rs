@@ -6,25 +6,10 @@
 
 use crate::emitting_sphere;
 use crate::lamps::Lamps;
+use crate::light_sample::towards;
 use crate::math;
 use crate::warp;
-use crate::{EmittingMesh, Environment, PrimId, Spectrum, Sphere, Vec2, Vec3};
-
-/// A direction sampled towards a light from a given point.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct LightSample {
-    /// Unit direction to the light, in world space.
-    pub wi: Vec3,
-    /// Distance to the light along `wi`; infinite for directional lights, skies and environment
-    /// maps.
-    pub distance: f64,
-    /// Density of `wi` with respect to solid angle, in 1/sr; 1 for delta lights (lights without
-    /// area).
-    pub pdf: f64,
-    /// Radiance that arrives along `wi` if nothing blocks it. For delta lights: the irradiance on a
-    /// surface that faces the light.
-    pub radiance: Spectrum,
-}
+use crate::{EmittingMesh, Environment, LightSample, PrimId, Spectrum, Sphere, Vec2, Vec3};
 
 /// A source of light.
 ///
@@ -195,13 +180,6 @@ impl Emitter {
             Emitter::Environment(environment) => environment.pdf(wi),
         }
     }
-}
-
-/// Unit direction and distance from `p` to `q`; `None` if they are the same point.
-pub(crate) fn towards(p: Vec3, q: Vec3) -> Option<(Vec3, f64)> {
-    let d = q - p;
-    let distance = d.length();
-    (distance > 0.0 && distance.is_finite()).then(|| (d / distance, distance))
 }
 
 fn from_point(p: Vec3, position: Vec3, intensity: Spectrum) -> Option<LightSample> {

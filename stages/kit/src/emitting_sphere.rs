@@ -1,6 +1,6 @@
 //! Sampling of emitting spheres.
 
-use crate::emitter::towards;
+use crate::light_sample::towards;
 use crate::{Frame, LightSample, Spectrum, Sphere, Vec2, Vec3, math};
 use std::f64::consts::TAU;
 

@@ -64,12 +64,11 @@ impl LitScene {
     #[must_use]
     pub fn with_chosen_lamps(mut self) -> LitScene {
         let is_lamp = |e: &Emitter| matches!(e, Emitter::Mesh(_) | Emitter::Sphere { .. });
-        let (lamps, mut others): (Vec<_>, Vec<_>) =
-            self.emitters.iter().cloned().partition(is_lamp);
-        if lamps.len() > MOST_LAMPS {
-            others.push(Emitter::Lamps(Lamps::new(lamps)));
-            self.emitter_of.fill(None);
+        if self.emitters.iter().filter(|e| is_lamp(e)).count() > MOST_LAMPS {
+            let (lamps, others) = self.emitters.into_iter().partition(is_lamp);
             self.emitters = others;
+            self.emitters.push(Emitter::Lamps(Lamps::new(lamps)));
+            self.emitter_of.fill(None);
         }
         self
     }

@@ -21,7 +21,7 @@ pub(crate) type Half = u32;
 /// Point `index` of the sequence that `key` scrambles: two numbers in units of 2⁻³².
 #[inline]
 pub(crate) fn point(index: u32, key: u64, half: Half) -> [u32; 2] {
-    let (low, high) = halves_of(key, half);
+    let (low, high) = seeds_of(key, half);
     // Scrambling the index maps blocks of 2ᵏ points to such blocks, and each of them is as well
     // distributed as the first.
     let scrambled = scramble(index.reverse_bits(), low).reverse_bits();
@@ -50,7 +50,7 @@ pub(crate) fn points<const N: usize>(
 ) -> [[u32; N]; 2] {
     let (mut low, mut high, mut index) = ([0; N], [0; N], *indices);
     for i in 0..N {
-        (low[i], high[i]) = halves_of(keys[i], halves[i]);
+        (low[i], high[i]) = seeds_of(keys[i], halves[i]);
     }
     reverse_bits(&mut index);
     for i in 0..N {
@@ -80,7 +80,7 @@ fn reverse_bits<const N: usize>(numbers: &mut [u32; N]) {
 
 /// The seeds of the order and of the first dimension. Both halves of a point have the same order.
 #[inline(always)]
-fn halves_of(key: u64, half: Half) -> (u32, u32) {
+fn seeds_of(key: u64, half: Half) -> (u32, u32) {
     let (low, high) = (key as u32, (key >> 32) as u32);
     (low, high ^ low.wrapping_mul(0x85eb_ca6b) & half)
 }

@@ -123,8 +123,8 @@ fn leaves(ray: &Ray, step: &Step) -> Option<Class> {
     }
 }
 
-/// The class of wrong calls of `direct`: all in the local space, all along the ray, or others. `None`
-/// if they are right.
+/// The class of wrong calls of `direct`: all in the local space, all along the ray, or others.
+/// `None` if they are right.
 fn class_of_calls(
     path: &ScriptedPath,
     called: &[(u32, Xyz)],

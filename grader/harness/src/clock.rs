@@ -168,14 +168,14 @@ pub(crate) struct Stopwatch {
 }
 
 impl Stopwatch {
-    /// Starts a stopwatch.
-    pub(crate) fn start() -> Stopwatch {
+    /// Starts a stopwatch for code before which `marker` will be printed.
+    pub(crate) fn start(marker: &str) -> Stopwatch {
         let now = Instant::now();
         Stopwatch {
             worked_before: time_of_others(),
             // A thread that has not started has used no time.
             queued_before: queued_so_far().unwrap_or_default(),
-            output_before: Output::of_student(),
+            output_before: Output::of_student().and(marker),
             last_look: now,
             last_round: now,
             taken: Taken::default(),
@@ -255,6 +255,14 @@ impl Output {
         }
     }
 
+    /// This, and `text` in one more write.
+    fn and(self, text: &str) -> Output {
+        Output {
+            writes: self.writes + 1,
+            bytes: self.bytes + text.len() as u64,
+        }
+    }
+
     /// The output since `before`.
     pub(crate) fn since(self, before: Output) -> Output {
         Output {
@@ -302,6 +310,22 @@ mod tests {
         );
         assert_eq!(output.time(), Duration::from_micros(1050));
         assert_eq!(Output::parse(""), Output::default());
+    }
+
+    #[test]
+    fn the_marker_of_a_case_is_not_what_its_code_prints() {
+        let before = Output::default().and("\n\0case 3\n");
+        let output = |writes, bytes| Output { writes, bytes }.since(before);
+        assert_eq!(output(1, 9), Output::default());
+        assert_eq!(output(2, 11).writes, 1);
+        let waited = |writes, passed| Taken {
+            passed: Duration::from_secs(passed),
+            output: output(writes, 9),
+            ..Taken::default()
+        };
+        let left = |taken: Taken| taken.left(Duration::from_secs(1), 1.0);
+        assert_eq!(left(waited(1, 9)), Err(TimeUp::Waiting));
+        assert!(left(waited(2, 9)).is_ok());
     }
 
     #[cfg(unix)]
@@ -394,7 +418,7 @@ mod tests {
 
     #[test]
     fn a_stopped_machine_is_one_look() {
-        let mut watch = Stopwatch::start();
+        let mut watch = Stopwatch::start("");
         let mut control = Control::new();
         let hour = Duration::from_secs(3600);
         watch.last_look = watch.last_look.checked_sub(hour).unwrap_or(watch.last_look);

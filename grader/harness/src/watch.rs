@@ -127,7 +127,7 @@ impl Watch {
     /// `None` if a record cannot be written or will not come.
     fn case(&mut self, case: u32, limit: Duration) -> Option<()> {
         self.write(&RecordFrame::Started { case })?;
-        let mut stopwatch = Stopwatch::start();
+        let mut stopwatch = Stopwatch::start(&wire::output_marker(case));
         let mut reported = Duration::ZERO;
         let mut printing = PrintingCall::default();
         self.to_student.send(case).ok()?;

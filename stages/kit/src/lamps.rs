@@ -38,10 +38,19 @@ impl Lamps {
     /// Samples one of the lamps from `p`, as [`Emitter::sample`] does. The density includes the
     /// choice of the lamp.
     pub(crate) fn sample(&self, p: Vec3, u: Vec2) -> Option<LightSample> {
-        let total: f64 = self.lamps.iter().map(|lamp| lamp.weight(p)).sum();
+        let sum: f64 = self.lamps.iter().map(|lamp| lamp.weight(p)).sum();
+        // Beside a lamp that is too strong for a number, the others have their share, too.
+        let weight_of = |lamp: &Lamp| match lamp.weight(p) {
+            weight if sum.is_finite() => weight,
+            weight => f64::from(u8::from(weight > 0.0)),
+        };
+        let total = match sum.is_finite() {
+            true => sum,
+            false => self.lamps.iter().map(weight_of).sum(),
+        };
         let mut rest = u.x * total;
         for lamp in &self.lamps {
-            let weight = lamp.weight(p);
+            let weight = weight_of(lamp);
             if rest < weight {
                 // What is left of the number is uniform again.
                 let sample = lamp.emitter.sample(p, Vec2::new(rest / weight, u.y))?;
@@ -155,7 +164,27 @@ mod tests {
     /// At each point, also behind some of the lamps and near one.
     #[test]
     fn one_lamp_chosen_sends_the_sum_of_all() {
-        let all = Emitter::Lamps(Lamps::new(lamps()));
+        assert_same_mean(&lamps());
+    }
+
+    #[test]
+    fn a_lamp_whose_power_is_no_number_hides_no_other() {
+        let (e1, e2) = (20.0 * Vec3::X, 20.0 * Vec3::Y);
+        let sky = EmittingTriangle {
+            p0: Vec3::new(-9.0, -9.0, 9.0),
+            e1: e2,
+            e2: e1,
+            front: -Vec3::Z,
+        };
+        let sky = EmittingMesh::new(vec![sky], Spectrum::new(1e308, 1.0, 1.0));
+        let mut emitters = lamps();
+        emitters.push(Emitter::Mesh(sky.expect("an area")));
+        assert_same_mean(&emitters);
+    }
+
+    /// Choosing one of `emitters` sends the green of all.
+    fn assert_same_mean(emitters: &[Emitter]) {
+        let all = Emitter::Lamps(Lamps::new(emitters.to_vec()));
         let near = Vec3::new(-2.0, 0.41, 1.0);
         for p in [
             Vec3::ZERO,
@@ -170,11 +199,11 @@ mod tests {
                 let values = (0..40_000).map(|_| {
                     let u = sampler.get_sample();
                     let light = emitters.iter().filter_map(|emitter| emitter.sample(p, u));
-                    light.map(|s| s.radiance.r / s.pdf).sum::<f64>()
+                    light.map(|s| s.radiance.g / s.pdf).sum::<f64>()
                 });
                 values.collect::<Tally>()
             };
-            let (one, each) = (mean(std::slice::from_ref(&all)), mean(&lamps()));
+            let (one, each) = (mean(std::slice::from_ref(&all)), mean(emitters));
             let error = ((one.variance() + each.variance()) / 40_000.0).sqrt();
             let difference = one.mean() - each.mean();
             assert!(difference.abs() < 5.0 * error, "{p}: {one:?} {each:?}");

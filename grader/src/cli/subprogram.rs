@@ -49,7 +49,7 @@ pub fn run(package: &str, arguments: Vec<OsString>) -> Result<Exit, GraderError>
     if !is_built(package) {
         let is_first = |name| arguments.first().is_some_and(|command| command == name);
         let how_long = match SMALL.iter().any(is_first) {
-            true => "some ten seconds",
+            true => "ten to thirty seconds",
             false => "one or two minutes",
         };
         errln!(

@@ -133,6 +133,21 @@ fn scenes_with_light_are_lit_by_default() {
     assert_eq!(shown("--shade normals"), [0.5, 0.5, 1.0]);
 }
 
+/// The picture without flags is that of `sobol4` and a roulette of 4, for every way to trace.
+#[test]
+fn the_default_sampler_and_roulette_reduce_noise() {
+    let folder = folder();
+    let bytes = |flags: &str| {
+        let flags = format!("-f a.exr -r 24 24 -s 16 -m 12 {flags} lit.dae");
+        pathtracer(folder.path(), &flags);
+        fs::read(folder.path().join("a.exr")).expect("a picture")
+    };
+    let default = bytes("");
+    assert!(default == bytes("--sampler sobol4 --roulette 4"));
+    assert!(default == bytes("--accel bvh -t 1"));
+    assert!(default != bytes("--sampler sobol"), "the sampler");
+}
+
 #[test]
 fn an_adaptive_picture_has_a_file_of_sample_counts() {
     let folder = folder();

@@ -38,10 +38,10 @@ fn bytes(folder: &Path, name: &str) -> Vec<u8> {
 const FLAGS: &str = "-r 40 30 -m 4 --seed 3";
 
 /// Cells and ranges, of different machines, so with different threads and trees, in any order, also
-/// merged in two steps; with both samplers whose samples do not depend on their number.
+/// merged in two steps; with the samplers whose samples do not depend on their number.
 #[test]
 fn parts_merge_into_the_bits_of_one_run() {
-    for sampler in ["sobol", "independent"] {
+    for sampler in ["sobol4", "sobol", "independent"] {
         let folder = folder();
         let folder = folder.path();
         let flags = format!("{FLAGS} --sampler {sampler}");

@@ -3,7 +3,7 @@
 use kit::film::Cell;
 use kit::sampler::{Pattern, Sampling};
 use kit::{Camera, FilmSize};
-use pathtracer::args::{Args, SamplerName};
+use pathtracer::args::{Args, DEFAULT_ROULETTE, DEFAULT_SAMPLER, SamplerName};
 use pathtracer::{DirectSampling, Job, LightSettings};
 
 /// The settings of a render.
@@ -127,7 +127,7 @@ impl RenderSettings {
         self.sampler = match self.sampler {
             SamplerName::Sobol | SamplerName::Sobol4 => SamplerName::Stratified,
             SamplerName::Stratified => SamplerName::Independent,
-            SamplerName::Independent => SamplerName::Sobol,
+            SamplerName::Independent => DEFAULT_SAMPLER,
         };
     }
 
@@ -149,10 +149,15 @@ impl RenderSettings {
             flags += &format!(" -a {batch} {tolerance}");
         }
         match self.sampler {
-            SamplerName::Sobol => {}
-            SamplerName::Sobol4 => flags += " --sampler sobol4",
+            SamplerName::Sobol4 => {}
+            SamplerName::Sobol => flags += " --sampler sobol",
             SamplerName::Stratified => flags += " --sampler stratified",
             SamplerName::Independent => flags += " --sampler independent",
+        }
+        match (self.light.roulette, self.light.roulette_factor) {
+            (false, _) => flags += " --no-roulette",
+            (true, DEFAULT_ROULETTE) => {}
+            (true, factor) => flags += &format!(" --roulette {factor}"),
         }
         if self.seed != 0 {
             flags += &format!(" --seed {}", self.seed);
@@ -165,5 +170,31 @@ fn scaled(samples: u32, change: Change) -> u32 {
     match change {
         Change::Less => (samples / 2).max(1),
         Change::More => samples.saturating_mul(2).min(MAX_SAMPLES.max(samples)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::Parser;
+
+    #[test]
+    fn flags_name_what_is_not_the_default() {
+        let flags = |given: &str| {
+            let words = format!("viewer {given} a.dae");
+            let args = Args::parse_from(words.split_whitespace());
+            let settings = RenderSettings::new(&args, FilmSize { w: 4, h: 3 });
+            settings.expect("settings").flags()
+        };
+        let default = "-r 4 3 -s 1 -l 1 -m 1";
+        assert_eq!(flags("--sampler sobol4 --roulette 4"), default);
+        for given in [
+            "--sampler sobol",
+            "--sampler stratified",
+            "--roulette 1",
+            "--no-roulette",
+        ] {
+            assert_eq!(flags(given), format!("{default} {given}"));
+        }
     }
 }

@@ -147,7 +147,7 @@ fn depth(quick: bool) -> ExperimentPlan {
     let method = |depth: &u32| {
         RenderMethod::new(
             format!("depth {depth}"),
-            format!("--shade lit -m {depth}"),
+            format!("--shade lit -m {depth} --sampler sobol --roulette 1"),
             samples,
         )
     };
@@ -164,7 +164,7 @@ fn depth(quick: bool) -> ExperimentPlan {
 fn clamp(quick: bool) -> ExperimentPlan {
     let samples: &[u32] = pick(quick, &[16, 64], &[4, 16, 64, 256]);
     let limits: &[f64] = pick(quick, &[3.0, 0.3], &[10.0, 3.0, 1.0, 0.3, 0.1]);
-    let flags = "--shade lit -m 8 --sampler independent";
+    let flags = "--shade lit -m 8 --sampler independent --roulette 1";
     let mut methods = vec![RenderMethod::new("no clamp", flags, samples)];
     methods.extend(limits.iter().map(|limit| {
         let flags = format!("{flags} --clamp {limit}");

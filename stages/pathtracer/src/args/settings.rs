@@ -1,7 +1,7 @@
 //! Converts flags to the settings of the renderer.
 
 use super::values::samples;
-use super::{Args, SamplerName, Shade, ToneName};
+use super::{Args, DEFAULT_ROULETTE, DEFAULT_SAMPLER, SamplerName, Shade, ToneName};
 use crate::{DirectSampling, Lens, LightSettings, Tone};
 use kit::FilmSize;
 use kit::film::Cell;
@@ -197,14 +197,14 @@ impl Args {
             (self.hemisphere, "-H"),
             (self.mis, "--mis"),
             (self.no_roulette, "--no-roulette"),
-            (self.roulette != 1, "--roulette"),
+            (self.roulette != DEFAULT_ROULETTE, "--roulette"),
             (self.soft_terminator, "--soft-terminator"),
             (self.clamp.is_some(), "--clamp"),
             (self.pixel.is_some(), "--pixel"),
             (self.shade == Shade::Normals, "--shade"),
             (self.seed != 0, "--seed"),
             (self.first_sample.is_some(), "--first-sample"),
-            (self.sampler != SamplerName::Sobol, "--sampler"),
+            (self.sampler != DEFAULT_SAMPLER, "--sampler"),
             (self.force_effects, "--force-effects"),
         ]));
         unused
@@ -228,7 +228,7 @@ impl Args {
             (self.environment.is_some(), "-e"),
             (self.mis, "--mis"),
             (self.no_roulette, "--no-roulette"),
-            (self.roulette != 1, "--roulette"),
+            (self.roulette != DEFAULT_ROULETTE, "--roulette"),
             (self.soft_terminator, "--soft-terminator"),
             (self.clamp.is_some(), "--clamp"),
             (self.lens_radius > 0.0, "--lens-radius"),

@@ -137,15 +137,18 @@ fn scenes_with_light_are_lit_by_default() {
 #[test]
 fn the_default_sampler_and_roulette_reduce_noise() {
     let folder = folder();
+    let scene = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenes/dae/spheres.dae");
     let bytes = |flags: &str| {
-        let flags = format!("-f a.exr -r 24 24 -s 16 -m 12 {flags} lit.dae");
+        let flags = format!("-f a.exr -r 24 18 -s 16 -m 12 {flags} {scene}");
         pathtracer(folder.path(), &flags);
         fs::read(folder.path().join("a.exr")).expect("a picture")
     };
     let default = bytes("");
     assert!(default == bytes("--sampler sobol4 --roulette 4"));
     assert!(default == bytes("--accel bvh -t 1"));
-    assert!(default != bytes("--sampler sobol"), "the sampler");
+    for old in ["--sampler sobol", "--roulette 1"] {
+        assert!(default != bytes(old), "{old}");
+    }
 }
 
 #[test]

@@ -84,8 +84,8 @@ pub(super) fn settings(ui: &mut Ui, session: &mut Session, commands: &mut Vec<Co
                 "samples (U)",
                 &mut settings.sampler,
                 &[
-                    (SamplerName::Sobol4, "Sobol in pairs", None),
-                    (SamplerName::Sobol, "Sobol", None),
+                    (SamplerName::Sobol4, "Sobol", None),
+                    (SamplerName::Sobol, "Sobol, 2D only", None),
                     (SamplerName::Stratified, "stratified", None),
                     (SamplerName::Independent, "independent", None),
                 ],

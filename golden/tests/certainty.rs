@@ -35,10 +35,10 @@ fn stated(spec: &Spec, aspect: Aspect) -> Option<f64> {
 /// A case with the reference's answer and the findings of its statistical tests.
 type Judged = (Spec, Answer, Vec<Finding>);
 
-/// The cases with statistical tests of seed 0.
+/// The cases of seed 0 that have statistical tests.
 static OF_SEED_0: LazyLock<Vec<Judged>> = LazyLock::new(|| with_statistical_tests(0));
 
-/// The cases with statistical tests.
+/// The cases of a seed that have statistical tests.
 fn with_statistical_tests(seed: u64) -> Vec<Judged> {
     let draws = |spec: &Spec| {
         spec.task == "part1.task1" || ["part3", "part4", "part5"].contains(&&spec.task[..5])

@@ -55,11 +55,11 @@ const WAITING: u32 = 8;
 /// prints may come late, and a full pipe makes it wait.
 const WAITING_FOR_READER: Duration = Duration::from_secs(30);
 
-/// The same for each write. Measured with sixteen programs for two processors: 6 µs for a piece of
-/// `eprintln!`, 19 µs for a line of `println!`.
+/// And so much longer for each write. Measured at a load of 12 on two processors: 19 µs for a
+/// line of `println!`.
 const WAITING_FOR_WRITE: Duration = Duration::from_micros(40);
 
-/// All writes of a case together may wait for no longer: code that prints and sleeps has an end.
+/// The most that [`WAITING_FOR_WRITE`] adds up to in a case: code that prints and sleeps has an end.
 const MOST_WAITING_FOR_WRITES: Duration = Duration::from_secs(240);
 
 /// Between two looks at a case no more than this counts as waiting: a machine that was stopped for
@@ -145,8 +145,8 @@ impl Taken {
         self.passed.saturating_sub(self.worked + self.queued)
     }
 
-    /// What counts for the limit of a task's cases together. Of the time in which writes wait it is
-    /// half, so that neither many lines nor a pause between them take it all.
+    /// What counts for the limit of a task's cases together. Of the time in which writes may have
+    /// waited only half counts: the reader may have been late, or the code may have slept.
     fn spent(self) -> Duration {
         let waited = self.waited();
         self.computed() + waited - waited.min(self.output.waiting()) / 2
@@ -295,6 +295,7 @@ impl Output {
     }
 }
 
+/// `count` times `each`, in whole nanoseconds; the longest time that they can count if it is longer.
 fn times(count: u64, each: Duration) -> Duration {
     Duration::from_nanos(count.saturating_mul(each.as_nanos() as u64))
 }

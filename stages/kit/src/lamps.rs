@@ -39,15 +39,23 @@ impl Lamps {
     /// choice of the lamp.
     pub(crate) fn sample(&self, p: Vec3, u: Vec2) -> Option<LightSample> {
         let sum: f64 = self.lamps.iter().map(|lamp| lamp.weight(p)).sum();
-        // Beside a lamp that is too strong for a number, the others have their share, too.
-        let weight_of = |lamp: &Lamp| match lamp.weight(p) {
-            weight if sum.is_finite() => weight,
-            weight => f64::from(u8::from(weight > 0.0)),
-        };
-        let total = match sum.is_finite() {
-            true => sum,
-            false => self.lamps.iter().map(weight_of).sum(),
-        };
+        if sum.is_finite() {
+            return self.choose(p, u, sum, |lamp| lamp.weight(p));
+        }
+        // Beside a lamp whose power is too large for a number, all that send light here are equal.
+        let sends = |lamp: &Lamp| f64::from(lamp.weight(p) > 0.0);
+        let count = self.lamps.iter().map(sends).sum();
+        self.choose(p, u, count, sends)
+    }
+
+    /// Chooses a lamp in proportion to its `weight_of`; `total` is their sum.
+    fn choose(
+        &self,
+        p: Vec3,
+        u: Vec2,
+        total: f64,
+        weight_of: impl Fn(&Lamp) -> f64,
+    ) -> Option<LightSample> {
         let mut rest = u.x * total;
         for lamp in &self.lamps {
             let weight = weight_of(lamp);

@@ -1,5 +1,6 @@
 //! What is rendered, and how: the flags of the program, as the window changes them.
 
+use clap::ValueEnum;
 use kit::film::Cell;
 use kit::sampler::{Pattern, Sampling};
 use kit::{Camera, FilmSize};
@@ -148,11 +149,9 @@ impl RenderSettings {
         if let Some((batch, tolerance)) = self.light.adaptive {
             flags += &format!(" -a {batch} {tolerance}");
         }
-        match self.sampler {
-            SamplerName::Sobol4 => {}
-            SamplerName::Sobol => flags += " --sampler sobol",
-            SamplerName::Stratified => flags += " --sampler stratified",
-            SamplerName::Independent => flags += " --sampler independent",
+        let sampler = self.sampler.to_possible_value();
+        if let Some(name) = sampler.filter(|_| self.sampler != DEFAULT_SAMPLER) {
+            flags += &format!(" --sampler {}", name.get_name());
         }
         match (self.light.roulette, self.light.roulette_factor) {
             (false, _) => flags += " --no-roulette",

@@ -379,9 +379,19 @@ impl fmt::Display for DifferingHit {
 impl Ladder {
     /// How the time of a ray grows with the number of triangles n: the exponent k of n^k.
     pub fn slope(&self, kind: RungKind, rays: RayKind) -> Option<f64> {
+        self.exponent(kind, &|row| row.rays[rays as usize].seconds)
+    }
+
+    /// The same of the time to build, if the step has a tree.
+    pub fn build_slope(&self, kind: RungKind) -> Option<f64> {
+        self.exponent(kind, &|row| row.build_s)
+            .filter(|_| kind != RungKind::BruteForce)
+    }
+
+    fn exponent(&self, kind: RungKind, seconds: &dyn Fn(&RungCost) -> f64) -> Option<f64> {
         let rows = self.rows.iter().filter(|row| row.kind == kind);
         let points: Vec<(f64, f64)> = rows
-            .map(|row| (row.triangles as f64, row.rays[rays as usize].seconds))
+            .map(|row| (row.triangles as f64, seconds(row)))
             .collect();
         slope(&points)
     }

@@ -167,7 +167,9 @@ fn build(ladder: &Ladder) -> Figure {
         value: &|row| has_tree(row).then_some(1e3 * row.build_s),
         note: &|kind| {
             let row = ladder.rows.iter().rfind(|row| row.kind == kind)?;
-            Some(format!("{:.0} bytes a triangle", bytes(row)))
+            let power = ladder.build_slope(kind).map(|k| format!("n^{k:.2}, "));
+            let power = power.unwrap_or_default();
+            Some(format!("{power}{:.0} bytes a triangle", bytes(row)))
         },
         columns: Columns::new("step", title)
             .and("ms to build", |row| figures(1e3 * row.build_s))
@@ -189,7 +191,8 @@ fn build(ladder: &Ladder) -> Figure {
     let figure = Figure {
         finding,
         drawing: lines.draw(ladder),
-        caption: "The time to build each tree, the least of the rounds.".into(),
+        caption: "The time to build each tree, the least of the rounds, and the power of the number n of triangles with which it grows."
+            .into(),
         notes: "The bytes are those of the tree, without the triangles of the scene.".into(),
         ..Figure::default()
     };
@@ -320,7 +323,7 @@ mod tests {
             "At 10,000 triangles, a ray in your wide tree tests 40 boxes and 12 triangles",
             "Your wide tree is built fastest: 10,000 triangles in 20 ms",
             "tenfold mesh: 10× the time",
-            "130 bytes a triangle",
+            "n^1.30, 130 bytes a triangle",
             "All steps find the hits of brute force, up to rounding of t, in 32 comparisons.",
             "part2.task1 is a gap.",
         ] {

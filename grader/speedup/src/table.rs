@@ -106,25 +106,20 @@ fn figures(x: f64) -> String {
     }
 }
 
-/// How the time of a ray grows with the number of triangles.
+/// How the times of a ray and of a build grow with the number of triangles.
 fn growth(ladder: &Ladder) -> String {
     let mut text = String::from(
-        "\nWith ten times the triangles a ray takes this many times the time (camera,\nbounce, shadow), which grows as a power of their number n:\n",
+        "\nWith ten times the triangles a ray (camera, bounce, shadow) and a build take this\nmany times the time, which grows as a power of their number n:\n",
     );
     for kind in RungKind::ALL {
-        let all = |of: &dyn Fn(RayKind) -> Option<String>| -> Vec<String> {
-            RayKind::ALL.into_iter().filter_map(of).collect()
-        };
-        let factors = all(&|rays| Some(format!("{:5.2}", ladder.tenfold(kind, rays)?)));
-        let powers = all(&|rays| Some(format!("n^{:.2}", ladder.slope(kind, rays)?)));
+        let rays = RayKind::ALL.map(|rays| ladder.slope(kind, rays));
+        let all = || rays.into_iter().chain([ladder.build_slope(kind)]).flatten();
+        let factors: String = all()
+            .map(|k| format!(" {:5.2}", 10.0_f64.powf(k)))
+            .collect();
+        let powers: String = all().map(|k| format!(" n^{k:.2}")).collect();
         if !factors.is_empty() {
-            let _ = writeln!(
-                text,
-                "  {:<12} {}   {}",
-                kind.name(),
-                factors.join(" "),
-                powers.join(" ")
-            );
+            let _ = writeln!(text, "  {:<12}{factors:<24}  {powers}", kind.name());
         }
     }
     text

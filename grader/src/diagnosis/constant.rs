@@ -18,10 +18,6 @@ const FEWEST_ANSWERS: usize = 10;
 /// From this share of the failed cases on, the equal answers are what is wrong.
 const SHARE: f64 = 2.0 / 3.0;
 
-/// The cases in which a field is wrong must have this share of its answers: in the others it may
-/// change.
-const SHARE_OF_FIELD: f64 = 0.5;
-
 /// The answer to every call of a case, if there is only one.
 pub(crate) fn answer_to_all(work: &Work, answer: &Answer) -> Option<String> {
     if !answer.is_the_same_for_all_calls() {
@@ -135,11 +131,11 @@ pub(crate) fn passed_with_another(case: &CaseResult, answer: &str) -> bool {
     case.status == Status::Passed && case.answer_to_all.as_deref() != Some(answer)
 }
 
-/// The fields that are the same in all answers of core cases in which they are wrong, although
-/// different ones are expected.
+/// The fields that are the same in all wrong answers of core cases, although different ones are
+/// expected, and in the right ones, where they may also be 0.
 pub(crate) fn constant_fields(cases: &[CaseResult]) -> Vec<ConstantField> {
     let counts = |case: &&CaseResult| case.tier == Tier::Core && !case.with_neighbours;
-    let all = cases.iter().filter(counts).flat_map(|case| &case.findings);
+    let all = cases.iter().filter(counts).flat_map(own_findings);
     let findings = all.filter(|finding| may_be_constant(finding.aspect));
     let mut all: BTreeMap<(Aspect, Option<&'static str>, usize), WrongNumbers> = BTreeMap::new();
     for finding in findings.clone() {
@@ -157,25 +153,24 @@ pub(crate) fn constant_fields(cases: &[CaseResult]) -> Vec<ConstantField> {
             numbers: of.same?,
             wrong: of.count as usize,
         };
-        let of_aspect = findings.clone().filter(|finding| finding.aspect == aspect);
-        let is_wrong =
-            |finding: &Finding| finding.numbers.iter().any(|own| own.function == function);
-        let judged = of_aspect.map(|finding| (judged_of(finding, function), is_wrong(finding)));
-        let (where_wrong, elsewhere): (Vec<_>, Vec<_>) = judged.partition(|(_, wrong)| *wrong);
-        let sum =
-            |judged: Vec<(u32, bool)>| judged.iter().map(|(count, _)| f64::from(*count)).sum();
-        let [where_wrong, elsewhere]: [f64; 2] = [where_wrong, elsewhere].map(sum);
-        let is_most = where_wrong >= SHARE_OF_FIELD * (where_wrong + elsewhere);
-        (field.wrong >= FEWEST_ANSWERS && is_most && of.expected_differ).then_some(field)
+        let mut right = findings
+            .clone()
+            .filter(|finding| finding.aspect == aspect)
+            .flat_map(|finding| &finding.right_numbers);
+        let changes = right.any(|right| right.differ_from(function, &field.numbers));
+        (field.wrong >= FEWEST_ANSWERS && !changes && of.expected_differ).then_some(field)
     });
     constant.collect()
 }
 
-/// How many answers of `function` were judged.
-fn judged_of(finding: &Finding, function: Option<&str>) -> u32 {
-    let mut functions = finding.functions.iter();
-    let own = functions.find(|own| Some(own.function) == function);
-    own.map_or(finding.judged, |own| own.judged)
+/// The findings of a case that tell of the code's own numbers: where the wrong primitive is hit, the
+/// others are those of this primitive.
+fn own_findings(case: &CaseResult) -> impl Iterator<Item = &Finding> + Clone {
+    let is_of_primitive = |finding: &&Finding| finding.aspect == Aspect::Primitive;
+    let mut primitives = case.findings.iter().filter(is_of_primitive);
+    let other_is_hit = primitives.any(|finding| finding.wrong > 0);
+    let all = case.findings.iter();
+    all.filter(move |finding| !other_is_hit || is_of_primitive(finding))
 }
 
 /// Whether the field is computed in each call. Hit or miss has no numbers; a count, a range or the
@@ -294,7 +289,7 @@ mod tests {
                          that does this: on 12 of 12 calls";
         assert_eq!(two.says, weights.to_owned() + elsewhere);
         assert_eq!(two.mistakes, ["constant_field", "this"]);
-        // Numbers that change, also in a right answer, and some that may change in other cases.
+        // Numbers that change, also in a right answer, of this case or of another one.
         let changing = |call| [f64::from(call), 0.0];
         let once = |call| if call == 19 { [9.0; 2] } else { [0.0; 2] };
         assert_eq!(constant_fields(&[of_field("one", changing, 0)]), []);
@@ -304,6 +299,12 @@ mod tests {
             let cases = [of_field("one", zero, 0)].into_iter().chain(others);
             constant_fields(&cases.collect::<Vec<_>>()).len()
         };
-        assert_eq!([0, 1, 2].map(with), [1, 1, 0]);
+        assert_eq!([0, 1].map(with), [1, 0]);
+        // The numbers of another primitive.
+        let mut of_other = of_field("one", zero, 0);
+        let mut hit = Findings::default();
+        hit.judge(Aspect::Primitive, 0, false, 1.0, Message::default);
+        of_other.findings.extend(hit.into_vec());
+        assert_eq!(constant_fields(&[of_other]), []);
     }
 }

@@ -44,6 +44,9 @@ pub struct Finding {
     /// The numbers of the wrong answers of each function.
     #[serde(skip)]
     pub numbers: Vec<WrongNumbers>,
+    /// Some numbers of the right answers of each function.
+    #[serde(skip)]
+    pub right_numbers: Vec<RightNumbers>,
 }
 
 /// The numbers of a function's wrong answers in one aspect, as long as all answers have the same.
@@ -60,6 +63,31 @@ pub struct WrongNumbers {
     pub expected: Vec<f64>,
     /// Whether other numbers are expected in others.
     pub expected_differ: bool,
+}
+
+/// Numbers of a function's right answers in one aspect: the first two that are not the same, without
+/// those that are all 0, which code may give where there is nothing to compute.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RightNumbers {
+    /// The function, in cases or tasks with several.
+    pub function: Option<&'static str>,
+    different: Vec<Vec<f64>>,
+    /// How many more answers are looked at.
+    left: u32,
+}
+
+/// So many right answers of a case are looked at: most differ at once.
+const RIGHT_ANSWERS: u32 = 16;
+
+impl RightNumbers {
+    /// Whether a right answer of `function` has as many numbers, and others.
+    pub fn differ_from(&self, function: Option<&str>, numbers: &[f64]) -> bool {
+        let others = self.different.iter();
+        self.function == function
+            && others
+                .filter(|other| other.len() == numbers.len())
+                .any(|other| !are_equal(other, numbers))
+    }
 }
 
 /// Numbers that differ by less than this share are the same: their difference is rounding.
@@ -152,6 +180,7 @@ impl Finding {
             errors: Vec::new(),
             judged_calls: Vec::new(),
             numbers: Vec::new(),
+            right_numbers: Vec::new(),
         }
     }
 
@@ -179,6 +208,7 @@ impl Finding {
             errors: Vec::new(),
             judged_calls: Vec::new(),
             numbers: Vec::new(),
+            right_numbers: Vec::new(),
             ..*self
         }
     }
@@ -228,19 +258,49 @@ impl Finding {
         own.any(|own| own.same.is_some())
     }
 
-    /// Compares the numbers of a right answer of `function` with those of its wrong ones.
+    /// Whether the numbers of the next right answer of `function` tell anything.
+    pub(super) fn looks_at_right(&self, function: Option<&'static str>) -> bool {
+        let mut own = self.right_numbers.iter();
+        let own = own.find(|own| own.function == function);
+        own.is_none_or(|own| own.left > 0) || self.is_the_same_so_far(function)
+    }
+
+    /// Adds the numbers of a right answer of `function`, and compares them with those of its wrong
+    /// ones.
     pub(super) fn add_right_numbers(
         &mut self,
         function: Option<&'static str>,
         compared: &[[f64; 2]],
     ) {
-        let own = self
-            .numbers
-            .iter_mut()
-            .filter(|own| own.function == function);
         let yours: Vec<f64> = compared.iter().map(|[yours, _]| *yours).collect();
-        for own in own.filter(|own| own.expected.len() == yours.len()) {
+        let wrong = self.numbers.iter_mut();
+        for own in wrong.filter(|own| own.function == function && own.expected.len() == yours.len())
+        {
             own.same = own.same.take().filter(|same| are_equal(same, &yours));
+        }
+        let at = self
+            .right_numbers
+            .iter()
+            .position(|own| own.function == function);
+        let at = at.unwrap_or_else(|| {
+            self.right_numbers.push(RightNumbers {
+                function,
+                different: Vec::new(),
+                left: RIGHT_ANSWERS,
+            });
+            self.right_numbers.len() - 1
+        });
+        let right = &mut self.right_numbers[at];
+        right.left = right.left.saturating_sub(1);
+        let is_new = right
+            .different
+            .iter()
+            .all(|other| !are_equal(other, &yours));
+        if is_new && yours.iter().any(|number| *number != 0.0) {
+            right.different.push(yours);
+        }
+        if compared.is_empty() || right.different.len() > 1 {
+            right.left = 0;
         }
     }
 

@@ -11,7 +11,7 @@ pub use aspect::Aspect;
 pub(crate) use class::SAME;
 pub use class::{BLACK_CHANNEL, Class};
 pub use distribution::{COUNTS, DirectionCounts};
-pub use finding::{Fault, Finding, FunctionCount, Worst, WrongAnswer, WrongNumbers};
+pub use finding::{Fault, Finding, FunctionCount, RightNumbers, Worst, WrongAnswer, WrongNumbers};
 pub use message::Message;
 pub(crate) use message::told_apart;
 pub use not_judged::NotJudged;
@@ -147,7 +147,7 @@ impl Findings {
         }
         let named = counted_for.or(function);
         let Some(class) = class else {
-            if finding.is_the_same_so_far(named)
+            if finding.looks_at_right(named)
                 && let Some(message) = words()
             {
                 finding.add_right_numbers(named, &message.compared);

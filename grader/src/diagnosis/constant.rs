@@ -18,6 +18,9 @@ const FEWEST_ANSWERS: usize = 10;
 /// From this share of the failed cases on, the equal answers are what is wrong.
 const SHARE: f64 = 2.0 / 3.0;
 
+/// An answer that is a miss, or has nothing in it.
+const NOTHING: &str = "nothing";
+
 /// The answer to every call of a case, if there is only one.
 pub(crate) fn answer_to_all(work: &Work, answer: &Answer) -> Option<String> {
     if !answer.is_the_same_for_all_calls() {
@@ -26,7 +29,7 @@ pub(crate) fn answer_to_all(work: &Work, answer: &Answer) -> Option<String> {
     let lines = snapshot::full(work, answer)?.lines;
     let first = lines.first()?;
     Some(match first.is_miss() {
-        true => "nothing".to_string(),
+        true => NOTHING.to_string(),
         false => first.answer_text().replace('=', " = "),
     })
 }
@@ -71,7 +74,12 @@ pub(super) fn or_known(
         // That nothing is given is no sign of a mistake that gives something.
         (None, _) => ("", guess.filter(|guess| guess.is_likely() && !is_empty)),
     };
-    let hint = "Is this part finished? What it gives must depend on its arguments.";
+    let hint = match &constants {
+        Constants::Answer { text, .. } if text == NOTHING => {
+            "Is this part finished? If it is, a condition sends every call away."
+        }
+        _ => "Is this part finished? What it gives must depend on its arguments.",
+    };
     let name = match &constants {
         Constants::Answer { .. } => "constant_answers",
         Constants::Fields(_) => "constant_field",

@@ -108,8 +108,9 @@ fn hand_written() -> Vec<Spec> {
         vec![
             block_with_plate(0.0, 20.0, 19.0),
             block_with_plate(8.0, 12.0, 9.0),
+            block(21.0, 22.0),
         ],
-        TreePlan::split(leaf(&[0]), leaf(&[1])),
+        TreePlan::split(TreePlan::split(leaf(&[0]), leaf(&[2])), leaf(&[1])),
     );
     let reversed = among_misses(
         vec![
@@ -154,7 +155,7 @@ fn hand_written() -> Vec<Spec> {
         case(
             "box_in_box",
             "The box that the ray enters first contains the farther hit. Pitfall: the first hit \
-             found is not the closest.",
+             found is not the closest, and a box beyond it does not end the search.",
             box_in_box.closest(&through_blocks()),
         ),
         case(

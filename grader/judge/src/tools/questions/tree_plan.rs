@@ -105,8 +105,14 @@ fn build(tree: &mut Tree, at: usize, plan: &TreePlan, prims: &[Aabb]) -> Aabb {
         TreePlan::Split(left, right) => {
             let children = tree.nodes.len();
             tree.nodes.extend([placeholder(), placeholder()]);
-            let bounds =
-                build(tree, children, left, prims).union(build(tree, children + 1, right, prims));
+            // Whose primitives come first in the list alternates: no leaf's place follows from its
+            // place in the tree.
+            let mut subtrees = [(children, left), (children + 1, right)];
+            if children / 2 % 2 == 1 {
+                subtrees.reverse();
+            }
+            let [one, other] = subtrees.map(|(at, plan)| build(tree, at, plan, prims));
+            let bounds = one.union(other);
             let kind = NodeKind::Interior {
                 left: children as u32,
                 right: children as u32 + 1,

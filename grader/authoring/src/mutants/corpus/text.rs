@@ -23,16 +23,37 @@
 //! that is only a symptom, `seen:` has its numbers in the list of observed mistakes.
 
 use super::{Corpus, Edit, Mistake, Mutant, REFERENCE};
+use std::borrow::Cow;
 use std::fmt::{self, Write};
 
 /// What separates the text to find from its replacement. Rust has no such operator.
 const BECOMES: &str = "~>";
+
+/// What stands around a change in a text that stays as it is.
+const CHANGE: [&str; 2] = ["{{", "}}"];
+
+/// A shorter unchanged text between two changes is written as a part of one change.
+const SHORTEST_UNCHANGED: usize = 9;
+
+/// Operators of two letters.
+const OPERATORS: [&str; 14] = [
+    "<=", ">=", "==", "!=", "&&", "||", "..", "::", "->", "=>", "+=", "-=", "*=", "/=",
+];
+
+/// The word before the sets of a template.
+const EACH: &str = "each ";
+
+/// What may stand for a value in a template.
+const SIGNS: &str = "@$%^";
 
 /// The word in the place of a variant where a form is a whole file.
 const CODE: &str = "code";
 
 /// The indentation of the lines of such a file.
 const CODE_INDENT: &str = "    ";
+
+/// The indentation of what is read once for each set of a template.
+const EACH_INDENT: &str = "  ";
 
 /// A form that is longer is written as two lines.
 const LONGEST_LINE: usize = 120;
@@ -55,11 +76,59 @@ impl fmt::Display for FormatError {
 /// Reads a list of mistakes.
 pub(super) fn read(text: &str) -> Result<Corpus, FormatError> {
     let mut reader = Reader::default();
-    for (i, line) in text.lines().enumerate() {
-        reader.line(line, i + 1)?;
-    }
+    let lines = text.lines().enumerate();
+    reader.block(&lines.map(|(i, line)| (i + 1, line.into())).collect::<Vec<_>>())?;
     reader.end_form()?;
     Ok(reader.corpus)
+}
+
+/// A line and its number. In a template, its signs are replaced.
+type Line<'a> = (usize, Cow<'a, str>);
+
+/// The sets of a template: each has a value for each sign.
+struct Each<'a> {
+    signs: Vec<&'a str>,
+    sets: Vec<Vec<&'a str>>,
+}
+
+impl Each<'_> {
+    /// Reads `SIGNS: SET, SET`.
+    fn read(text: &str) -> Result<Each<'_>, String> {
+        let (signs, sets) = text.split_once(':').unwrap_or((text, ""));
+        let signs: Vec<&str> = signs.split_whitespace().collect();
+        let is_sign = |sign: &&str| sign.chars().count() == 1 && SIGNS.contains(sign);
+        if signs.is_empty() || !signs.iter().all(is_sign) {
+            let expected = "and values, such as `each @ $: x y, y z`";
+            return Err(format!("one or more of the signs `{SIGNS}` {expected}"));
+        }
+        let values = |set| match signs.len() {
+            1 => vec![str::trim(set)],
+            _ => set.split_whitespace().collect(),
+        };
+        let sets: Vec<Vec<&str>> = sets.split(", ").map(values).collect();
+        let is_whole = |set: &&Vec<&str>| set.len() == signs.len() && !set[0].is_empty();
+        match sets.iter().find(|set| !is_whole(set)) {
+            Some(set) => Err(format!(
+                "{} values for `{}` in each set, found `{}`",
+                signs.len(),
+                signs.join(" "),
+                set.join(" ")
+            )),
+            None => Ok(Each { signs, sets }),
+        }
+    }
+
+    /// The lines below it with the values of one set, less indented.
+    fn filled<'a>(&self, below: &[Line<'a>], set: &[&str]) -> Vec<Line<'a>> {
+        let lines = below.iter().map(|(number, line)| {
+            let mut line = line.strip_prefix(EACH_INDENT).unwrap_or(line).to_string();
+            for (sign, value) in self.signs.iter().zip(set) {
+                line = line.replace(sign, value);
+            }
+            (*number, line.into())
+        });
+        lines.collect()
+    }
 }
 
 #[derive(Default)]
@@ -72,6 +141,36 @@ struct Reader {
 }
 
 impl Reader {
+    /// Reads lines; those below a line `each` once for each of its sets.
+    fn block(&mut self, lines: &[Line]) -> Result<(), FormatError> {
+        let indent = |line: &str| line.len() - line.trim_start().len();
+        let mut rest = lines;
+        while let [(number, line), after @ ..] = rest {
+            rest = after;
+            let Some(each) = line.trim().strip_prefix(EACH) else {
+                self.line(line, *number)?;
+                continue;
+            };
+            let error = |expected| FormatError {
+                line: *number,
+                expected,
+            };
+            let each = Each::read(each).map_err(error)?;
+            let is_below =
+                |(_, below): &&Line| below.trim().is_empty() || indent(below) > indent(line);
+            let (below, after) = after.split_at(after.iter().take_while(is_below).count());
+            let is_used = |sign: &&&str| below.iter().any(|(_, line)| line.contains(**sign));
+            if let Some(unused) = each.signs.iter().find(|sign| !is_used(sign)) {
+                return Err(error(format!("`{unused}` in lines below, more indented")));
+            }
+            for set in &each.sets {
+                self.block(&each.filled(below, set))?;
+            }
+            rest = after;
+        }
+        Ok(())
+    }
+
     fn line(&mut self, line: &str, number: usize) -> Result<(), FormatError> {
         if self.continue_code(line, number) {
             return Ok(());
@@ -149,6 +248,7 @@ impl Reader {
     /// ` in FUNCTION:`, and the texts.
     fn edit(&mut self, edit: &str, number: usize) -> Result<(), String> {
         let (form, last) = self.form.as_mut().ok_or("`and:` below a form")?;
+        let (edit, next) = split_and(edit);
         let (within, edit) = edit.split_once(':').ok_or_else(expected_form)?;
         let within = match within.strip_prefix(" in ") {
             Some(function) => function.trim(),
@@ -159,11 +259,7 @@ impl Reader {
             return Err(format!("`{BECOMES} REPLACEMENT` after the text to find"));
         }
         *last = number;
-        let (find, replace) = match edit.split_once(BECOMES) {
-            Some((find, replace)) => (find, Some(replace)),
-            None => (edit, None),
-        };
-        let find = unescaped(find.trim())?;
+        let (find, replace) = texts(edit.trim())?;
         if find.is_empty() {
             return Err(format!("`TEXT TO FIND {BECOMES} REPLACEMENT`"));
         }
@@ -172,10 +268,10 @@ impl Reader {
             Some(replace) => form.edits.push(Edit {
                 within: within.into(),
                 find,
-                replace: unescaped(replace.trim())?,
+                replace,
             }),
         }
-        Ok(())
+        next.map_or(Ok(()), |next| self.edit(next, number))
     }
 
     /// Reads the replacement of the text in the line before, or its next line.
@@ -265,6 +361,47 @@ fn form<'a>(content: &'a str, id: &str) -> Result<(Mutant, &'a str), String> {
     }
 }
 
+/// Splits the edit of a form from what follows the next ` and` in its line.
+fn split_and(edit: &str) -> (&str, Option<&str>) {
+    let is_name = |name: &str| name.chars().all(|c| c.is_alphanumeric() || c == '_');
+    for (at, and) in edit.match_indices(" and") {
+        let next = &edit[at + and.len()..];
+        let within = next.strip_prefix(" in ").and_then(|next| next.split_once(": "));
+        if next.starts_with(": ") || within.is_some_and(|(name, _)| is_name(name)) {
+            return (&edit[..at], Some(next));
+        }
+    }
+    (edit, None)
+}
+
+/// The text to find that `edit` is written for, and its replacement if it is in the same line.
+fn texts(edit: &str) -> Result<(String, Option<String>), String> {
+    let [start, end] = CHANGE;
+    if !edit.contains(start) {
+        return Ok(match edit.split_once(BECOMES) {
+            Some((find, replace)) => (unescaped(find.trim())?, Some(unescaped(replace.trim())?)),
+            None => (unescaped(edit)?, None),
+        });
+    }
+    let (mut find, mut replace, mut rest) = (String::new(), String::new(), edit);
+    while let Some((same, after)) = rest.split_once(start) {
+        let (change, after) = after.split_once(end).unwrap_or((after, ""));
+        let (old, new) = change
+            .split_once(BECOMES)
+            .filter(|_| rest.contains(end))
+            .ok_or_else(|| format!("`{start}OLD {BECOMES} NEW{end}`"))?;
+        let same = unescaped(same)?;
+        find.extend([&*same, &unescaped(old.trim())?]);
+        replace.extend([&*same, &unescaped(new.trim())?]);
+        rest = after;
+    }
+    if rest.contains(BECOMES) {
+        return Err(format!("`{BECOMES}` only between `{start}` and `{end}`"));
+    }
+    let same = unescaped(rest)?;
+    Ok((find + &same, Some(replace + &same)))
+}
+
 /// The text that `text` is written for.
 fn unescaped(text: &str) -> Result<String, String> {
     let mut plain = String::new();
@@ -274,8 +411,8 @@ fn unescaped(text: &str) -> Result<String, String> {
             '\\' => match letters.next() {
                 Some('n') => '\n',
                 Some('s') => ' ',
-                Some('\\') => '\\',
-                _ => return Err("`\\n`, `\\s` or `\\\\` after a backslash".into()),
+                Some(letter @ ('\\' | '{')) => letter,
+                _ => return Err("`\\n`, `\\s`, `\\{` or `\\\\` after a backslash".into()),
             },
             letter => letter,
         });
@@ -294,11 +431,127 @@ fn escaped(text: &str) -> String {
 
 /// How a text is written where spaces at its start are kept.
 fn escaped_after_indent(text: &str) -> String {
-    let escaped = text.replace('\\', "\\\\").replace('\n', "\\n");
+    let escaped = escaped_inside(text);
     match escaped.strip_suffix(' ') {
         Some(rest) => format!("{rest}\\s"),
         None => escaped,
     }
+}
+
+/// How a text is written between others.
+fn escaped_inside(text: &str) -> String {
+    let escaped = text.replace('\\', "\\\\").replace('\n', "\\n");
+    let escaped = escaped.replace("{{", "{\\{").replace("{{", "{\\{");
+    let escaped = escaped.replace(" and: ", "\\sand: ");
+    escaped.replace(" and in ", "\\sand in ")
+}
+
+/// How an edit is written in a line: the shorter of `OLD ~> NEW` and a text with changes inside.
+fn edit_line(edit: &Edit) -> String {
+    let [find, replace] = [&edit.find, &edit.replace].map(|text| escaped(text));
+    let whole = format!("{find} {BECOMES} {replace}").trim_end().to_string();
+    let [old, new] = [&edit.find, &edit.replace].map(|text| tokens(text));
+    let changed = with_changes(&old, &new).filter(|changed| changed.len() < whole.len());
+    let is_read_back = |changed: &String| {
+        let read = texts(changed.trim());
+        read == Ok((edit.find.clone(), Some(edit.replace.clone())))
+    };
+    changed.filter(is_read_back).unwrap_or(whole)
+}
+
+/// A text that becomes another one, with changes inside. `None` if brackets would be torn apart.
+fn with_changes(old: &[&str], new: &[&str]) -> Option<String> {
+    let same = |pairs: &mut dyn Iterator<Item = (&&str, &&str)>| {
+        pairs.take_while(|(old, new)| old == new).count()
+    };
+    let mut start = same(&mut old.iter().zip(new));
+    let mut end = same(&mut old[start..].iter().rev().zip(new[start..].iter().rev()));
+    loop {
+        let [within_old, within_new] = [old, new].map(|all| &all[start..all.len() - end]);
+        let open = [within_old, within_new].map(open_ends);
+        if open.iter().any(|open| open.0) {
+            start = start.checked_sub(1)?;
+        } else if open.iter().any(|open| open.1) {
+            end = end.checked_sub(1)?;
+        } else {
+            let [before, after] = [&old[..start], &old[old.len() - end..]];
+            let [before, after] = [before, after].map(|text| escaped_inside(&text.concat()));
+            return Some(before + &changes(within_old, within_new) + &after);
+        }
+    }
+}
+
+/// Whether a text must be longer, at its start or its end, to be a change: it has only one of a
+/// pair of brackets, or a space there.
+fn open_ends(text: &[&str]) -> (bool, bool) {
+    let (mut is_closed, mut open) = (false, 0);
+    for token in text {
+        match *token {
+            "(" | "[" | "{" => open += 1,
+            ")" | "]" | "}" if open > 0 => open -= 1,
+            ")" | "]" | "}" => is_closed = true,
+            _ => {}
+        }
+    }
+    let space = |token: Option<&&str>, is_it: fn(&str) -> bool| token.is_some_and(|t| is_it(t));
+    (
+        is_closed || space(text.first(), |token| token.starts_with(' ')),
+        open > 0 || space(text.last(), |token| token.ends_with(' ')),
+    )
+}
+
+/// A text that becomes another one, as one change or as several with long unchanged texts between.
+fn changes(old: &[&str], new: &[&str]) -> String {
+    let starts = (0..old.len()).flat_map(|i| (0..new.len()).map(move |j| (i, j)));
+    let runs = starts.filter_map(|(i, j)| {
+        let pairs = old[i..].iter().zip(&new[j..]);
+        let length = pairs.take_while(|(old, new)| old == new).count();
+        let rest = [&old[..i], &new[..j], &old[i + length..], &new[j + length..]];
+        let letters: usize = old[i..i + length].iter().map(|token| token.len()).sum();
+        let is_run = letters >= SHORTEST_UNCHANGED
+            && rest.iter().all(|rest| open_ends(rest) == (false, false));
+        is_run.then_some((letters, i, j, length))
+    });
+    match runs.max() {
+        Some((_, i, j, length)) => {
+            let same = escaped_inside(&old[i..i + length].concat());
+            let after = changes(&old[i + length..], &new[j + length..]);
+            changes(&old[..i], &new[..j]) + &same + &after
+        }
+        None => {
+            let [start, end] = CHANGE;
+            let [old, new] = [old, new].map(|text| escaped(&text.concat()));
+            let change = format!("{old} {BECOMES} {new}");
+            format!("{start}{}{end}", change.trim())
+        }
+    }
+}
+
+/// Words, numbers, spaces and signs of code.
+fn tokens(text: &str) -> Vec<&str> {
+    let is_word = |c: char| c.is_alphanumeric() || c == '_';
+    let letters: Vec<(usize, char)> = text.char_indices().collect();
+    let is_point = |three: &[(usize, char)]| {
+        matches!(three, [(_, a), (_, '.'), (_, b)] if a.is_ascii_digit() && b.is_ascii_digit())
+    };
+    let begins = |i: &usize| {
+        let ((_, before), (at, here)) = (letters[i - 1], letters[*i]);
+        let is_joined = is_word(before) && is_word(here)
+            || before.is_whitespace() && here.is_whitespace()
+            || OPERATORS.contains(&&text[letters[i - 1].0..at + here.len_utf8()])
+            || [i.saturating_sub(2), i - 1]
+                .iter()
+                .any(|&from| letters.get(from..from + 3).is_some_and(is_point));
+        !is_joined
+    };
+    let mut tokens = Vec::new();
+    let mut from = 0;
+    for i in (1..letters.len()).filter(begins) {
+        tokens.push(&text[from..letters[i].0]);
+        from = letters[i].0;
+    }
+    tokens.push(&text[from..]);
+    tokens
 }
 
 /// The lines in which a replacement is written below the text to find: one for each line of the
@@ -311,8 +564,12 @@ fn replacement_lines(replace: &str) -> impl Iterator<Item = String> {
     std::iter::once(first.map_or(whole, escaped)).chain(rest.into_iter().flatten())
 }
 
+fn length_of_last(text: &str) -> usize {
+    text.len() - text.rfind('\n').map_or(0, |end| end + 1)
+}
+
 /// The lines of a form.
-pub(crate) fn form_text(form: &Mutant) -> String {
+pub fn form_text(form: &Mutant) -> String {
     let on = if form.code.is_some() { CODE } else { &form.on };
     let mut text = format!("  {on}");
     for second in form.mistakes.iter().skip(1) {
@@ -327,30 +584,29 @@ pub(crate) fn form_text(form: &Mutant) -> String {
     if form.code.is_some() {
         text.push(':');
     }
+    let mut can_join = true;
     for (i, edit) in form.edits.iter().enumerate() {
-        if i > 0 {
-            text.push_str("    and");
-        }
-        if !edit.within.is_empty() {
-            let _ = write!(text, " in {}", edit.within);
-        }
-        text.push(':');
-        let start = text.rfind('\n').map_or(0, |end| end + 1);
-        let (find, replace) = (escaped(&edit.find), escaped(&edit.replace));
-        let length = text[start..].len() + find.len() + replace.len() + BECOMES.len() + 3;
-        let _ = match length <= LONGEST_LINE {
-            true => writeln!(
-                text,
-                "{}",
-                format!(" {find} {BECOMES} {replace}").trim_end()
-            ),
-            false => {
-                let below = replacement_lines(&edit.replace);
-                let below =
-                    below.map(|line| format!("\n    {BECOMES} {line}").trim_end().to_string());
-                writeln!(text, " {find}{}", below.collect::<String>())
-            }
+        let within = match edit.within.as_str() {
+            "" => String::new(),
+            function => format!(" in {function}"),
         };
+        let and = if i > 0 { " and" } else { "" };
+        let line = format!("{and}{within}: {}", edit_line(edit));
+        if !can_join || length_of_last(&text) + line.len() > LONGEST_LINE {
+            text.push_str(if i > 0 { "\n   " } else { "" });
+        }
+        can_join = length_of_last(&text) + line.len() <= LONGEST_LINE;
+        if can_join {
+            text.push_str(&line);
+            continue;
+        }
+        let _ = write!(text, "{and}{within}: {}", escaped(&edit.find));
+        for below in replacement_lines(&edit.replace) {
+            text.push_str(format!("\n    {BECOMES} {below}").trim_end());
+        }
+    }
+    if form.code.is_none() {
+        text.push('\n');
     }
     if let Some(code) = &form.code {
         text.push('\n');

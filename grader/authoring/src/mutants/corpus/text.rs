@@ -25,6 +25,13 @@
 use super::{Corpus, Edit, Mistake, Mutant, REFERENCE};
 use std::borrow::Cow;
 use std::fmt::{self, Write};
+use std::path::PathBuf;
+
+/// The word before a mistake.
+const MISTAKE: &str = "mistake ";
+
+/// The word before a mistake that has the hint of the one above.
+const ALSO: &str = "also ";
 
 /// What separates the text to find from its replacement. Rust has no such operator.
 const BECOMES: &str = "~>";
@@ -48,6 +55,9 @@ const SIGNS: &str = "@$%^";
 
 /// The word in the place of a variant where a form is a whole file.
 const CODE: &str = "code";
+
+/// What stands before the name of the mistake whose file a form changes.
+const LIKE: &str = "code like \"";
 
 /// The indentation of the lines of such a file.
 const CODE_INDENT: &str = "    ";
@@ -136,6 +146,8 @@ struct Reader {
     corpus: Corpus,
     /// The form that is being read, and the number of its last line.
     form: Option<(Mutant, usize)>,
+    /// The file that the form changes, instead of the reference or a variant.
+    like: Option<String>,
     /// The function and the text to find, if the replacement is in the next line.
     find: Option<(String, String)>,
 }
@@ -215,11 +227,20 @@ impl Reader {
 
     /// Reads a line that continues no form.
     fn start(&mut self, content: &str, number: usize) -> Result<(), String> {
-        if let Some(mistake) = content.strip_prefix("mistake ") {
+        let above = self.corpus.mistakes.last();
+        let begun = [
+            (MISTAKE, Some(String::new())),
+            (ALSO, above.map(|above| above.hint.clone())),
+        ];
+        let begun = begun
+            .into_iter()
+            .find_map(|(word, hint)| Some((content.strip_prefix(word)?, hint?)));
+        if let Some((mistake, hint)) = begun {
             let (id, description) = mistake.split_once(": ").unwrap_or((mistake, ""));
             self.corpus.mistakes.push(Mistake {
                 id: id.trim().into(),
                 description: description.trim().into(),
+                hint,
                 ..Mistake::default()
             });
             return Ok(());
@@ -233,7 +254,18 @@ impl Reader {
                 mistake.references = all.split_whitespace().map(str::to_string).collect();
             }
             _ => {
-                let (form, edit) = form(content, &mistake.id)?;
+                let mut content = Cow::from(content);
+                if let Some(like) = content.strip_prefix(LIKE) {
+                    let (of, rest) = like.split_once('"').unwrap_or((like, ""));
+                    let mut files = self.corpus.mutants.iter();
+                    let file = files.find(|form| form.code.is_some() && form.mistakes[0] == of);
+                    let file = file.ok_or_else(|| {
+                        format!("`{LIKE}MISTAKE\"`, of a mistake above with a form `{CODE}:`")
+                    })?;
+                    self.like = file.code.clone();
+                    content = format!("{REFERENCE}{rest}").into();
+                }
+                let (form, edit) = form(&content, &mistake.id)?;
                 let has_edit = form.code.is_none() || edit != ":";
                 self.form = Some((form, number));
                 if has_edit {
@@ -316,6 +348,15 @@ impl Reader {
         };
         if !is_whole {
             return Err(FormatError { line, expected });
+        }
+        if let Some(like) = self.like.take() {
+            let file = form.apply(&[(PathBuf::new(), like)].into());
+            let file = file.map_err(|e| FormatError {
+                line,
+                expected: format!("edits of that file: {e}"),
+            })?;
+            form.code = file.into_values().next();
+            form.edits.clear();
         }
         self.corpus.mutants.push(form);
         Ok(())

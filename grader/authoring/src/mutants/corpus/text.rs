@@ -4,27 +4,46 @@
 //! # A comment.
 //! mistake one_bounce_early: starts the roulette one bounce too early
 //!   hint: Up to MIN_BOUNCES bounces the path continues unchanged.
-//!   reference: bounces <= MIN_BOUNCES ~> bounces < MIN_BOUNCES
+//!   reference: bounces {{<= ~> <}} MIN_BOUNCES
+//! also one_bounce_late: starts the roulette one bounce too late
+//!   reference: bounces <= {{MIN_BOUNCES ~> MIN_BOUNCES + 1}}
 //! ```
 //!
-//! A form is the code that it changes (`reference` or a variant), a colon, the text to find, `~>`
-//! and its replacement. Before the colon may stand, in this order: `with MISTAKE` if the form makes
-//! a second mistake, too; a name in quotes; `held out`; `in FUNCTION` if the text occurs in several:
+//! A form is the code that it changes (`reference` or a variant), a colon, and an edit: a text that
+//! occurs in the code, with what changes as `{{OLD ~> NEW}}`, once or several times; or the whole
+//! text to find, `~>` and its replacement. `also` begins a mistake with the hint of the one above.
+//! Before the colon may stand, in this order: `with MISTAKE` if the form makes a second mistake,
+//! too; a name in quotes; `held out`; `in FUNCTION` if the text occurs in several:
 //!
 //! ```text
-//!   half_b with normal_inward "near root" held out: let a = d.dot(d); ~> let a = 1.0;
+//!   half_b with normal_inward "near root" held out: let a = {{d.dot(d) ~> 1.0}}; and: a * c ~> c
 //!     and in intersect_sphere: center - p ~> p - center
 //! ```
 //!
-//! A line `and` is a further edit of the same form. The replacement may also be below the text to
+//! `and` begins a further edit of the same form. The replacement may also be below the text to
 //! find, in one or more lines that begin with `~>`. `\n` is the end of a line in the code, `\s` a
-//! space at an end of a text, `\\` a backslash.
-//! A form may also be a whole file, indented by four spaces below `code:`. `symptom` marks a mistake
-//! that is only a symptom, `seen:` has its numbers in the list of observed mistakes.
+//! space at an end of a text, `\{` a brace, `\\` a backslash.
+//! A form may also be a whole file, indented by four spaces below `code:`, or `code like "MISTAKE":`
+//! with edits of the file of a mistake above. `symptom` marks a mistake that is only a symptom,
+//! `seen:` has its numbers in the list of observed mistakes.
+//!
+//! Lines below `each`, indented by two spaces, are a template: they are read once for each set of
+//! values of the signs `@`, `$`, `%`, `^`. They may be mistakes, forms or further edits:
+//!
+//! ```text
+//! each @ $: x y, y z, z x
+//!   mistake @_from_$: subtracts o.$ in the @ slab
+//!     hint: Each axis has an origin of its own.
+//!     java_style: (b.min.@ - ray.o.{{@ ~> $}})
+//! ```
+
+mod write;
+
+pub(crate) use write::form_text;
 
 use super::{Corpus, Edit, Mistake, Mutant, REFERENCE};
 use std::borrow::Cow;
-use std::fmt::{self, Write};
+use std::fmt::{self, Write as _};
 use std::path::PathBuf;
 
 /// The word before a mistake.
@@ -38,14 +57,6 @@ const BECOMES: &str = "~>";
 
 /// What stands around a change in a text that stays as it is.
 const CHANGE: [&str; 2] = ["{{", "}}"];
-
-/// A shorter unchanged text between two changes is written as a part of one change.
-const SHORTEST_UNCHANGED: usize = 9;
-
-/// Operators of two letters.
-const OPERATORS: [&str; 14] = [
-    "<=", ">=", "==", "!=", "&&", "||", "..", "::", "->", "=>", "+=", "-=", "*=", "/=",
-];
 
 /// The word before the sets of a template.
 const EACH: &str = "each ";
@@ -65,9 +76,6 @@ const CODE_INDENT: &str = "    ";
 /// The indentation of what is read once for each set of a template.
 const EACH_INDENT: &str = "  ";
 
-/// A form that is longer is written as two lines.
-const LONGEST_LINE: usize = 120;
-
 /// A line that a list of mistakes cannot contain.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct FormatError {
@@ -86,8 +94,8 @@ impl fmt::Display for FormatError {
 /// Reads a list of mistakes.
 pub(super) fn read(text: &str) -> Result<Corpus, FormatError> {
     let mut reader = Reader::default();
-    let lines = text.lines().enumerate();
-    reader.block(&lines.map(|(i, line)| (i + 1, line.into())).collect::<Vec<_>>())?;
+    let lines: Vec<Line> = (1..).zip(text.lines().map(Cow::from)).collect();
+    reader.block(&lines)?;
     reader.end_form()?;
     Ok(reader.corpus)
 }
@@ -173,10 +181,15 @@ impl Reader {
             let (below, after) = after.split_at(after.iter().take_while(is_below).count());
             let is_used = |sign: &&&str| below.iter().any(|(_, line)| line.contains(**sign));
             if let Some(unused) = each.signs.iter().find(|sign| !is_used(sign)) {
-                return Err(error(format!("`{unused}` in lines below, more indented")));
+                let expected = format!("`{unused}` in a line below that is indented more");
+                return Err(error(expected));
             }
             for set in &each.sets {
-                self.block(&each.filled(below, set))?;
+                let read = self.block(&each.filled(below, set));
+                read.map_err(|mut error| {
+                    let _ = write!(error.expected, " (with `{}`)", set.join(" "));
+                    error
+                })?;
             }
             rest = after;
         }
@@ -227,14 +240,14 @@ impl Reader {
 
     /// Reads a line that continues no form.
     fn start(&mut self, content: &str, number: usize) -> Result<(), String> {
-        let above = self.corpus.mistakes.last();
-        let begun = [
-            (MISTAKE, Some(String::new())),
-            (ALSO, above.map(|above| above.hint.clone())),
-        ];
-        let begun = begun
-            .into_iter()
-            .find_map(|(word, hint)| Some((content.strip_prefix(word)?, hint?)));
+        let begun = match content.strip_prefix(MISTAKE) {
+            Some(mistake) => Some((mistake, String::new())),
+            None => {
+                let above = self.corpus.mistakes.last();
+                let hint = above.map(|above| above.hint.clone());
+                content.strip_prefix(ALSO).zip(hint)
+            }
+        };
         if let Some((mistake, hint)) = begun {
             let (id, description) = mistake.split_once(": ").unwrap_or((mistake, ""));
             self.corpus.mistakes.push(Mistake {
@@ -254,18 +267,19 @@ impl Reader {
                 mistake.references = all.split_whitespace().map(str::to_string).collect();
             }
             _ => {
-                let mut content = Cow::from(content);
-                if let Some(like) = content.strip_prefix(LIKE) {
-                    let (of, rest) = like.split_once('"').unwrap_or((like, ""));
-                    let mut files = self.corpus.mutants.iter();
-                    let file = files.find(|form| form.code.is_some() && form.mistakes[0] == of);
-                    let file = file.ok_or_else(|| {
-                        format!("`{LIKE}MISTAKE\"`, of a mistake above with a form `{CODE}:`")
-                    })?;
-                    self.like = file.code.clone();
-                    content = format!("{REFERENCE}{rest}").into();
-                }
-                let (form, edit) = form(&content, &mistake.id)?;
+                let (form, edit) = match content.strip_prefix(LIKE) {
+                    Some(like) => {
+                        let (of, edit) = like.split_once('"').unwrap_or((like, ""));
+                        let mut forms = self.corpus.mutants.iter();
+                        let form = forms.find(|form| form.code.is_some() && form.mistakes[0] == of);
+                        let code = form.and_then(|form| form.code.clone());
+                        self.like = Some(code.ok_or_else(|| {
+                            format!("`{LIKE}MISTAKE\"`, of a mistake above with a form `{CODE}:`")
+                        })?);
+                        form_of(REFERENCE, edit, &mistake.id)?
+                    }
+                    None => form(content, &mistake.id)?,
+                };
                 let has_edit = form.code.is_none() || edit != ":";
                 self.form = Some((form, number));
                 if has_edit {
@@ -366,14 +380,20 @@ impl Reader {
 fn expected_form() -> String {
     format!(
         "`hint: WHERE TO LOOK`, `symptom`, `seen: NUMBERS`, or a form: `VARIANT [with MISTAKE] \
-         [\"NAME\"] [held out] [in FUNCTION]: TEXT TO FIND {BECOMES} REPLACEMENT`"
+         [\"NAME\"] [held out] [in FUNCTION]: TEXT TO FIND {BECOMES} REPLACEMENT`, or with \
+         `{{{{OLD {BECOMES} NEW}}}}` in a text"
     )
 }
 
 /// Reads the head of a form of the mistake `id`: the form, and the text that [`Reader::edit`] reads.
 fn form<'a>(content: &'a str, id: &str) -> Result<(Mutant, &'a str), String> {
     let end = content.find([' ', ':']).ok_or_else(expected_form)?;
-    let (on, mut rest) = content.split_at(end);
+    let (on, rest) = content.split_at(end);
+    form_of(on, rest, id)
+}
+
+/// Reads what stands between the code that a form changes and its first edit.
+fn form_of<'a>(on: &str, mut rest: &'a str, id: &str) -> Result<(Mutant, &'a str), String> {
     let mut form = Mutant {
         mistakes: vec![id.to_string()],
         on: if on == CODE { REFERENCE } else { on }.to_string(),
@@ -407,7 +427,9 @@ fn split_and(edit: &str) -> (&str, Option<&str>) {
     let is_name = |name: &str| name.chars().all(|c| c.is_alphanumeric() || c == '_');
     for (at, and) in edit.match_indices(" and") {
         let next = &edit[at + and.len()..];
-        let within = next.strip_prefix(" in ").and_then(|next| next.split_once(": "));
+        let within = next
+            .strip_prefix(" in ")
+            .and_then(|next| next.split_once(": "));
         if next.starts_with(": ") || within.is_some_and(|(name, _)| is_name(name)) {
             return (&edit[..at], Some(next));
         }
@@ -426,11 +448,11 @@ fn texts(edit: &str) -> Result<(String, Option<String>), String> {
     }
     let (mut find, mut replace, mut rest) = (String::new(), String::new(), edit);
     while let Some((same, after)) = rest.split_once(start) {
-        let (change, after) = after.split_once(end).unwrap_or((after, ""));
-        let (old, new) = change
-            .split_once(BECOMES)
-            .filter(|_| rest.contains(end))
-            .ok_or_else(|| format!("`{start}OLD {BECOMES} NEW{end}`"))?;
+        let change = after
+            .split_once(end)
+            .and_then(|(change, after)| Some((change.split_once(BECOMES)?, after)));
+        let ((old, new), after) =
+            change.ok_or_else(|| format!("`{start}OLD {BECOMES} NEW{end}`"))?;
         let same = unescaped(same)?;
         find.extend([&*same, &unescaped(old.trim())?]);
         replace.extend([&*same, &unescaped(new.trim())?]);
@@ -461,207 +483,28 @@ fn unescaped(text: &str) -> Result<String, String> {
     Ok(plain)
 }
 
-/// How a text is written.
-fn escaped(text: &str) -> String {
-    let escaped = escaped_after_indent(text);
-    match escaped.strip_prefix(' ') {
-        Some(rest) => format!("\\s{rest}"),
-        None => escaped,
-    }
-}
-
-/// How a text is written where spaces at its start are kept.
-fn escaped_after_indent(text: &str) -> String {
-    let escaped = escaped_inside(text);
-    match escaped.strip_suffix(' ') {
-        Some(rest) => format!("{rest}\\s"),
-        None => escaped,
-    }
-}
-
-/// How a text is written between others.
-fn escaped_inside(text: &str) -> String {
-    let escaped = text.replace('\\', "\\\\").replace('\n', "\\n");
-    let escaped = escaped.replace("{{", "{\\{").replace("{{", "{\\{");
-    let escaped = escaped.replace(" and: ", "\\sand: ");
-    escaped.replace(" and in ", "\\sand in ")
-}
-
-/// How an edit is written in a line: the shorter of `OLD ~> NEW` and a text with changes inside.
-fn edit_line(edit: &Edit) -> String {
-    let [find, replace] = [&edit.find, &edit.replace].map(|text| escaped(text));
-    let whole = format!("{find} {BECOMES} {replace}").trim_end().to_string();
-    let [old, new] = [&edit.find, &edit.replace].map(|text| tokens(text));
-    let changed = with_changes(&old, &new).filter(|changed| changed.len() < whole.len());
-    let is_read_back = |changed: &String| {
-        let read = texts(changed.trim());
-        read == Ok((edit.find.clone(), Some(edit.replace.clone())))
-    };
-    changed.filter(is_read_back).unwrap_or(whole)
-}
-
-/// A text that becomes another one, with changes inside. `None` if brackets would be torn apart.
-fn with_changes(old: &[&str], new: &[&str]) -> Option<String> {
-    let same = |pairs: &mut dyn Iterator<Item = (&&str, &&str)>| {
-        pairs.take_while(|(old, new)| old == new).count()
-    };
-    let mut start = same(&mut old.iter().zip(new));
-    let mut end = same(&mut old[start..].iter().rev().zip(new[start..].iter().rev()));
-    loop {
-        let [within_old, within_new] = [old, new].map(|all| &all[start..all.len() - end]);
-        let open = [within_old, within_new].map(open_ends);
-        if open.iter().any(|open| open.0) {
-            start = start.checked_sub(1)?;
-        } else if open.iter().any(|open| open.1) {
-            end = end.checked_sub(1)?;
-        } else {
-            let [before, after] = [&old[..start], &old[old.len() - end..]];
-            let [before, after] = [before, after].map(|text| escaped_inside(&text.concat()));
-            return Some(before + &changes(within_old, within_new) + &after);
-        }
-    }
-}
-
-/// Whether a text must be longer, at its start or its end, to be a change: it has only one of a
-/// pair of brackets, or a space there.
-fn open_ends(text: &[&str]) -> (bool, bool) {
-    let (mut is_closed, mut open) = (false, 0);
-    for token in text {
-        match *token {
-            "(" | "[" | "{" => open += 1,
-            ")" | "]" | "}" if open > 0 => open -= 1,
-            ")" | "]" | "}" => is_closed = true,
-            _ => {}
-        }
-    }
-    let space = |token: Option<&&str>, is_it: fn(&str) -> bool| token.is_some_and(|t| is_it(t));
-    (
-        is_closed || space(text.first(), |token| token.starts_with(' ')),
-        open > 0 || space(text.last(), |token| token.ends_with(' ')),
-    )
-}
-
-/// A text that becomes another one, as one change or as several with long unchanged texts between.
-fn changes(old: &[&str], new: &[&str]) -> String {
-    let starts = (0..old.len()).flat_map(|i| (0..new.len()).map(move |j| (i, j)));
-    let runs = starts.filter_map(|(i, j)| {
-        let pairs = old[i..].iter().zip(&new[j..]);
-        let length = pairs.take_while(|(old, new)| old == new).count();
-        let rest = [&old[..i], &new[..j], &old[i + length..], &new[j + length..]];
-        let letters: usize = old[i..i + length].iter().map(|token| token.len()).sum();
-        let is_run = letters >= SHORTEST_UNCHANGED
-            && rest.iter().all(|rest| open_ends(rest) == (false, false));
-        is_run.then_some((letters, i, j, length))
-    });
-    match runs.max() {
-        Some((_, i, j, length)) => {
-            let same = escaped_inside(&old[i..i + length].concat());
-            let after = changes(&old[i + length..], &new[j + length..]);
-            changes(&old[..i], &new[..j]) + &same + &after
-        }
-        None => {
-            let [start, end] = CHANGE;
-            let [old, new] = [old, new].map(|text| escaped(&text.concat()));
-            let change = format!("{old} {BECOMES} {new}");
-            format!("{start}{}{end}", change.trim())
-        }
-    }
-}
-
-/// Words, numbers, spaces and signs of code.
-fn tokens(text: &str) -> Vec<&str> {
-    let is_word = |c: char| c.is_alphanumeric() || c == '_';
-    let letters: Vec<(usize, char)> = text.char_indices().collect();
-    let is_point = |three: &[(usize, char)]| {
-        matches!(three, [(_, a), (_, '.'), (_, b)] if a.is_ascii_digit() && b.is_ascii_digit())
-    };
-    let begins = |i: &usize| {
-        let ((_, before), (at, here)) = (letters[i - 1], letters[*i]);
-        let is_joined = is_word(before) && is_word(here)
-            || before.is_whitespace() && here.is_whitespace()
-            || OPERATORS.contains(&&text[letters[i - 1].0..at + here.len_utf8()])
-            || [i.saturating_sub(2), i - 1]
-                .iter()
-                .any(|&from| letters.get(from..from + 3).is_some_and(is_point));
-        !is_joined
-    };
-    let mut tokens = Vec::new();
-    let mut from = 0;
-    for i in (1..letters.len()).filter(begins) {
-        tokens.push(&text[from..letters[i].0]);
-        from = letters[i].0;
-    }
-    tokens.push(&text[from..]);
-    tokens
-}
-
-/// The lines in which a replacement is written below the text to find: one for each line of the
-/// code if it is long.
-fn replacement_lines(replace: &str) -> impl Iterator<Item = String> {
-    let whole = escaped(replace);
-    let is_long = whole.len() > LONGEST_LINE;
-    let (first, rest) = replace.split_once('\n').filter(|_| is_long).unzip();
-    let rest = rest.map(|rest: &str| rest.split('\n').map(escaped_after_indent));
-    std::iter::once(first.map_or(whole, escaped)).chain(rest.into_iter().flatten())
-}
-
-fn length_of_last(text: &str) -> usize {
-    text.len() - text.rfind('\n').map_or(0, |end| end + 1)
-}
-
-/// The lines of a form.
-pub fn form_text(form: &Mutant) -> String {
-    let on = if form.code.is_some() { CODE } else { &form.on };
-    let mut text = format!("  {on}");
-    for second in form.mistakes.iter().skip(1) {
-        let _ = write!(text, " with {second}");
-    }
-    if !form.how.is_empty() {
-        let _ = write!(text, " \"{}\"", form.how);
-    }
-    if form.held_out {
-        text.push_str(" held out");
-    }
-    if form.code.is_some() {
-        text.push(':');
-    }
-    let mut can_join = true;
-    for (i, edit) in form.edits.iter().enumerate() {
-        let within = match edit.within.as_str() {
-            "" => String::new(),
-            function => format!(" in {function}"),
-        };
-        let and = if i > 0 { " and" } else { "" };
-        let line = format!("{and}{within}: {}", edit_line(edit));
-        if !can_join || length_of_last(&text) + line.len() > LONGEST_LINE {
-            text.push_str(if i > 0 { "\n   " } else { "" });
-        }
-        can_join = length_of_last(&text) + line.len() <= LONGEST_LINE;
-        if can_join {
-            text.push_str(&line);
-            continue;
-        }
-        let _ = write!(text, "{and}{within}: {}", escaped(&edit.find));
-        for below in replacement_lines(&edit.replace) {
-            text.push_str(format!("\n    {BECOMES} {below}").trim_end());
-        }
-    }
-    if form.code.is_none() {
-        text.push('\n');
-    }
-    if let Some(code) = &form.code {
-        text.push('\n');
-        for line in code.lines() {
-            let indent = if line.is_empty() { "" } else { CODE_INDENT };
-            let _ = writeln!(text, "{indent}{line}");
-        }
-    }
-    text
-}
-
 #[cfg(test)]
 mod tests {
+    use super::write::LONGEST_LINE;
     use super::*;
+
+    fn edit(within: &str, find: &str, replace: &str) -> Edit {
+        Edit {
+            within: within.into(),
+            find: find.into(),
+            replace: replace.into(),
+        }
+    }
+
+    /// What is read of both, as text.
+    fn assert_same(short: &str, long: &str) {
+        let [short, long] = [short, long].map(|text| read(text).expect(text));
+        assert_eq!(short.mutants, long.mutants);
+        assert_eq!(
+            format!("{:?}", short.mistakes),
+            format!("{:?}", long.mistakes)
+        );
+    }
 
     const LIST: &str = r#"# Russian roulette: typical mistakes.
 
@@ -695,11 +538,6 @@ mistake early: starts the roulette one bounce too early
             "Up to MIN_BOUNCES bounces the path continues unchanged."
         );
         assert_eq!(mistake.references, ["P1T3-01", "P1T3-02"]);
-        let edit = |within: &str, find: &str, replace: &str| Edit {
-            within: within.into(),
-            find: find.into(),
-            replace: replace.into(),
-        };
         let [plain, pair] = &corpus.mutants[..] else {
             panic!("{:?}", corpus.mutants);
         };
@@ -717,6 +555,77 @@ mistake early: starts the roulette one bounce too early
     }
 
     #[test]
+    fn changes_inside_a_text_are_read_as_the_whole_texts() {
+        let short = "mistake m: does\n  half_b in f: a {{- ~> +}} b{{~> .abs()}} \\{ {{x }~>}} and: c ~> d\n\
+                     \x20   and in g: {{~> \\sa}} ~\n";
+        let read = read(short).unwrap();
+        let edits = [
+            edit("f", "a - b { x }", "a + b.abs() { "),
+            edit("", "c", "d"),
+            edit("g", " ~", " a ~"),
+        ];
+        assert_eq!(read.mutants[0].edits, edits);
+    }
+
+    #[test]
+    fn the_writer_chooses_the_shorter_notation_and_tears_no_brackets() {
+        let written = |edits: &[Edit]| {
+            form_text(&Mutant {
+                on: "half_b".into(),
+                edits: edits.into(),
+                ..Mutant::default()
+            })
+        };
+        let first = edit(
+            "",
+            "let t = (a.min[i] - o[i]) / d;",
+            "let t = (a.min[i] + o[i]) / d;",
+        );
+        let second = edit("f", "0..3", "0..2");
+        assert_eq!(written(&[edit("", "a", "b")]), "  half_b: a ~> b\n");
+        assert_eq!(
+            written(&[first, second]),
+            "  half_b: let t = (a.min[i] {{- ~> +}} o[i]) / d; and in f: 0..3 ~> 0..2\n"
+        );
+        let brackets = edit(
+            "",
+            "let p = (x + 0.5) / w;",
+            "let p = ((x + 0.5) as u32 / w) as f64;",
+        );
+        assert_eq!(
+            written(&[brackets]),
+            "  half_b: let p = {{(x + 0.5) / w ~> ((x + 0.5) as u32 / w) as f64}};\n"
+        );
+    }
+
+    #[test]
+    fn a_template_is_read_as_its_long_form() {
+        let short = "each @ $: x 0, y 1\n  mistake no_@: forgets @\n    hint: All.\n\
+                     \x20   each %: 1e-3, 0.5 + h\n      half_b \"%\": t$ ~> % * t$\n\
+                     \x20   reference: d ~> e\n      each ^: a, b\n        and in f: ^.@ ~> ^\n\
+                     also z: z\n  reference: z ~> 0\n";
+        let of = |axis: &str, number: &str| {
+            format!(
+                "mistake no_{axis}: forgets {axis}\n  hint: All.\n  half_b \"1e-3\": t{number} ~> 1e-3 * t{number}\n\
+                 \x20 half_b \"0.5 + h\": t{number} ~> 0.5 + h * t{number}\n  reference: d ~> e\n\
+                 \x20   and in f: a.{axis} ~> a\n    and in f: b.{axis} ~> b\n"
+            )
+        };
+        let long =
+            of("x", "0") + &of("y", "1") + "mistake z: z\n  hint: All.\n  reference: z ~> 0\n";
+        assert_same(short, &long);
+    }
+
+    #[test]
+    fn a_file_like_another_is_read_as_the_whole_file() {
+        let file = "mistake none: does\n  code:\n    fn f() {\n        0\n    }\n\n    fn g() {\n        0\n    }\n";
+        let like =
+            "mistake all: does\n  code like \"none\" \"f and g\" in f: 0 ~> 1 and in g: 0 ~> 2\n";
+        let whole = "mistake all: does\n  code \"f and g\":\n    fn f() {\n        1\n    }\n\n    fn g() {\n        2\n    }\n";
+        assert_same(&format!("{file}{like}"), &format!("{file}{whole}"));
+    }
+
+    #[test]
     fn written_forms_are_read_back() {
         let long = "a".repeat(LONGEST_LINE);
         let lines = format!(" {long}\n    \n\n  {long} ");
@@ -726,6 +635,8 @@ mistake early: starts the roulette one bounce too early
             ("gone", ""),
             (&*long, "short\n}"),
             ("code", &*lines),
+            ("{{x}} and: y", "{{{y}} and in f: y"),
+            ("if x {", "if x {{"),
         ];
         let edits = edits.map(|(find, replace)| Edit {
             within: if find == "gone" { "f" } else { "" }.into(),
@@ -798,6 +709,52 @@ mistake early: starts the roulette one bounce too early
                 "mistake m: does\n  code:\nmistake n: x\n",
                 2,
                 "below it a file",
+            ),
+            (
+                "mistake m: does\n  half_b: a {{b}}\n",
+                2,
+                "`{{OLD ~> NEW}}`",
+            ),
+            (
+                "mistake m: does\n  half_b: }} {{a ~> b\n",
+                2,
+                "`{{OLD ~> NEW}}`",
+            ),
+            (
+                "mistake m: does\n  half_b: {{a ~> b}} ~> c\n",
+                2,
+                "only between `{{` and `}}`",
+            ),
+            ("also m: does\n", 1, "`mistake NAME: what the code does`"),
+            (
+                "mistake m: does\n\n  each x: 1, 2\n    half_b: a ~> x\n",
+                3,
+                "one or more of the signs `@$%^`",
+            ),
+            (
+                "mistake m: does\n  each @ $: 1 2, 3\n    half_b: @ ~> $\n",
+                2,
+                "2 values for `@ $` in each set, found `3`",
+            ),
+            (
+                "mistake m: does\n  each @: 1, 2\n  half_b: a ~> @\n",
+                2,
+                "`@` in a line below",
+            ),
+            (
+                "mistake m: does\n  each @: a, ~>\n    half_b \"1\": @ ~> b\n",
+                3,
+                "`TEXT TO FIND ~> REPLACEMENT` (with `~>`)",
+            ),
+            (
+                "mistake m: does\n  code like \"n\": a ~> b\n",
+                2,
+                "of a mistake above with a form `code:`",
+            ),
+            (
+                "mistake m: does\n  code:\n    a\nmistake n: does\n  code like \"m\": b ~> a\n",
+                5,
+                "found it 0 times",
             ),
         ] {
             let error = read(text).expect_err(text).to_string();

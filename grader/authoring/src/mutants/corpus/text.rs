@@ -43,7 +43,7 @@ pub(crate) use write::form_text;
 
 use super::{Corpus, Edit, Mistake, Mutant, REFERENCE};
 use std::borrow::Cow;
-use std::fmt::{self, Write as _};
+use std::fmt;
 use std::path::PathBuf;
 
 /// The word before a mistake.
@@ -103,50 +103,40 @@ pub(super) fn read(text: &str) -> Result<Corpus, FormatError> {
 /// A line and its number. In a template, its signs are replaced.
 type Line<'a> = (usize, Cow<'a, str>);
 
-/// The sets of a template: each has a value for each sign.
-struct Each<'a> {
-    signs: Vec<&'a str>,
-    sets: Vec<Vec<&'a str>>,
-}
-
-impl Each<'_> {
-    /// Reads `SIGNS: SET, SET`.
-    fn read(text: &str) -> Result<Each<'_>, String> {
-        let (signs, sets) = text.split_once(':').unwrap_or((text, ""));
-        let signs: Vec<&str> = signs.split_whitespace().collect();
-        let is_sign = |sign: &&str| sign.chars().count() == 1 && SIGNS.contains(sign);
-        if signs.is_empty() || !signs.iter().all(is_sign) {
-            let expected = "and values, such as `each @ $: x y, y z`";
-            return Err(format!("one or more of the signs `{SIGNS}` {expected}"));
-        }
-        let values = |set| match signs.len() {
-            1 => vec![str::trim(set)],
+/// The lines that a template `SIGNS: SET, SET` stands for: those `below`, once for each set, with
+/// its values.
+fn filled<'a>(each: &str, below: &[Line<'a>]) -> Result<Vec<Line<'a>>, String> {
+    let (signs, sets) = each.split_once(':').unwrap_or((each, ""));
+    let signs: Vec<&str> = signs.split_whitespace().collect();
+    let is_sign = |sign: &&str| sign.chars().count() == 1 && SIGNS.contains(sign);
+    if signs.is_empty() || !signs.iter().all(is_sign) {
+        let expected = "and values, such as `each @ $: x y, y z`";
+        return Err(format!("one or more of the signs `{SIGNS}` {expected}"));
+    }
+    let is_used = |sign: &&&str| below.iter().any(|(_, line)| line.contains(**sign));
+    if let Some(unused) = signs.iter().find(|sign| !is_used(sign)) {
+        return Err(format!("`{unused}` in a line below that is indented more"));
+    }
+    let mut lines = Vec::new();
+    for set in sets.split(", ").map(str::trim) {
+        let values: Vec<&str> = match signs.len() {
+            1 => vec![set],
             _ => set.split_whitespace().collect(),
         };
-        let sets: Vec<Vec<&str>> = sets.split(", ").map(values).collect();
-        let is_whole = |set: &&Vec<&str>| set.len() == signs.len() && !set[0].is_empty();
-        match sets.iter().find(|set| !is_whole(set)) {
-            Some(set) => Err(format!(
-                "{} values for `{}` in each set, found `{}`",
-                signs.len(),
-                signs.join(" "),
-                set.join(" ")
-            )),
-            None => Ok(Each { signs, sets }),
+        if values.len() != signs.len() || set.is_empty() {
+            let (number, signs) = (signs.len(), signs.join(" "));
+            return Err(format!(
+                "{number} values for `{signs}` in each set, found `{set}`"
+            ));
         }
-    }
-
-    /// The lines below it with the values of one set, less indented.
-    fn filled<'a>(&self, below: &[Line<'a>], set: &[&str]) -> Vec<Line<'a>> {
-        let lines = below.iter().map(|(number, line)| {
-            let mut line = line.strip_prefix(EACH_INDENT).unwrap_or(line).to_string();
-            for (sign, value) in self.signs.iter().zip(set) {
-                line = line.replace(sign, value);
-            }
+        lines.extend(below.iter().map(|(number, line)| {
+            let line = line.strip_prefix(EACH_INDENT).unwrap_or(line).to_string();
+            let pairs = signs.iter().zip(&values);
+            let line = pairs.fold(line, |line, (sign, value)| line.replace(sign, value));
             (*number, line.into())
-        });
-        lines.collect()
+        }));
     }
+    Ok(lines)
 }
 
 #[derive(Default)]
@@ -171,26 +161,14 @@ impl Reader {
                 self.line(line, *number)?;
                 continue;
             };
-            let error = |expected| FormatError {
-                line: *number,
-                expected,
-            };
-            let each = Each::read(each).map_err(error)?;
             let is_below =
                 |(_, below): &&Line| below.trim().is_empty() || indent(below) > indent(line);
             let (below, after) = after.split_at(after.iter().take_while(is_below).count());
-            let is_used = |sign: &&&str| below.iter().any(|(_, line)| line.contains(**sign));
-            if let Some(unused) = each.signs.iter().find(|sign| !is_used(sign)) {
-                let expected = format!("`{unused}` in a line below that is indented more");
-                return Err(error(expected));
-            }
-            for set in &each.sets {
-                let read = self.block(&each.filled(below, set));
-                read.map_err(|mut error| {
-                    let _ = write!(error.expected, " (with `{}`)", set.join(" "));
-                    error
-                })?;
-            }
+            let filled = filled(each, below).map_err(|expected| FormatError {
+                line: *number,
+                expected,
+            })?;
+            self.block(&filled)?;
             rest = after;
         }
         Ok(())
@@ -744,7 +722,7 @@ mistake early: starts the roulette one bounce too early
             (
                 "mistake m: does\n  each @: a, ~>\n    half_b \"1\": @ ~> b\n",
                 3,
-                "`TEXT TO FIND ~> REPLACEMENT` (with `~>`)",
+                "`TEXT TO FIND ~> REPLACEMENT`",
             ),
             (
                 "mistake m: does\n  code like \"n\": a ~> b\n",

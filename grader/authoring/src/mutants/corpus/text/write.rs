@@ -1,19 +1,11 @@
 //! Writes a form as its lines in a list of mistakes, in the shorter notation.
 
-use super::super::{Edit, Mutant};
+use super::super::{Edit, Mutant, common};
 use super::{BECOMES, CHANGE, CODE, CODE_INDENT, texts};
 use std::fmt::Write;
 
 /// A form that is longer is written as two lines.
 pub(super) const LONGEST_LINE: usize = 120;
-
-/// A shorter unchanged text between two changes is written as a part of one change.
-const SHORTEST_UNCHANGED: usize = 9;
-
-/// Operators of two letters.
-const OPERATORS: [&str; 14] = [
-    "<=", ">=", "==", "!=", "&&", "||", "..", "::", "->", "=>", "+=", "-=", "*=", "/=",
-];
 
 /// How a text is written.
 fn escaped(text: &str) -> String {
@@ -41,110 +33,69 @@ fn escaped_inside(text: &str) -> String {
     escaped.replace(" and in ", "\\sand in ")
 }
 
-/// How an edit is written in a line: the shorter of `OLD ~> NEW` and a text with changes inside.
+/// How an edit is written in a line: the shorter of `OLD ~> NEW` and a text with a change inside.
 fn edit_line(edit: &Edit) -> String {
     let [find, replace] = [&edit.find, &edit.replace].map(|text| escaped(text));
     let whole = format!("{find} {BECOMES} {replace}").trim_end().to_string();
-    let [old, new] = [&edit.find, &edit.replace].map(|text| tokens(text));
-    let changed = with_changes(&old, &new).filter(|changed| changed.len() < whole.len());
-    let is_read_back = |changed: &String| {
-        let read = texts(changed.trim());
-        read == Ok((edit.find.clone(), Some(edit.replace.clone())))
-    };
-    changed.filter(is_read_back).unwrap_or(whole)
+    let read_back = Ok((edit.find.clone(), Some(edit.replace.clone())));
+    let changed = with_change(&edit.find, &edit.replace)
+        .filter(|changed| changed.len() < whole.len() && texts(changed.trim()) == read_back);
+    changed.unwrap_or(whole)
 }
 
-/// A text that becomes another one, with changes inside. `None` if brackets would be torn apart.
-fn with_changes(old: &[&str], new: &[&str]) -> Option<String> {
-    let same = |pairs: &mut dyn Iterator<Item = (&&str, &&str)>| {
-        pairs.take_while(|(old, new)| old == new).count()
-    };
-    let mut start = same(&mut old.iter().zip(new));
-    let mut end = same(&mut old[start..].iter().rev().zip(new[start..].iter().rev()));
+/// A text that becomes another one, with the change inside. `None` if it has only one of a pair of
+/// brackets.
+fn with_change(find: &str, replace: &str) -> Option<String> {
+    let mut start = common(find.chars(), replace.chars());
+    let rest = [find, replace].map(|text| text[start..].chars().rev());
+    let mut end = common(rest[0].clone(), rest[1].clone());
     loop {
-        let [within_old, within_new] = [old, new].map(|all| &all[start..all.len() - end]);
-        let open = [within_old, within_new].map(open_ends);
-        if open.iter().any(|open| open.0) {
-            start = start.checked_sub(1)?;
-        } else if open.iter().any(|open| open.1) {
-            end = end.checked_sub(1)?;
+        let [old, new] = [find, replace].map(|text| &text[start..text.len() - end]);
+        let (before, after) = (&find[..start], &find[find.len() - end..]);
+        if [old, new].iter().any(|text| tears_start(before, text)) {
+            start -= before.chars().next_back()?.len_utf8();
+        } else if [old, new].iter().any(|text| tears_end(text, after)) {
+            end -= after.chars().next()?.len_utf8();
         } else {
-            let [before, after] = [&old[..start], &old[old.len() - end..]];
-            let [before, after] = [before, after].map(|text| escaped_inside(&text.concat()));
-            return Some(before + &changes(within_old, within_new) + &after);
+            let [open, close] = CHANGE;
+            let change = format!("{} {BECOMES} {}", escaped(old), escaped(new));
+            let [before, after] = [before, after].map(escaped_inside);
+            return Some(format!("{before}{open}{}{close}{after}", change.trim()));
         }
     }
 }
 
-/// Whether a text must be longer, at its start or its end, to be a change: it has only one of a
-/// pair of brackets, or a space there.
-fn open_ends(text: &[&str]) -> (bool, bool) {
-    let (mut is_closed, mut open) = (false, 0);
-    for token in text {
-        match *token {
-            "(" | "[" | "{" => open += 1,
-            ")" | "]" | "}" if open > 0 => open -= 1,
-            ")" | "]" | "}" => is_closed = true,
-            _ => {}
-        }
-    }
-    let space = |token: Option<&&str>, is_it: fn(&str) -> bool| token.is_some_and(|t| is_it(t));
-    (
-        is_closed || space(text.first(), |token| token.starts_with(' ')),
-        open > 0 || space(text.last(), |token| token.ends_with(' ')),
-    )
+/// Whether a change cannot begin here: within a word or an operator, between brackets that it
+/// closes, or with a space.
+fn tears_start(before: &str, change: &str) -> bool {
+    let closes = |text: &str| brackets(text.chars(), ['(', '[', '{']) < 0;
+    let tears_word = before.chars().next_back().zip(change.chars().next());
+    change.starts_with(' ') || tears_word.is_some_and(are_joined) || closes(change)
 }
 
-/// A text that becomes another one, as one change or as several with long unchanged texts between.
-fn changes(old: &[&str], new: &[&str]) -> String {
-    let starts = (0..old.len()).flat_map(|i| (0..new.len()).map(move |j| (i, j)));
-    let runs = starts.filter_map(|(i, j)| {
-        let pairs = old[i..].iter().zip(&new[j..]);
-        let length = pairs.take_while(|(old, new)| old == new).count();
-        let rest = [&old[..i], &new[..j], &old[i + length..], &new[j + length..]];
-        let letters: usize = old[i..i + length].iter().map(|token| token.len()).sum();
-        let is_run = letters >= SHORTEST_UNCHANGED
-            && rest.iter().all(|rest| open_ends(rest) == (false, false));
-        is_run.then_some((letters, i, j, length))
+fn tears_end(change: &str, after: &str) -> bool {
+    let opens = |text: &str| brackets(text.chars().rev(), [')', ']', '}']) < 0;
+    let tears_word = change.chars().next_back().zip(after.chars().next());
+    change.ends_with(' ') || tears_word.is_some_and(are_joined) || opens(change)
+}
+
+/// The smallest number of open brackets while a text is read: below 0 if it closes one that it does
+/// not open.
+fn brackets(text: impl Iterator<Item = char>, opening: [char; 3]) -> i32 {
+    let mut open = 0;
+    let steps = text.filter(|letter| "()[]{}".contains(*letter));
+    let depths = steps.map(|letter| {
+        open += if opening.contains(&letter) { 1 } else { -1 };
+        open
     });
-    match runs.max() {
-        Some((_, i, j, length)) => {
-            let same = escaped_inside(&old[i..i + length].concat());
-            let after = changes(&old[i + length..], &new[j + length..]);
-            changes(&old[..i], &new[..j]) + &same + &after
-        }
-        None => {
-            let [start, end] = CHANGE;
-            let [old, new] = [old, new].map(|text| escaped(&text.concat()));
-            let change = format!("{old} {BECOMES} {new}");
-            format!("{start}{}{end}", change.trim())
-        }
-    }
+    depths.min().unwrap_or(0)
 }
 
-/// Words, numbers, spaces and signs of code.
-fn tokens(text: &str) -> Vec<&str> {
-    let is_word = |c: char| c.is_alphanumeric() || c == '_';
-    let letters: Vec<(usize, char)> = text.char_indices().collect();
-    let is_point = |three: &[(usize, char)]| matches!(three, [(_, a), (_, '.'), (_, b)] if a.is_ascii_digit() && b.is_ascii_digit());
-    let begins = |i: &usize| {
-        let ((_, before), (at, here)) = (letters[i - 1], letters[*i]);
-        let is_joined = is_word(before) && is_word(here)
-            || before.is_whitespace() && here.is_whitespace()
-            || OPERATORS.contains(&&text[letters[i - 1].0..at + here.len_utf8()])
-            || [i.saturating_sub(2), i - 1]
-                .iter()
-                .any(|&from| letters.get(from..from + 3).is_some_and(is_point));
-        !is_joined
-    };
-    let mut tokens = Vec::new();
-    let mut from = 0;
-    for i in (1..letters.len()).filter(begins) {
-        tokens.push(&text[from..letters[i].0]);
-        from = letters[i].0;
-    }
-    tokens.push(&text[from..]);
-    tokens
+/// Whether two letters belong to one word, number or operator.
+fn are_joined((a, b): (char, char)) -> bool {
+    let is_word = |c: char| c.is_alphanumeric() || "_.".contains(c);
+    let is_operator = |c: char| "<>=!&|+-*/:.".contains(c);
+    is_word(a) && is_word(b) || is_operator(a) && is_operator(b)
 }
 
 /// The lines in which a replacement is written below the text to find: one for each line of the

@@ -52,9 +52,11 @@ fn with_change(find: &str, replace: &str) -> Option<String> {
     loop {
         let [old, new] = [find, replace].map(|text| &text[start..text.len() - end]);
         let (before, after) = (&find[..start], &find[find.len() - end..]);
-        if [old, new].iter().any(|text| tears_start(before, text)) {
+        let start_tears = |text: &str| tears(before.chars().rev(), text.chars(), "([{");
+        let end_tears = |text: &str| tears(after.chars(), text.chars().rev(), ")]}");
+        if start_tears(old) || start_tears(new) {
             start -= before.chars().next_back()?.len_utf8();
-        } else if [old, new].iter().any(|text| tears_end(text, after)) {
+        } else if end_tears(old) || end_tears(new) {
             end -= after.chars().next()?.len_utf8();
         } else {
             let [open, close] = CHANGE;
@@ -65,30 +67,21 @@ fn with_change(find: &str, replace: &str) -> Option<String> {
     }
 }
 
-/// Whether a change cannot begin here: within a word or an operator, between brackets that it
-/// closes, or with a space.
-fn tears_start(before: &str, change: &str) -> bool {
-    let closes = |text: &str| brackets(text.chars(), ['(', '[', '{']) < 0;
-    let tears_word = before.chars().next_back().zip(change.chars().next());
-    change.starts_with(' ') || tears_word.is_some_and(are_joined) || closes(change)
-}
-
-fn tears_end(change: &str, after: &str) -> bool {
-    let opens = |text: &str| brackets(text.chars().rev(), [')', ']', '}']) < 0;
-    let tears_word = change.chars().next_back().zip(after.chars().next());
-    change.ends_with(' ') || tears_word.is_some_and(are_joined) || opens(change)
-}
-
-/// The smallest number of open brackets while a text is read: below 0 if it closes one that it does
-/// not open.
-fn brackets(text: impl Iterator<Item = char>, opening: [char; 3]) -> i32 {
+/// Whether a change cannot end here, read from this end: within a word or an operator, between the
+/// brackets of a pair, or with a space.
+fn tears(
+    mut outside: impl Iterator<Item = char>,
+    change: impl Iterator<Item = char> + Clone,
+    opening: &str,
+) -> bool {
     let mut open = 0;
-    let steps = text.filter(|letter| "()[]{}".contains(*letter));
-    let depths = steps.map(|letter| {
-        open += if opening.contains(&letter) { 1 } else { -1 };
-        open
+    let mut brackets = change.clone().filter(|c| "()[]{}".contains(*c));
+    let is_torn_pair = brackets.any(|bracket| {
+        open += if opening.contains(bracket) { 1 } else { -1 };
+        open < 0
     });
-    depths.min().unwrap_or(0)
+    let (outer, inner) = (outside.next(), change.clone().next());
+    is_torn_pair || inner == Some(' ') || outer.zip(inner).is_some_and(are_joined)
 }
 
 /// Whether two letters belong to one word, number or operator.

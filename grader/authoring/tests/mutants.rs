@@ -23,8 +23,8 @@ const NOT_POSSIBLE: [(&str, &str); 3] = [
 
 /// The largest number of lines of a task's list of mistakes, and of all lists together. A list that
 /// grows beyond it has mistakes that can be merged, or forms that `--families` makes, too.
-const LONGEST_LIST: usize = 1_700;
-const LONGEST_LISTS: usize = 18_000;
+const LONGEST_LIST: usize = 1_150;
+const LONGEST_LISTS: usize = 12_700;
 
 /// The minimum fraction of held-out mutants whose mistake the diagnosis recognises.
 const MIN_RECOGNISED: f64 = 0.9;

@@ -266,11 +266,13 @@ fn a_mistake_of_the_teacher_is_listed_and_what_was_learnt_of_it_is_known() {
     assert_eq!(after.last().expect("ours").mistakes, ["our_culling"]);
 
     // With Notepad's mark, a space before a mistake and code that contains a line like one.
-    let odd = "\u{feff} mistake our_culling: misses back faces\n  hint: Both faces are hit.\n  code:\n    mistake a: b\n";
+    let odd = "\u{feff} mistake our_culling: misses back faces\n  hint: Both faces are hit.\n  reference: a ~> b\nalso our_other: misses front faces\n  code:\n    mistake a: b\n";
     fs::write(&list, odd).expect("it is writable");
     build(&copy_as_it_is(&root), &root).expect("it is right");
     let marked = " mistake our_culling: misses back faces (a mistake of this course)\n";
     assert!(read(of_task).contains(marked), "{}", read(of_task));
+    let also = "\nalso our_other: misses front faces (a mistake of this course)\n";
+    assert!(read(of_task).contains(also), "{}", read(of_task));
     assert!(read(of_task).ends_with("\n    mistake a: b\n"));
 
     // What was learnt of another list does not count.

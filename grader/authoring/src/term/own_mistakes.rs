@@ -130,7 +130,10 @@ impl OwnMistakes {
         // the left edge.
         let begins_mistake = |line: &str| {
             let content = line.trim_start();
-            line.len() < content.len() + 4 && content.starts_with("mistake ")
+            let begins = ["mistake ", "also "]
+                .iter()
+                .any(|word| content.starts_with(word));
+            line.len() < content.len() + 4 && begins
         };
         let lines = self.list.lines().map(|line| match begins_mistake(line) {
             true => format!("{}{MARK}\n", line.trim_end()),

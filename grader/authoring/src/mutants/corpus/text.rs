@@ -4,38 +4,77 @@
 //! # A comment.
 //! mistake one_bounce_early: starts the roulette one bounce too early
 //!   hint: Up to MIN_BOUNCES bounces the path continues unchanged.
-//!   reference: bounces <= MIN_BOUNCES ~> bounces < MIN_BOUNCES
+//!   reference: bounces {{<= ~> <}} MIN_BOUNCES
+//! also one_bounce_late: starts the roulette one bounce too late
+//!   reference: bounces <= {{MIN_BOUNCES ~> MIN_BOUNCES + 1}}
 //! ```
 //!
-//! A form is the code that it changes (`reference` or a variant), a colon, the text to find, `~>`
-//! and its replacement. Before the colon may stand, in this order: `with MISTAKE` if the form makes
-//! a second mistake, too; a name in quotes; `held out`; `in FUNCTION` if the text occurs in several:
+//! A form is the code that it changes (`reference` or a variant), a colon, and an edit: a text that
+//! occurs in the code, with what changes as `{{OLD ~> NEW}}`, once or several times; or the whole
+//! text to find, `~>` and its replacement. `also` begins a mistake with the hint of the one above.
+//! Before the colon may stand, in this order: `with MISTAKE` if the form makes a second mistake,
+//! too; a name in quotes; `held out`; `in FUNCTION` if the text occurs in several:
 //!
 //! ```text
-//!   half_b with normal_inward "near root" held out: let a = d.dot(d); ~> let a = 1.0;
+//!   half_b with normal_inward "near root" held out: let a = {{d.dot(d) ~> 1.0}}; and: a * c ~> c
 //!     and in intersect_sphere: center - p ~> p - center
 //! ```
 //!
-//! A line `and` is a further edit of the same form. The replacement may also be below the text to
+//! `and` begins a further edit of the same form. The replacement may also be below the text to
 //! find, in one or more lines that begin with `~>`. `\n` is the end of a line in the code, `\s` a
-//! space at an end of a text, `\\` a backslash.
-//! A form may also be a whole file, indented by four spaces below `code:`. `symptom` marks a mistake
-//! that is only a symptom, `seen:` has its numbers in the list of observed mistakes.
+//! space at an end of a text, `\{` a brace, `\\` a backslash.
+//! A form may also be a whole file, indented by four spaces below `code:`, or `code like "MISTAKE":`
+//! with edits of the file of a mistake above. `symptom` marks a mistake that is only a symptom,
+//! `seen:` has its numbers in the list of observed mistakes.
+//!
+//! Lines below `each`, indented by two spaces, are a template: they are read once for each set of
+//! values of the signs `@`, `$`, `%`, `^`. They may be mistakes, forms or further edits:
+//!
+//! ```text
+//! each @ $: x y, y z, z x
+//!   mistake @_from_$: subtracts o.$ in the @ slab
+//!     hint: Each axis has an origin of its own.
+//!     java_style: (b.min.@ - ray.o.{{@ ~> $}})
+//! ```
+
+mod write;
+
+pub(crate) use write::form_text;
 
 use super::{Corpus, Edit, Mistake, Mutant, REFERENCE};
-use std::fmt::{self, Write};
+use std::borrow::Cow;
+use std::fmt;
+use std::path::PathBuf;
+
+/// The word before a mistake.
+const MISTAKE: &str = "mistake ";
+
+/// The word before a mistake that has the hint of the one above.
+const ALSO: &str = "also ";
 
 /// What separates the text to find from its replacement. Rust has no such operator.
 const BECOMES: &str = "~>";
 
+/// What stands around a change in a text that stays as it is.
+const CHANGE: [&str; 2] = ["{{", "}}"];
+
+/// The word before the sets of a template.
+const EACH: &str = "each ";
+
+/// What may stand for a value in a template.
+const SIGNS: &str = "@$%^";
+
 /// The word in the place of a variant where a form is a whole file.
 const CODE: &str = "code";
+
+/// What stands before the name of the mistake whose file a form changes.
+const LIKE: &str = "code like \"";
 
 /// The indentation of the lines of such a file.
 const CODE_INDENT: &str = "    ";
 
-/// A form that is longer is written as two lines.
-const LONGEST_LINE: usize = 120;
+/// The indentation of what is read once for each set of a template.
+const EACH_INDENT: &str = "  ";
 
 /// A line that a list of mistakes cannot contain.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -55,11 +94,49 @@ impl fmt::Display for FormatError {
 /// Reads a list of mistakes.
 pub(super) fn read(text: &str) -> Result<Corpus, FormatError> {
     let mut reader = Reader::default();
-    for (i, line) in text.lines().enumerate() {
-        reader.line(line, i + 1)?;
-    }
+    let lines: Vec<Line> = (1..).zip(text.lines().map(Cow::from)).collect();
+    reader.block(&lines)?;
     reader.end_form()?;
     Ok(reader.corpus)
+}
+
+/// A line and its number. In a template, its signs are replaced.
+type Line<'a> = (usize, Cow<'a, str>);
+
+/// The lines that a template `SIGNS: SET, SET` stands for: those `below`, once for each set, with
+/// its values.
+fn filled<'a>(each: &str, below: &[Line<'a>]) -> Result<Vec<Line<'a>>, String> {
+    let (signs, sets) = each.split_once(':').unwrap_or((each, ""));
+    let signs: Vec<&str> = signs.split_whitespace().collect();
+    let is_sign = |sign: &&str| sign.chars().count() == 1 && SIGNS.contains(sign);
+    if signs.is_empty() || !signs.iter().all(is_sign) {
+        let expected = "and values, such as `each @ $: x y, y z`";
+        return Err(format!("one or more of the signs `{SIGNS}` {expected}"));
+    }
+    let is_used = |sign: &&&str| below.iter().any(|(_, line)| line.contains(**sign));
+    if let Some(unused) = signs.iter().find(|sign| !is_used(sign)) {
+        return Err(format!("`{unused}` in a line below that is indented more"));
+    }
+    let mut lines = Vec::new();
+    for set in sets.split(", ").map(str::trim) {
+        let values: Vec<&str> = match signs.len() {
+            1 => vec![set],
+            _ => set.split_whitespace().collect(),
+        };
+        if values.len() != signs.len() || set.is_empty() {
+            let (number, signs) = (signs.len(), signs.join(" "));
+            return Err(format!(
+                "{number} values for `{signs}` in each set, found `{set}`"
+            ));
+        }
+        lines.extend(below.iter().map(|(number, line)| {
+            let line = line.strip_prefix(EACH_INDENT).unwrap_or(line).to_string();
+            let pairs = signs.iter().zip(&values);
+            let line = pairs.fold(line, |line, (sign, value)| line.replace(sign, value));
+            (*number, line.into())
+        }));
+    }
+    Ok(lines)
 }
 
 #[derive(Default)]
@@ -67,11 +144,36 @@ struct Reader {
     corpus: Corpus,
     /// The form that is being read, and the number of its last line.
     form: Option<(Mutant, usize)>,
+    /// The file that the form changes, instead of the reference or a variant.
+    like: Option<String>,
     /// The function and the text to find, if the replacement is in the next line.
     find: Option<(String, String)>,
 }
 
 impl Reader {
+    /// Reads lines; those below a line `each` once for each of its sets.
+    fn block(&mut self, lines: &[Line]) -> Result<(), FormatError> {
+        let indent = |line: &str| line.len() - line.trim_start().len();
+        let mut rest = lines;
+        while let [(number, line), after @ ..] = rest {
+            rest = after;
+            let Some(each) = line.trim().strip_prefix(EACH) else {
+                self.line(line, *number)?;
+                continue;
+            };
+            let is_below =
+                |(_, below): &&Line| below.trim().is_empty() || indent(below) > indent(line);
+            let (below, after) = after.split_at(after.iter().take_while(is_below).count());
+            let filled = filled(each, below).map_err(|expected| FormatError {
+                line: *number,
+                expected,
+            })?;
+            self.block(&filled)?;
+            rest = after;
+        }
+        Ok(())
+    }
+
     fn line(&mut self, line: &str, number: usize) -> Result<(), FormatError> {
         if self.continue_code(line, number) {
             return Ok(());
@@ -116,11 +218,20 @@ impl Reader {
 
     /// Reads a line that continues no form.
     fn start(&mut self, content: &str, number: usize) -> Result<(), String> {
-        if let Some(mistake) = content.strip_prefix("mistake ") {
+        let begun = match content.strip_prefix(MISTAKE) {
+            Some(mistake) => Some((mistake, String::new())),
+            None => {
+                let above = self.corpus.mistakes.last();
+                let hint = above.map(|above| above.hint.clone());
+                content.strip_prefix(ALSO).zip(hint)
+            }
+        };
+        if let Some((mistake, hint)) = begun {
             let (id, description) = mistake.split_once(": ").unwrap_or((mistake, ""));
             self.corpus.mistakes.push(Mistake {
                 id: id.trim().into(),
                 description: description.trim().into(),
+                hint,
                 ..Mistake::default()
             });
             return Ok(());
@@ -134,7 +245,19 @@ impl Reader {
                 mistake.references = all.split_whitespace().map(str::to_string).collect();
             }
             _ => {
-                let (form, edit) = form(content, &mistake.id)?;
+                let (form, edit) = match content.strip_prefix(LIKE) {
+                    Some(like) => {
+                        let (of, edit) = like.split_once('"').unwrap_or((like, ""));
+                        let mut forms = self.corpus.mutants.iter();
+                        let form = forms.find(|form| form.code.is_some() && form.mistakes[0] == of);
+                        let code = form.and_then(|form| form.code.clone());
+                        self.like = Some(code.ok_or_else(|| {
+                            format!("`{LIKE}MISTAKE\"`, of a mistake above with a form `{CODE}:`")
+                        })?);
+                        form_of(REFERENCE, edit, &mistake.id)?
+                    }
+                    None => form(content, &mistake.id)?,
+                };
                 let has_edit = form.code.is_none() || edit != ":";
                 self.form = Some((form, number));
                 if has_edit {
@@ -149,6 +272,7 @@ impl Reader {
     /// ` in FUNCTION:`, and the texts.
     fn edit(&mut self, edit: &str, number: usize) -> Result<(), String> {
         let (form, last) = self.form.as_mut().ok_or("`and:` below a form")?;
+        let (edit, next) = split_and(edit);
         let (within, edit) = edit.split_once(':').ok_or_else(expected_form)?;
         let within = match within.strip_prefix(" in ") {
             Some(function) => function.trim(),
@@ -159,11 +283,7 @@ impl Reader {
             return Err(format!("`{BECOMES} REPLACEMENT` after the text to find"));
         }
         *last = number;
-        let (find, replace) = match edit.split_once(BECOMES) {
-            Some((find, replace)) => (find, Some(replace)),
-            None => (edit, None),
-        };
-        let find = unescaped(find.trim())?;
+        let (find, replace) = texts(edit.trim())?;
         if find.is_empty() {
             return Err(format!("`TEXT TO FIND {BECOMES} REPLACEMENT`"));
         }
@@ -172,10 +292,10 @@ impl Reader {
             Some(replace) => form.edits.push(Edit {
                 within: within.into(),
                 find,
-                replace: unescaped(replace.trim())?,
+                replace,
             }),
         }
-        Ok(())
+        next.map_or(Ok(()), |next| self.edit(next, number))
     }
 
     /// Reads the replacement of the text in the line before, or its next line.
@@ -221,6 +341,15 @@ impl Reader {
         if !is_whole {
             return Err(FormatError { line, expected });
         }
+        if let Some(like) = self.like.take() {
+            let file = form.apply(&[(PathBuf::new(), like)].into());
+            let file = file.map_err(|e| FormatError {
+                line,
+                expected: format!("edits of that file: {e}"),
+            })?;
+            form.code = file.into_values().next();
+            form.edits.clear();
+        }
         self.corpus.mutants.push(form);
         Ok(())
     }
@@ -229,14 +358,20 @@ impl Reader {
 fn expected_form() -> String {
     format!(
         "`hint: WHERE TO LOOK`, `symptom`, `seen: NUMBERS`, or a form: `VARIANT [with MISTAKE] \
-         [\"NAME\"] [held out] [in FUNCTION]: TEXT TO FIND {BECOMES} REPLACEMENT`"
+         [\"NAME\"] [held out] [in FUNCTION]: TEXT TO FIND {BECOMES} REPLACEMENT`, or with \
+         `{{{{OLD {BECOMES} NEW}}}}` in a text"
     )
 }
 
 /// Reads the head of a form of the mistake `id`: the form, and the text that [`Reader::edit`] reads.
 fn form<'a>(content: &'a str, id: &str) -> Result<(Mutant, &'a str), String> {
     let end = content.find([' ', ':']).ok_or_else(expected_form)?;
-    let (on, mut rest) = content.split_at(end);
+    let (on, rest) = content.split_at(end);
+    form_of(on, rest, id)
+}
+
+/// Reads what stands between the code that a form changes and its first edit.
+fn form_of<'a>(on: &str, mut rest: &'a str, id: &str) -> Result<(Mutant, &'a str), String> {
     let mut form = Mutant {
         mistakes: vec![id.to_string()],
         on: if on == CODE { REFERENCE } else { on }.to_string(),
@@ -265,6 +400,49 @@ fn form<'a>(content: &'a str, id: &str) -> Result<(Mutant, &'a str), String> {
     }
 }
 
+/// Splits the edit of a form from what follows the next ` and` in its line.
+fn split_and(edit: &str) -> (&str, Option<&str>) {
+    let is_name = |name: &str| name.chars().all(|c| c.is_alphanumeric() || c == '_');
+    for (at, and) in edit.match_indices(" and") {
+        let next = &edit[at + and.len()..];
+        let within = next
+            .strip_prefix(" in ")
+            .and_then(|next| next.split_once(": "));
+        if next.starts_with(": ") || within.is_some_and(|(name, _)| is_name(name)) {
+            return (&edit[..at], Some(next));
+        }
+    }
+    (edit, None)
+}
+
+/// The text to find that `edit` is written for, and its replacement if it is in the same line.
+fn texts(edit: &str) -> Result<(String, Option<String>), String> {
+    let [start, end] = CHANGE;
+    if !edit.contains(start) {
+        return Ok(match edit.split_once(BECOMES) {
+            Some((find, replace)) => (unescaped(find.trim())?, Some(unescaped(replace.trim())?)),
+            None => (unescaped(edit)?, None),
+        });
+    }
+    let (mut find, mut replace, mut rest) = (String::new(), String::new(), edit);
+    while let Some((same, after)) = rest.split_once(start) {
+        let change = after
+            .split_once(end)
+            .and_then(|(change, after)| Some((change.split_once(BECOMES)?, after)));
+        let ((old, new), after) =
+            change.ok_or_else(|| format!("`{start}OLD {BECOMES} NEW{end}`"))?;
+        let same = unescaped(same)?;
+        find.extend([&*same, &unescaped(old.trim())?]);
+        replace.extend([&*same, &unescaped(new.trim())?]);
+        rest = after;
+    }
+    if rest.contains(BECOMES) {
+        return Err(format!("`{BECOMES}` only between `{start}` and `{end}`"));
+    }
+    let same = unescaped(rest)?;
+    Ok((find + &same, Some(replace + &same)))
+}
+
 /// The text that `text` is written for.
 fn unescaped(text: &str) -> Result<String, String> {
     let mut plain = String::new();
@@ -274,8 +452,8 @@ fn unescaped(text: &str) -> Result<String, String> {
             '\\' => match letters.next() {
                 Some('n') => '\n',
                 Some('s') => ' ',
-                Some('\\') => '\\',
-                _ => return Err("`\\n`, `\\s` or `\\\\` after a backslash".into()),
+                Some(letter @ ('\\' | '{')) => letter,
+                _ => return Err("`\\n`, `\\s`, `\\{` or `\\\\` after a backslash".into()),
             },
             letter => letter,
         });
@@ -283,88 +461,28 @@ fn unescaped(text: &str) -> Result<String, String> {
     Ok(plain)
 }
 
-/// How a text is written.
-fn escaped(text: &str) -> String {
-    let escaped = escaped_after_indent(text);
-    match escaped.strip_prefix(' ') {
-        Some(rest) => format!("\\s{rest}"),
-        None => escaped,
-    }
-}
-
-/// How a text is written where spaces at its start are kept.
-fn escaped_after_indent(text: &str) -> String {
-    let escaped = text.replace('\\', "\\\\").replace('\n', "\\n");
-    match escaped.strip_suffix(' ') {
-        Some(rest) => format!("{rest}\\s"),
-        None => escaped,
-    }
-}
-
-/// The lines in which a replacement is written below the text to find: one for each line of the
-/// code if it is long.
-fn replacement_lines(replace: &str) -> impl Iterator<Item = String> {
-    let whole = escaped(replace);
-    let is_long = whole.len() > LONGEST_LINE;
-    let (first, rest) = replace.split_once('\n').filter(|_| is_long).unzip();
-    let rest = rest.map(|rest: &str| rest.split('\n').map(escaped_after_indent));
-    std::iter::once(first.map_or(whole, escaped)).chain(rest.into_iter().flatten())
-}
-
-/// The lines of a form.
-pub(crate) fn form_text(form: &Mutant) -> String {
-    let on = if form.code.is_some() { CODE } else { &form.on };
-    let mut text = format!("  {on}");
-    for second in form.mistakes.iter().skip(1) {
-        let _ = write!(text, " with {second}");
-    }
-    if !form.how.is_empty() {
-        let _ = write!(text, " \"{}\"", form.how);
-    }
-    if form.held_out {
-        text.push_str(" held out");
-    }
-    if form.code.is_some() {
-        text.push(':');
-    }
-    for (i, edit) in form.edits.iter().enumerate() {
-        if i > 0 {
-            text.push_str("    and");
-        }
-        if !edit.within.is_empty() {
-            let _ = write!(text, " in {}", edit.within);
-        }
-        text.push(':');
-        let start = text.rfind('\n').map_or(0, |end| end + 1);
-        let (find, replace) = (escaped(&edit.find), escaped(&edit.replace));
-        let length = text[start..].len() + find.len() + replace.len() + BECOMES.len() + 3;
-        let _ = match length <= LONGEST_LINE {
-            true => writeln!(
-                text,
-                "{}",
-                format!(" {find} {BECOMES} {replace}").trim_end()
-            ),
-            false => {
-                let below = replacement_lines(&edit.replace);
-                let below =
-                    below.map(|line| format!("\n    {BECOMES} {line}").trim_end().to_string());
-                writeln!(text, " {find}{}", below.collect::<String>())
-            }
-        };
-    }
-    if let Some(code) = &form.code {
-        text.push('\n');
-        for line in code.lines() {
-            let indent = if line.is_empty() { "" } else { CODE_INDENT };
-            let _ = writeln!(text, "{indent}{line}");
-        }
-    }
-    text
-}
-
 #[cfg(test)]
 mod tests {
+    use super::write::LONGEST_LINE;
     use super::*;
+
+    fn edit(within: &str, find: &str, replace: &str) -> Edit {
+        Edit {
+            within: within.into(),
+            find: find.into(),
+            replace: replace.into(),
+        }
+    }
+
+    /// What is read of both, as text.
+    fn assert_same(short: &str, long: &str) {
+        let [short, long] = [short, long].map(|text| read(text).expect(text));
+        assert_eq!(short.mutants, long.mutants);
+        assert_eq!(
+            format!("{:?}", short.mistakes),
+            format!("{:?}", long.mistakes)
+        );
+    }
 
     const LIST: &str = r#"# Russian roulette: typical mistakes.
 
@@ -398,11 +516,6 @@ mistake early: starts the roulette one bounce too early
             "Up to MIN_BOUNCES bounces the path continues unchanged."
         );
         assert_eq!(mistake.references, ["P1T3-01", "P1T3-02"]);
-        let edit = |within: &str, find: &str, replace: &str| Edit {
-            within: within.into(),
-            find: find.into(),
-            replace: replace.into(),
-        };
         let [plain, pair] = &corpus.mutants[..] else {
             panic!("{:?}", corpus.mutants);
         };
@@ -420,6 +533,77 @@ mistake early: starts the roulette one bounce too early
     }
 
     #[test]
+    fn changes_inside_a_text_are_read_as_the_whole_texts() {
+        let short = "mistake m: does\n  half_b in f: a {{- ~> +}} b{{~> .abs()}} \\{ {{x }~>}} and: c ~> d\n\
+                     \x20   and in g: {{~> \\sa}} ~\n";
+        let read = read(short).unwrap();
+        let edits = [
+            edit("f", "a - b { x }", "a + b.abs() { "),
+            edit("", "c", "d"),
+            edit("g", " ~", " a ~"),
+        ];
+        assert_eq!(read.mutants[0].edits, edits);
+    }
+
+    #[test]
+    fn the_writer_chooses_the_shorter_notation_and_tears_no_brackets() {
+        let written = |edits: &[Edit]| {
+            form_text(&Mutant {
+                on: "half_b".into(),
+                edits: edits.into(),
+                ..Mutant::default()
+            })
+        };
+        let first = edit(
+            "",
+            "let t = (a.min[i] - o[i]) / d;",
+            "let t = (a.min[i] + o[i]) / d;",
+        );
+        let second = edit("f", "0..3", "0..2");
+        assert_eq!(written(&[edit("", "a", "b")]), "  half_b: a ~> b\n");
+        assert_eq!(
+            written(&[first, second]),
+            "  half_b: let t = (a.min[i] {{- ~> +}} o[i]) / d; and in f: 0..3 ~> 0..2\n"
+        );
+        let brackets = edit(
+            "",
+            "let p = (x + 0.5) / w;",
+            "let p = ((x + 0.5) as u32 / w) as f64;",
+        );
+        assert_eq!(
+            written(&[brackets]),
+            "  half_b: let p = {{(x + 0.5) / w ~> ((x + 0.5) as u32 / w) as f64}};\n"
+        );
+    }
+
+    #[test]
+    fn a_template_is_read_as_its_long_form() {
+        let short = "each @ $: x 0, y 1\n  mistake no_@: forgets @\n    hint: All.\n\
+                     \x20   each %: 1e-3, 0.5 + h\n      half_b \"%\": t$ ~> % * t$\n\
+                     \x20   reference: d ~> e\n      each ^: a, b\n        and in f: ^.@ ~> ^\n\
+                     also z: z\n  reference: z ~> 0\n";
+        let of = |axis: &str, number: &str| {
+            format!(
+                "mistake no_{axis}: forgets {axis}\n  hint: All.\n  half_b \"1e-3\": t{number} ~> 1e-3 * t{number}\n\
+                 \x20 half_b \"0.5 + h\": t{number} ~> 0.5 + h * t{number}\n  reference: d ~> e\n\
+                 \x20   and in f: a.{axis} ~> a\n    and in f: b.{axis} ~> b\n"
+            )
+        };
+        let long =
+            of("x", "0") + &of("y", "1") + "mistake z: z\n  hint: All.\n  reference: z ~> 0\n";
+        assert_same(short, &long);
+    }
+
+    #[test]
+    fn a_file_like_another_is_read_as_the_whole_file() {
+        let file = "mistake none: does\n  code:\n    fn f() {\n        0\n    }\n\n    fn g() {\n        0\n    }\n";
+        let like =
+            "mistake all: does\n  code like \"none\" \"f and g\" in f: 0 ~> 1 and in g: 0 ~> 2\n";
+        let whole = "mistake all: does\n  code \"f and g\":\n    fn f() {\n        1\n    }\n\n    fn g() {\n        2\n    }\n";
+        assert_same(&format!("{file}{like}"), &format!("{file}{whole}"));
+    }
+
+    #[test]
     fn written_forms_are_read_back() {
         let long = "a".repeat(LONGEST_LINE);
         let lines = format!(" {long}\n    \n\n  {long} ");
@@ -429,6 +613,8 @@ mistake early: starts the roulette one bounce too early
             ("gone", ""),
             (&*long, "short\n}"),
             ("code", &*lines),
+            ("{{x}} and: y", "{{{y}} and in f: y"),
+            ("if x {", "if x {{"),
         ];
         let edits = edits.map(|(find, replace)| Edit {
             within: if find == "gone" { "f" } else { "" }.into(),
@@ -501,6 +687,52 @@ mistake early: starts the roulette one bounce too early
                 "mistake m: does\n  code:\nmistake n: x\n",
                 2,
                 "below it a file",
+            ),
+            (
+                "mistake m: does\n  half_b: a {{b}}\n",
+                2,
+                "`{{OLD ~> NEW}}`",
+            ),
+            (
+                "mistake m: does\n  half_b: }} {{a ~> b\n",
+                2,
+                "`{{OLD ~> NEW}}`",
+            ),
+            (
+                "mistake m: does\n  half_b: {{a ~> b}} ~> c\n",
+                2,
+                "only between `{{` and `}}`",
+            ),
+            ("also m: does\n", 1, "`mistake NAME: what the code does`"),
+            (
+                "mistake m: does\n\n  each x: 1, 2\n    half_b: a ~> x\n",
+                3,
+                "one or more of the signs `@$%^`",
+            ),
+            (
+                "mistake m: does\n  each @ $: 1 2, 3\n    half_b: @ ~> $\n",
+                2,
+                "2 values for `@ $` in each set, found `3`",
+            ),
+            (
+                "mistake m: does\n  each @: 1, 2\n  half_b: a ~> @\n",
+                2,
+                "`@` in a line below",
+            ),
+            (
+                "mistake m: does\n  each @: a, ~>\n    half_b \"1\": @ ~> b\n",
+                3,
+                "`TEXT TO FIND ~> REPLACEMENT`",
+            ),
+            (
+                "mistake m: does\n  code like \"n\": a ~> b\n",
+                2,
+                "of a mistake above with a form `code:`",
+            ),
+            (
+                "mistake m: does\n  code:\n    a\nmistake n: does\n  code like \"m\": b ~> a\n",
+                5,
+                "found it 0 times",
             ),
         ] {
             let error = read(text).expect_err(text).to_string();

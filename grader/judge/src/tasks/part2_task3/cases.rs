@@ -299,8 +299,8 @@ fn rounded_boxes() -> ScriptedWorld {
             wall(4.0, 1.0),
         ],
         &TreePlan::split(
-            TreePlan::split(leaf(&[0]), leaf(&[1])),
-            TreePlan::split(leaf(&[2]), leaf(&[3])),
+            TreePlan::split(leaf(&[1]), leaf(&[0])),
+            TreePlan::split(leaf(&[3]), leaf(&[2])),
         ),
     );
     let from = |x: f64, step: f64| [0.0, 4.0].map(|y| along(0, step, Vec3::new(x, y, 0.0)));

@@ -342,8 +342,8 @@ impl Reader {
             return Err(FormatError { line, expected });
         }
         if let Some(like) = self.like.take() {
-            let file = form.apply(&[(PathBuf::new(), like)].into());
-            let file = file.map_err(|e| FormatError {
+            let changed = form.apply(&[(PathBuf::new(), like)].into());
+            let file = changed.map_err(|e| FormatError {
                 line,
                 expected: format!("edits of that file: {e}"),
             })?;

@@ -27,10 +27,12 @@ fn escaped_after_indent(text: &str) -> String {
 
 /// How a text is written between others.
 fn escaped_inside(text: &str) -> String {
-    let escaped = text.replace('\\', "\\\\").replace('\n', "\\n");
-    let escaped = escaped.replace("{{", "{\\{").replace("{{", "{\\{");
-    let escaped = escaped.replace(" and: ", "\\sand: ");
-    escaped.replace(" and in ", "\\sand in ")
+    text.replace('\\', "\\\\")
+        .replace('\n', "\\n")
+        .replace("{{", "{\\{")
+        .replace("{{", "{\\{")
+        .replace(" and: ", "\\sand: ")
+        .replace(" and in ", "\\sand in ")
 }
 
 /// How an edit is written in a line: the shorter of `OLD ~> NEW` and a text with a change inside.

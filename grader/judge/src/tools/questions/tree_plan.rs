@@ -181,4 +181,25 @@ mod tests {
             );
         }
     }
+    /// Whether a leaf is on the left or on the right says nothing about its place in `order`.
+    #[test]
+    fn left_leaves_lie_before_right_ones_and_behind_them() {
+        let ids: Vec<u32> = (0..8).collect();
+        let tree = TreePlan::halves(&ids, 1).tree(&[Aabb::EMPTY; 8]);
+        let first_of = |at: u32| match tree.nodes[at as usize].kind {
+            NodeKind::Leaf { first, .. } => Some(first),
+            NodeKind::Interior { .. } => None,
+        };
+        let mut before = Vec::new();
+        for node in &tree.nodes {
+            if let NodeKind::Interior { left, right } = node.kind {
+                before.extend(first_of(left).zip(first_of(right)).map(|(l, r)| l < r));
+            }
+        }
+        assert_eq!(before.len(), 4);
+        assert!(before.contains(&true) && before.contains(&false));
+        let mut order = tree.order;
+        order.sort_unstable();
+        assert_eq!(order, ids);
+    }
 }

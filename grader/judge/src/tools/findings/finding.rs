@@ -278,18 +278,18 @@ impl Finding {
         {
             own.same = own.same.take().filter(|same| are_equal(same, &yours));
         }
-        let at = self
-            .right_numbers
-            .iter()
-            .position(|own| own.function == function);
-        let at = at.unwrap_or_else(|| {
-            self.right_numbers.push(RightNumbers {
-                function,
-                different: Vec::new(),
-                left: RIGHT_ANSWERS,
-            });
-            self.right_numbers.len() - 1
-        });
+        let is_own = |right: &RightNumbers| right.function == function;
+        let at = match self.right_numbers.iter().position(is_own) {
+            Some(at) => at,
+            None => {
+                self.right_numbers.push(RightNumbers {
+                    function,
+                    different: Vec::new(),
+                    left: RIGHT_ANSWERS,
+                });
+                self.right_numbers.len() - 1
+            }
+        };
         let right = &mut self.right_numbers[at];
         right.left = right.left.saturating_sub(1);
         let is_new = right

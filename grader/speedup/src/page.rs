@@ -167,8 +167,8 @@ fn build(ladder: &Ladder) -> Figure {
         value: &|row| has_tree(row).then_some(1e3 * row.build_s),
         note: &|kind| {
             let row = ladder.rows.iter().rfind(|row| row.kind == kind)?;
-            let power = ladder.build_slope(kind).map(|k| format!("n^{k:.2}, "));
-            let power = power.unwrap_or_default();
+            let k = ladder.build_slope(kind);
+            let power = k.map_or(String::new(), |k| format!("n^{k:.2}, "));
             Some(format!("{power}{:.0} bytes a triangle", bytes(row)))
         },
         columns: Columns::new("step", title)

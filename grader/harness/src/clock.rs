@@ -59,7 +59,8 @@ const WAITING_FOR_READER: Duration = Duration::from_secs(30);
 /// line of `println!`.
 const WAITING_FOR_WRITE: Duration = Duration::from_micros(40);
 
-/// The most that [`WAITING_FOR_WRITE`] adds up to in a case: code that prints and sleeps has an end.
+/// The most that [`WAITING_FOR_WRITE`] adds up to in a case: code that prints and sleeps has an
+/// end.
 const MOST_WAITING_FOR_WRITES: Duration = Duration::from_secs(240);
 
 /// Between two looks at a case no more than this counts as waiting: a machine that was stopped for
@@ -295,7 +296,8 @@ impl Output {
     }
 }
 
-/// `count` times `each`, in whole nanoseconds; the longest time that they can count if it is longer.
+/// `count` times `each`, in whole nanoseconds; the longest time that they can count if it is
+/// longer.
 fn times(count: u64, each: Duration) -> Duration {
     Duration::from_nanos(count.saturating_mul(each.as_nanos() as u64))
 }

@@ -147,8 +147,7 @@ pub(crate) fn constant_fields(cases: &[CaseResult]) -> Vec<ConstantField> {
     let findings = all.filter(|finding| may_be_constant(finding.aspect));
     let mut all: BTreeMap<(Aspect, Option<&'static str>, usize), WrongNumbers> = BTreeMap::new();
     for finding in findings.clone() {
-        let of_field = |numbers: &&WrongNumbers| is_of_field(finding.aspect, numbers);
-        for numbers in finding.numbers.iter().filter(of_field) {
+        for numbers in &finding.numbers {
             let key = (finding.aspect, numbers.function, numbers.expected.len());
             all.entry(key)
                 .and_modify(|before| before.add(numbers))
@@ -172,8 +171,8 @@ pub(crate) fn constant_fields(cases: &[CaseResult]) -> Vec<ConstantField> {
     constant.collect()
 }
 
-/// The findings of a case that tell of the code's own numbers: where the wrong primitive is hit, the
-/// others are those of this primitive.
+/// The findings of a case that tell of the code's own numbers: where the wrong primitive is hit,
+/// the others are those of this primitive.
 fn own_findings(case: &CaseResult) -> impl Iterator<Item = &Finding> + Clone {
     let is_of_primitive = |finding: &&Finding| finding.aspect == Aspect::Primitive;
     let mut primitives = case.findings.iter().filter(is_of_primitive);
@@ -181,15 +180,6 @@ fn own_findings(case: &CaseResult) -> impl Iterator<Item = &Finding> + Clone {
     let all = case.findings.iter();
     all.filter(move |finding| !other_is_hit || is_of_primitive(finding))
 }
-
-/// Whether the numbers are those of the field. Radiance may be called wrong for the end of one of
-/// its shadow rays, a single number.
-fn is_of_field(aspect: Aspect, numbers: &WrongNumbers) -> bool {
-    aspect != Aspect::Radiance || numbers.expected.len() == COLOUR
-}
-
-/// So many numbers are a colour.
-const COLOUR: usize = 3;
 
 /// Whether the field is computed in each call. Hit or miss has no numbers; a count, a range or the
 /// ray after the call may be what the caller gave.
@@ -319,16 +309,17 @@ mod tests {
         };
         assert_eq!([0, 1].map(with), [1, 0]);
         // The end of a shadow ray is no radiance.
-        let of_radiance = |count: usize| {
+        let of_radiance = |is_beside: bool| {
             let mut findings = Findings::default();
             for call in 1..20 {
-                findings.judge(Aspect::Radiance, call, false, 1.0, || {
-                    Message::default().compares(vec![0.0; count], vec![call as f64; count])
+                findings.judge(Aspect::Radiance, call, false, 1.0, || match is_beside {
+                    true => Message::default().compares_beside(0.0, call as f64),
+                    false => Message::default().compares([0.0; 3], [call as f64; 3]),
                 });
             }
             constant_fields(&[CaseResult::failed("lamps", findings.into_vec())]).len()
         };
-        assert_eq!([1, 3].map(of_radiance), [0, 1]);
+        assert_eq!([true, false].map(of_radiance), [0, 1]);
         // The numbers of another primitive.
         let mut of_other = of_field("one", zero, 0);
         let mut hit = Findings::default();

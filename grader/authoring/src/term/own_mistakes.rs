@@ -6,7 +6,7 @@
 //! another machine need not compile the mistakes.
 
 use super::settings::Changes;
-use crate::mutants::corpus::{Corpus, Mutant};
+use crate::mutants::corpus::{BEGINNINGS, Corpus, Mutant};
 use crate::mutants::run;
 use base::{GraderError, VERSION, Workspace, term, write_whole};
 use files::file_tree::Files;
@@ -130,10 +130,8 @@ impl OwnMistakes {
         // the left edge.
         let begins_mistake = |line: &str| {
             let content = line.trim_start();
-            let begins = ["mistake ", "also "]
-                .iter()
-                .any(|word| content.starts_with(word));
-            line.len() < content.len() + 4 && begins
+            let mut words = BEGINNINGS.iter();
+            line.len() < content.len() + 4 && words.any(|word| content.starts_with(word))
         };
         let lines = self.list.lines().map(|line| match begins_mistake(line) {
             true => format!("{}{MARK}\n", line.trim_end()),

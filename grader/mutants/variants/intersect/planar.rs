@@ -1,5 +1,5 @@
-//! Coordinates in the plane from the normal over its square, as for a quadrilateral (Shirley, Black,
-//! Hollasch, Ray Tracing: The Next Week, chapter 6).
+//! Coordinates in the plane from the normal over its square, as for a quadrilateral (Shirley,
+//! Black, Hollasch, Ray Tracing: The Next Week, chapter 6).
 
 pub use base::*;
 use kit::{Hit, PrimId, Ray, Triangle, TriangleHit, Vec2};

@@ -4,7 +4,7 @@
 mod function;
 mod text;
 
-pub(crate) use text::form_text;
+pub(crate) use text::{BEGINNINGS, form_text};
 
 use base::{GraderError, Workspace};
 use grader::course::Task;

@@ -23,8 +23,8 @@
 //! `and` begins a further edit of the same form. The replacement may also be below the text to
 //! find, in one or more lines that begin with `~>`. `\n` is the end of a line in the code, `\s` a
 //! space at an end of a text, `\{` a brace, `\\` a backslash.
-//! A form may also be a whole file, indented by four spaces below `code:`, or `code like "MISTAKE":`
-//! with edits of the file of a mistake above. `symptom` marks a mistake that is only a symptom,
+//! A form may also be a whole file, indented by four spaces below `code:`, or edits
+//! of the file of a mistake above, after `code like "MISTAKE":`. `symptom` marks a mistake that is only a symptom,
 //! `seen:` has its numbers in the list of observed mistakes.
 //!
 //! Lines below `each`, indented by two spaces, are a template: they are read once for each set of
@@ -51,6 +51,9 @@ const MISTAKE: &str = "mistake ";
 
 /// The word before a mistake that has the hint of the one above.
 const ALSO: &str = "also ";
+
+/// The words that begin a mistake.
+pub(crate) const BEGINNINGS: [&str; 2] = [MISTAKE, ALSO];
 
 /// What separates the text to find from its replacement. Rust has no such operator.
 const BECOMES: &str = "~>";
@@ -248,12 +251,7 @@ impl Reader {
                 let (form, edit) = match content.strip_prefix(LIKE) {
                     Some(like) => {
                         let (of, edit) = like.split_once('"').unwrap_or((like, ""));
-                        let mut forms = self.corpus.mutants.iter();
-                        let form = forms.find(|form| form.code.is_some() && form.mistakes[0] == of);
-                        let code = form.and_then(|form| form.code.clone());
-                        self.like = Some(code.ok_or_else(|| {
-                            format!("`{LIKE}MISTAKE\"`, of a mistake above with a form `{CODE}:`")
-                        })?);
+                        self.like = Some(file_of(&self.corpus.mutants, of)?);
                         form_of(REFERENCE, edit, &mistake.id)?
                     }
                     None => form(content, &mistake.id)?,
@@ -361,6 +359,13 @@ fn expected_form() -> String {
          [\"NAME\"] [held out] [in FUNCTION]: TEXT TO FIND {BECOMES} REPLACEMENT`, or with \
          `{{{{OLD {BECOMES} NEW}}}}` in a text"
     )
+}
+
+/// The file of the first form of the mistake `id` that is a whole file.
+fn file_of(mutants: &[Mutant], id: &str) -> Result<String, String> {
+    let mut own = mutants.iter().filter(|form| form.mistakes[0] == id);
+    own.find_map(|form| form.code.clone())
+        .ok_or_else(|| format!("`{LIKE}MISTAKE\"`, of a mistake above with a form `{CODE}:`"))
 }
 
 /// Reads the head of a form of the mistake `id`: the form, and the text that [`Reader::edit`] reads.

@@ -65,8 +65,8 @@ pub struct WrongNumbers {
     pub expected_differ: bool,
 }
 
-/// Numbers of a function's right answers in one aspect: the first two that are not the same, without
-/// those that are all 0, which code may give where there is nothing to compute.
+/// Numbers of a function's right answers in one aspect: the first two that are not the same,
+/// without those that are all 0, which code may give where there is nothing to compute.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RightNumbers {
     /// The function, in cases or tasks with several.

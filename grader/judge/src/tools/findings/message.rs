@@ -23,6 +23,8 @@ pub struct Message {
     pub question: String,
     /// The numbers of the result, each with the expected one.
     pub compared: Vec<[f64; 2]>,
+    /// Whether these are numbers of something else than what is called wrong.
+    pub are_beside: bool,
 }
 
 impl Message {
@@ -43,6 +45,15 @@ impl Message {
         let pairs = yours.into_iter().zip(expected);
         self.compared.extend(pairs.map(|(a, b)| [a, b]));
         self
+    }
+
+    /// Adds numbers as [`Message::compares`], of something else than what is called wrong, such as
+    /// the end of a ray where the sum over rays is.
+    pub fn compares_beside(self, yours: f64, expected: f64) -> Message {
+        Message {
+            are_beside: true,
+            ..self.compares([yours], [expected])
+        }
     }
 
     /// Adds why something else is expected: it ends the sentence.

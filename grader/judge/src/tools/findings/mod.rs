@@ -179,7 +179,7 @@ impl Findings {
         let Some(message) = words() else {
             return;
         };
-        if may_be_the_same {
+        if may_be_the_same && !message.are_beside {
             finding.add_numbers(named, &message.compared);
         }
         // Of errors of about the same size, the one with the fewest digits to read.

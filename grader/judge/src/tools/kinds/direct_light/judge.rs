@@ -360,7 +360,7 @@ impl Estimate<'_> {
                 "your result: a shadow ray with max_t = {:?}; expected: it ends just before its light, at t = {far:?}. The sum {:?} is right for these rays",
                 recorded.ray.max_t, self.answer.radiance
             ))
-            .compares([recorded.ray.max_t], [far])
+            .compares_beside(recorded.ray.max_t, far)
             .asked(self.about())
         });
     }

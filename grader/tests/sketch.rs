@@ -15,17 +15,9 @@ fn triangle(ray: Ray, expected: Option<f64>, yours: Option<f64>) -> ShownRay {
         Vec3::new(4.0, 0.0, 0.0),
         Vec3::new(0.0, 4.0, 0.0),
     ];
-    let [p0, p1, p2] = corners;
     ShownRay {
         scene: Scene {
-            triangles: vec![Triangle {
-                p0,
-                p1,
-                p2,
-                n0: n,
-                n1: n,
-                n2: n,
-            }],
+            triangles: vec![Triangle::smooth(corners, [n; 3])],
             ..Scene::default()
         },
         expected: expected.into_iter().collect(),

@@ -33,14 +33,7 @@ pub(crate) fn wire_hit(h: &kit::Hit) -> wire::answer::Hit {
 
 pub(crate) fn triangle(v: &[Xyz; 6]) -> kit::Triangle {
     let [p0, p1, p2, n0, n1, n2] = v.map(kit::Vec3::from);
-    kit::Triangle {
-        p0,
-        p1,
-        p2,
-        n0,
-        n1,
-        n2,
-    }
+    kit::Triangle::smooth([p0, p1, p2], [n0, n1, n2])
 }
 
 pub(crate) fn sphere(&(center, radius): &(Xyz, f64)) -> kit::Sphere {

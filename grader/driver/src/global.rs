@@ -89,12 +89,8 @@ fn facing(step: &Step) -> Triangle {
     let frame = kit::Frame::around(step.n.into());
     let p = Vec3::from(step.p);
     let corner = |x: f64, y: f64| p + x * frame.s + y * frame.t;
-    Triangle {
-        n0: frame.n,
-        n1: frame.n,
-        n2: frame.n,
-        ..Triangle::flat(corner(-1.0, -1.0), corner(1.0, -1.0), corner(0.0, 1.0))
-    }
+    let points = [corner(-1.0, -1.0), corner(1.0, -1.0), corner(0.0, 1.0)];
+    Triangle::smooth(points, [frame.n; 3])
 }
 
 fn run_path(stage: &Global, call: u32, path: &ScriptedPath) -> PathAnswer {

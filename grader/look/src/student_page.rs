@@ -87,9 +87,10 @@ fn header(look: &Look) -> String {
     if let Some(diagnosis) = &look.diagnosis {
         let _ = writeln!(
             text,
-            "<details class=\"hint\"><summary>The likely mistake</summary><p>{}: {}.</p><p>{}</p></details>",
+            "<details class=\"hint\"><summary>What the mistake may be</summary><p>{}: {}.</p><p>{}: {}</p></details>",
             diagnosis.certainty.label(),
             escape(&diagnosis.says),
+            diagnosis.certainty.before_hint(),
             escape(&diagnosis.hint)
         );
     }

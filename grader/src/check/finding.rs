@@ -3,6 +3,7 @@
 use super::blame::Blame;
 use crate::course::Task;
 use crate::course::sources::SourceFile;
+use crate::diagnosis::Certainty;
 use crate::diagnosis::simplest::SimplestCall;
 use crate::grade::one_by_one::{Graded, is_whole};
 use crate::report::{HintLevel, TaskReport, message};
@@ -174,7 +175,10 @@ impl Finding {
             let label = found.certainty.label().to_lowercase();
             format!("{label}: {}", found.says)
         });
-        self.remedy = diagnosis.map(|found| found.hint.clone());
+        self.remedy = diagnosis.map(|found| match found.certainty {
+            Certainty::Likely => found.hint.clone(),
+            Certainty::Perhaps => format!("{}: {}", found.certainty.before_hint(), found.hint),
+        });
     }
 
     /// The message in a line, as far as `hint` reveals it.

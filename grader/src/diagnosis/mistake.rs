@@ -118,6 +118,14 @@ impl Certainty {
             Certainty::Perhaps => "Perhaps",
         }
     }
+
+    /// The words with which reports begin the hint: that of a mistake which may not be made is a condition.
+    pub fn before_hint(self) -> &'static str {
+        match self {
+            Certainty::Likely => "Hint",
+            Certainty::Perhaps => "If so",
+        }
+    }
 }
 
 #[cfg(test)]

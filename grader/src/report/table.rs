@@ -300,7 +300,8 @@ fn explanation(text: &mut String, report: &TaskReport, hint: HintLevel, is_core:
                 diagnosis.says
             );
             if hint >= HintLevel::Remedy {
-                let _ = writeln!(text, "  Hint: {}", diagnosis.hint);
+                let before = diagnosis.certainty.before_hint();
+                let _ = writeln!(text, "  {before}: {}", diagnosis.hint);
                 if let Some(place) = section(&report.result.key, Section::Mistakes) {
                     let _ = writeln!(text, "  More in the book: {place}");
                 }

@@ -52,16 +52,10 @@ impl IndexedMesh {
             *normal = normal.normalize_or_zero();
         }
         let triangle = |face: &[u32; 3]| {
-            let [p0, p1, p2] = self.corners(*face);
-            let [n0, n1, n2] = face.map(|vertex| normals[vertex as usize]);
-            Triangle {
-                p0,
-                p1,
-                p2,
-                n0,
-                n1,
-                n2,
-            }
+            Triangle::smooth(
+                self.corners(*face),
+                face.map(|vertex| normals[vertex as usize]),
+            )
         };
         self.faces.iter().map(triangle).collect()
     }

@@ -115,13 +115,8 @@ fn snow() -> Vec<Triangle> {
         for k in -125..12 {
             let corners = [(i, k), (i, k + 1), (i + 1, k + 1), (i + 1, k)];
             let [a, b, c, d] = corners.map(|(i, k)| vertex(i, k));
-            for [p, q, r] in [[a, b, c], [a, c, d]] {
-                all.push(Triangle {
-                    n0: p.1,
-                    n1: q.1,
-                    n2: r.1,
-                    ..Triangle::flat(p.0, q.0, r.0)
-                });
+            for face in [[a, b, c], [a, c, d]] {
+                all.push(Triangle::smooth(face.map(|v| v.0), face.map(|v| v.1)));
             }
         }
     }

@@ -69,15 +69,10 @@ pub(crate) fn lathe(base: Vec3, profile: &[[f64; 2]]) -> Vec<Triangle> {
                 at(i + 1, r0, y0),
             ];
             let has_area = [r1 > 0.0, r0 > 0.0];
-            for ([a, b, c], is_there) in [[0, 1, 2], [0, 2, 3]].into_iter().zip(has_area) {
+            for (face, is_there) in [[0, 1, 2], [0, 2, 3]].into_iter().zip(has_area) {
                 if is_there {
-                    let [a, b, c] = [corners[a], corners[b], corners[c]];
-                    triangles.push(Triangle {
-                        n0: a.1,
-                        n1: b.1,
-                        n2: c.1,
-                        ..Triangle::flat(a.0, b.0, c.0)
-                    });
+                    let face = face.map(|i| corners[i]);
+                    triangles.push(Triangle::smooth(face.map(|v| v.0), face.map(|v| v.1)));
                 }
             }
         }

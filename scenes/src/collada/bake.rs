@@ -40,14 +40,10 @@ impl TriangleTransform {
         }
         let transformed =
             |n: Vec3| unit(self.normals * n).unwrap_or_else(|| Triangle::flat(p0, p1, p2).n0);
-        Some(Triangle {
-            p0,
-            p1,
-            p2,
-            n0: transformed(n0),
-            n1: transformed(n1),
-            n2: transformed(n2),
-        })
+        Some(Triangle::smooth(
+            [p0, p1, p2],
+            [n0, n1, n2].map(transformed),
+        ))
     }
 }
 

@@ -116,13 +116,6 @@ fn finish(corners: &Corners, positions: &[Vec3], smooth: &SmoothNormals) -> Opti
         .normals
         .unwrap_or_else(|| smooth.at(corners.positions));
     // A normal that cancels out or is zero in the file is replaced by the geometric normal.
-    let [n0, n1, n2] = normals.map(|n| n.try_normalize().unwrap_or(face));
-    Some(Triangle {
-        p0,
-        p1,
-        p2,
-        n0,
-        n1,
-        n2,
-    })
+    let normals = normals.map(|n| n.try_normalize().unwrap_or(face));
+    Some(Triangle::smooth([p0, p1, p2], normals))
 }

@@ -202,15 +202,8 @@ impl<'f> Builder<'f> {
                 _ if mesh.is_smooth => smooth.at(corners.map(|corner| corner.position)),
                 _ => [face; 3],
             };
-            let [n0, n1, n2] = normals.map(|n| n.try_normalize().unwrap_or(face));
-            let local = Triangle {
-                p0,
-                p1,
-                p2,
-                n0,
-                n1,
-                n2,
-            };
+            let normals = normals.map(|n| n.try_normalize().unwrap_or(face));
+            let local = Triangle::smooth([p0, p1, p2], normals);
             is_smoothed |= given[0].is_none() && mesh.is_smooth && looks_round(&local);
             let Some(placed) = transform.triangle(&local) else {
                 let title = format!("`{name}` is too far from the origin");

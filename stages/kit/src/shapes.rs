@@ -34,13 +34,18 @@ impl Triangle {
     /// area).
     pub fn flat(p0: Vec3, p1: Vec3, p2: Vec3) -> Triangle {
         let n = (p1 - p0).cross(p2 - p0).normalize_or_zero();
+        Triangle::smooth([p0, p1, p2], [n; 3])
+    }
+
+    /// The triangle with these vertices, and at each the unit normal of the same number.
+    pub fn smooth([p0, p1, p2]: [Vec3; 3], [n0, n1, n2]: [Vec3; 3]) -> Triangle {
         Triangle {
             p0,
             p1,
             p2,
-            n0: n,
-            n1: n,
-            n2: n,
+            n0,
+            n1,
+            n2,
         }
     }
 

@@ -19,14 +19,7 @@ fn sheet(degrees: f64, light: Vec3, material: Material) -> LitScene {
     ];
     let scene = Scene {
         triangles: triangles
-            .map(|[p0, p1, p2]| Triangle {
-                p0,
-                p1,
-                p2,
-                n0: n,
-                n1: n,
-                n2: n,
-            })
+            .map(|points| Triangle::smooth(points, [n; 3]))
             .to_vec(),
         object_of: vec![0, 0],
         objects: vec![Object {

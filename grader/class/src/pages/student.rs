@@ -144,11 +144,14 @@ fn task_section(
         @if let Some(sheet) = sheet { (picture_of(task, sheet)) }
         @if hint >= HintLevel::Findings { (list(&task.regularities)) }
         @if let Some(diagnosis) = diagnosis.filter(|_| hint >= HintLevel::Mistake) {
+            @let is_likely = diagnosis.certainty == "likely";
             p {
-                strong { @if diagnosis.certainty == "likely" { "Likely:" } @else { "Perhaps:" } }
+                strong { @if is_likely { "Likely:" } @else { "Perhaps:" } }
                 " " (diagnosis.says)
             }
-            @if hint >= HintLevel::Remedy { p { (diagnosis.hint) } }
+            @if hint >= HintLevel::Remedy {
+                p { @if !is_likely { "If so: " } (diagnosis.hint) }
+            }
         }
         @for case in task.cases.iter().filter(lost_points) { (case_card(case, hint)) }
         @if let Some(test) = test.filter(|_| hint >= HintLevel::Findings) {

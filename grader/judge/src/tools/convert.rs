@@ -16,14 +16,7 @@ pub fn ray(r: &work::Ray) -> Ray {
 /// A triangle from its vertices and their normals.
 pub fn triangle(vectors: &[Xyz; 6]) -> Triangle {
     let [p0, p1, p2, n0, n1, n2] = vectors.map(Vec3::from);
-    Triangle {
-        p0,
-        p1,
-        p2,
-        n0,
-        n1,
-        n2,
-    }
+    Triangle::smooth([p0, p1, p2], [n0, n1, n2])
 }
 
 /// A sphere from its centre and radius.

@@ -311,7 +311,8 @@ fn explanation(out: &mut Lines, report: &TaskReport, reveal: Reveal) {
             let label = found.certainty.label();
             out.add(0, WHOLE, &format!("  {label}: {}.", found.says));
             if reveal.hint >= HintLevel::Remedy {
-                out.add(1, WHOLE, &format!("  Hint: {}", found.hint));
+                let before = found.certainty.before_hint();
+                out.add(1, WHOLE, &format!("  {before}: {}", found.hint));
                 read_more(out, &report.result.key, Section::Mistakes);
             }
         }

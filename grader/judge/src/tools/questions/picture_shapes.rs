@@ -49,13 +49,8 @@ pub(crate) fn ring(around: u32, across: u32) -> Vec<Triangle> {
         let n = Vec3::new(cos * out, rise, sin * out);
         (Vec3::new(1.4 * cos, 0.0, 1.4 * sin) + 0.45 * n, n)
     };
-    let triangle = |[(p0, n0), (p1, n1), (p2, n2)]: [(Vec3, Vec3); 3]| Triangle {
-        p0,
-        p1,
-        p2,
-        n0,
-        n1,
-        n2,
+    let triangle = |vertices: [(Vec3, Vec3); 3]| {
+        Triangle::smooth(vertices.map(|v| v.0), vertices.map(|v| v.1))
     };
     let facet = |i: u32, j: u32| {
         let [a, b, c, d] = [

@@ -103,12 +103,7 @@ pub(super) fn parallel() -> TriangleWork {
 
 pub(super) fn no_area() -> TriangleWork {
     let point = |x: f64, y: f64| Vec3::new(x, y, 1.0);
-    let flat_to = |p0, p1, p2| Triangle {
-        n0: Vec3::Z,
-        n1: Vec3::Z,
-        n2: Vec3::Z,
-        ..Triangle::flat(p0, p1, p2)
-    };
+    let flat_to = |p0, p1, p2| Triangle::smooth([p0, p1, p2], [Vec3::Z; 3]);
     let lines = [
         [point(0.0, 0.0), point(4.0, 0.0), point(8.0, 0.0)],
         [point(0.0, 0.0), point(4.0, 4.0), point(2.0, 2.0)],

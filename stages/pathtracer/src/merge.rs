@@ -48,7 +48,8 @@ fn merged_head(parts: &[(&Path, SumsHead)]) -> Result<SumsHead, String> {
         if same(part) != same(&first) {
             return Err(format!(
                 "{} and {} are not parts of one picture: render all with the same scene, camera, textures and flags, \
-                 apart from -p, --first-sample, -s and -t",
+                 apart from -p, --first-sample, -s and -t. With -s 1 samples are at the centres of the pixels: it goes \
+                 with no other -s",
                 first_path.display(),
                 path.display()
             ));
@@ -129,6 +130,12 @@ fn missing(whole: &SumsHead, cell: Cell, first: u32, end: u32) -> String {
         format!("-p {x0} {y0} {} {} ", x1 - x0, y1 - y0)
     };
     let samples = end - first;
+    if samples == 1 && whole.samples > 1 {
+        return format!(
+            "a part is missing: of {cell}sample {first} alone. A part has at least two, because the only sample of a \
+             picture is at the centre of its pixel: render this one together with a neighbouring part"
+        );
+    }
     let range = match first {
         0 => format!("-s {samples}"),
         _ => format!("--first-sample {first} -s {samples}"),
@@ -196,6 +203,8 @@ mod tests {
             part([3, 2, 8, 4], 0, 8),
         ]);
         assert!(hole.unwrap_err().contains("with -p 3 1 5 1 -s 8, and"));
+        let one = merged(&[part(whole, 0, 8), part(whole, 9, 3)]);
+        assert!(one.unwrap_err().contains("of sample 8 alone. A part has"));
         let short = merged(&[part([0, 0, 3, 4], 0, 8), part([3, 0, 8, 4], 0, 6)]);
         assert!(
             short

@@ -94,6 +94,39 @@ fn adaptive_cells_merge_with_their_sample_counts() {
     assert!(bytes(folder, "all_rate.png") == bytes(folder, "whole_rate.png"));
 }
 
+/// A part depends on all that was read and on what flags make of it, not on the scene's file alone.
+#[test]
+fn parts_of_changed_materials_or_normals_are_refused() {
+    let folder = folder();
+    let folder = folder.path();
+    let write = |name: &str, text: &str| fs::write(folder.join(name), text).expect("a file");
+    write(
+        "s.obj",
+        "mtllib s.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nvn 0.6 0 0.8\nusemtl m\nf 1//1 2//2 3//1\n",
+    );
+    let part = |name: &str, flags: &str| {
+        let (code, _, notes) = run(folder, &format!("s.obj -r 8 6 {flags} -f {name}.sums"));
+        assert_eq!(code, 0, "{notes}");
+    };
+    write("s.mtl", "newmtl m\nKd 0.5 0.5 0.5\n");
+    part("a", "-s 4");
+    part("flat", "-s 4 --first-sample 4 --normals flat");
+    part("same", "-s 4 --first-sample 4");
+    write("s.mtl", "newmtl m\nKd 0.5 0.9 0.5\n");
+    part("green", "-s 4 --first-sample 4");
+    refused(
+        folder,
+        "merge -f all.exr a.sums flat.sums",
+        "not parts of one picture",
+    );
+    refused(
+        folder,
+        "merge -f all.exr a.sums green.sums",
+        "not parts of one picture",
+    );
+    assert_eq!(run(folder, "merge -f all.exr a.sums same.sums").0, 0);
+}
+
 fn refused(folder: &Path, args: &str, sentence: &str) {
     let (code, _, output) = run(folder, args);
     assert_eq!(code, 2, "`{args}` prints:\n{output}");

@@ -1,6 +1,7 @@
 //! Parts of a picture: what they have in common, and their files.
 
 use crate::failure::Failure;
+use kit::Scene;
 use kit::sampler::Pattern;
 use pathtracer::args::Args;
 use pathtracer::sums_file::Fingerprint;
@@ -48,9 +49,9 @@ pub(crate) fn note_interrupted_adaptive(samples: u64) -> String {
     )
 }
 
-/// Identifies what the samples depend on: the files that are read, the camera, the size of the
-/// picture, the random numbers and the settings. Neither the part nor the threads, nor how
-/// intersections are found.
+/// Identifies what the samples depend on: the scene as it was read from all of its files, the
+/// camera, the size of the picture, the random numbers and the settings. Neither the part nor the
+/// threads, nor how intersections are found.
 fn fingerprint(
     args: &Args,
     job: &Job,
@@ -58,21 +59,21 @@ fn fingerprint(
     scene: &PreparedScene,
 ) -> Result<u64, Failure> {
     let mut picture = Fingerprint::default();
-    for path in [Some(&args.scene), args.environment.as_ref()]
-        .into_iter()
-        .flatten()
-    {
+    if let Some(path) = &args.environment {
         let bytes = fs::read(path).map_err(|why| {
             Failure::Input(format!("cannot read {} again: {why}", path.display()))
         })?;
         add_file(&mut picture, &bytes);
     }
+    add_scene(&mut picture, scene.scene());
     let folder = args.scene.parent().unwrap_or(Path::new(""));
-    for texture in &scene.scene().textures.files {
+    let textures = &scene.scene().textures;
+    for file in &textures.files {
         // One that cannot be read is grey, as if it were empty.
+        let read = || fs::read(folder.join(file)).unwrap_or_default();
         add_file(
             &mut picture,
-            &fs::read(folder.join(texture)).unwrap_or_default(),
+            &textures.embedded.get(file).cloned().unwrap_or_else(read),
         );
     }
     let settings = LightSettings {
@@ -93,6 +94,40 @@ fn fingerprint(
         .as_bytes(),
     );
     Ok(picture.value())
+}
+
+/// Adds all of a scene but the bytes of its images, and the camera, which is that of the picture.
+fn add_scene(picture: &mut Fingerprint, scene: &Scene) {
+    for t in &scene.triangles {
+        for number in [t.p0, t.p1, t.p2, t.n0, t.n1, t.n2]
+            .map(|v| v.to_array())
+            .as_flattened()
+        {
+            picture.add(&number.to_bits().to_le_bytes());
+        }
+    }
+    for object in &scene.object_of {
+        picture.add(&object.to_le_bytes());
+    }
+    for number in scene.textures.coordinates.as_flattened() {
+        picture.add(
+            &[number.x, number.y]
+                .map(|x| x.to_bits().to_le_bytes())
+                .concat(),
+        );
+    }
+    let textures: Vec<Option<u32>> = (0..scene.materials.len() as u32)
+        .map(|material| scene.textures.of_material(material))
+        .collect();
+    let Scene {
+        spheres,
+        objects,
+        materials,
+        lights,
+        ..
+    } = scene;
+    let rest = format!("{spheres:?} {objects:?} {materials:?} {lights:?} {textures:?}");
+    picture.add(rest.as_bytes());
 }
 
 fn add_file(picture: &mut Fingerprint, bytes: &[u8]) {

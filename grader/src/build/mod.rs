@@ -5,10 +5,12 @@ mod changed_signature;
 pub mod compile_errors;
 pub mod compile_warnings;
 mod read_files;
+mod restored;
 mod target_folder;
 
 pub use changed_signature::{StageFunction, stage_functions};
 
+use self::restored::Stamps;
 use crate::build::cargo_run::{MOST_TIME, run_cargo};
 use crate::build::read_files::ReadFiles;
 use crate::course::sources;
@@ -133,10 +135,16 @@ impl BuildRoot<'_> {
                 "Compiling your code and the program that runs it: some ten seconds the first time."
             );
         }
+        let own = || own_target(self.root);
+        let target = self.target.map(Path::to_path_buf).or_else(own);
+        let is_own = self.launcher.is_none();
+        let stamps = (target.filter(|_| is_own))
+            .map(|target| Stamps::before_build(self.root, &target.join("release")));
         let command = self.command(features, show && has_colours());
         let built = run_cargo(command, WORKER, show, self.most_time())?;
         match self.without_foreign_files(built, features)? {
             Ok(program) => {
+                stamps.iter().for_each(Stamps::store);
                 ensure_not_of_the_future(&program, SystemTime::now())?;
                 let worker = copy_under_own_name(program, features)?;
                 Ok(BuildOutcome::Worker(Worker {
@@ -148,7 +156,10 @@ impl BuildRoot<'_> {
                 self.add_files_without_text(&mut errors, show);
                 match self.launcher {
                     Some(_) => self.blame_the_code(&mut errors, features)?,
-                    None => errors.ensure_of_the_code()?,
+                    None => {
+                        self.ensure_libraries_compile(&errors)?;
+                        errors.ensure_of_the_code()?;
+                    }
                 }
                 Ok(BuildOutcome::DoesNotCompile(
                     self.with_explanation(errors, features, show),
@@ -225,6 +236,21 @@ impl BuildRoot<'_> {
             errors.failed_crates.extend(first.take(1));
         }
         Ok(())
+    }
+
+    /// Returns an error if a crate failed that is not in the workspace: settings of cargo, such as
+    /// another target, or the toolchain are at fault.
+    fn ensure_libraries_compile(&self, errors: &CompileErrors) -> Result<(), GraderError> {
+        let is_own = |name: &String| {
+            let mut folders = ["stages", "grader"].into_iter();
+            folders.any(|folder| self.root.join(folder).join(name).is_dir())
+        };
+        match errors.failed_crates.iter().find(|name| !is_own(name)) {
+            None => Ok(()),
+            Some(library) => Err(GraderError::new(format!(
+                "this machine cannot build the library `{library}`. This is no error in the code, so nothing is graded. Look at the compiler's messages, and for settings such as `target` in a `.cargo/config.toml` in the folders above or at home; `cargo grader doctor` says what is missing"
+            ))),
+        }
     }
 
     /// Adds an error for each file of a stage that failed which is no text: the compiler may not say
@@ -314,7 +340,12 @@ pub fn build_program_with_stages(
     root: &Path,
     package: &str,
 ) -> Result<Result<PathBuf, String>, GraderError> {
-    build_in(root, package, target_folder::of(root))
+    let stamps = own_target(root).map(|it| Stamps::before_build(root, &it.join("release")));
+    let built = build_in(root, package, target_folder::of(root))?;
+    if built.is_ok() {
+        stamps.iter().for_each(Stamps::store);
+    }
+    Ok(built)
 }
 
 /// The test program of each stage with the worked examples of its chapters.
@@ -329,6 +360,7 @@ pub(crate) fn build_worked_example(
     if is_first_build(root, "debug/deps") {
         errln!("Compiling the tests, as `cargo test` does: half a minute the first time.");
     }
+    let stamps = own_target(root).map(|it| Stamps::before_build(root, &it.join("debug")));
     let mut command = Command::new(child_processes::cargo());
     command.current_dir(root);
     command.args(["test", "--no-run", "--test", WORKED_EXAMPLE]);
@@ -338,8 +370,9 @@ pub(crate) fn build_worked_example(
         command.arg("--target-dir").arg(target);
     }
     let built = run_cargo(command, stage, true, None)?;
-    if let Err(errors) = &built {
-        errors.ensure_of_the_code()?;
+    match (&built, stamps) {
+        (Err(errors), _) => errors.ensure_of_the_code()?,
+        (Ok(_), stamps) => stamps.iter().for_each(Stamps::store),
     }
     Ok(built.ok())
 }
@@ -376,10 +409,16 @@ fn program_build(root: &Path, package: &str, target: Option<PathBuf>) -> Command
 
 /// Whether cargo has never written `file` in its own folder of the workspace `root`.
 fn is_first_build(root: &Path, file: &str) -> bool {
-    let program = std::env::current_exe().ok();
-    let target = program.as_deref().and_then(|path| path.parent()?.parent());
     let is_own = target_folder::of(root).is_none();
-    is_own && target.is_some_and(|target| !target.join(file).exists())
+    is_own && own_target(root).is_some_and(|target| !target.join(file).exists())
+}
+
+/// The folder in which cargo builds the stages of the workspace `root`.
+fn own_target(root: &Path) -> Option<PathBuf> {
+    target_folder::of(root).or_else(|| {
+        let program = std::env::current_exe().ok()?;
+        Some(program.parent()?.parent()?.to_path_buf())
+    })
 }
 
 fn has_colours() -> bool {
@@ -390,8 +429,26 @@ fn has_colours() -> bool {
 fn release_build(root: &Path, package: &str, colours: bool) -> Command {
     let mut command = Command::new(child_processes::cargo());
     command.current_dir(root);
+    if let Ok(flags) = std::env::var("RUSTFLAGS") {
+        command.env("RUSTFLAGS", with_warnings_allowed(&flags));
+    }
     build_arguments(&mut command, package, colours);
     command
+}
+
+/// Flags of the compiler without those that make each warning an error, as continuous integration
+/// sets them: a variable that is not used costs no points.
+fn with_warnings_allowed(flags: &str) -> String {
+    let mut text = format!(
+        " {} ",
+        flags.split_whitespace().collect::<Vec<_>>().join(" ")
+    );
+    for flag in ["-D", "-F", "--deny", "--forbid"] {
+        for between in ["", " ", "="] {
+            text = text.replace(&format!(" {flag}{between}warnings "), " ");
+        }
+    }
+    text.trim().to_string()
 }
 
 /// The arguments of that command.
@@ -453,6 +510,21 @@ mod tests {
     use super::*;
 
     #[test]
+    fn warnings_stay_warnings() {
+        for (flags, allowed) in [
+            ("-D warnings", ""),
+            ("-Dwarnings  --deny=warnings", ""),
+            (
+                "-C target-cpu=native --forbid warnings -W unused",
+                "-C target-cpu=native -W unused",
+            ),
+            ("-D unused", "-D unused"),
+        ] {
+            assert_eq!(with_warnings_allowed(flags), allowed);
+        }
+    }
+
+    #[test]
     fn a_program_from_the_future_is_not_run() {
         let folder = tempfile::tempdir().unwrap();
         let program = folder.path().join("worker");
@@ -509,6 +581,13 @@ mod tests {
                 errors.messages
             );
             assert_eq!(errors.ensure_of_the_code(), Ok(()));
+            assert_eq!(root.ensure_libraries_compile(&errors), Ok(()));
+            errors.add("serde_core", "can't find crate for `core`".into(), true);
+            let why = root.ensure_libraries_compile(&errors).unwrap_err();
+            assert!(
+                why.to_string().contains("the library `serde_core`"),
+                "{why}"
+            );
         }
     }
 }

@@ -90,7 +90,9 @@ impl Crash {
                 }
                 Outcome::Panicked { message, location, call } => {
                     panicked_at = place(location);
-                    (Panic, Some(*call), format!("panicked at {location}: {message}"))
+                    // Code that replaces the hook of panics hides the place.
+                    let at = if location.is_empty() { "" } else { " at " };
+                    (Panic, Some(*call), format!("panicked{at}{location}: {message}"))
                 }
                 Outcome::CalledTooOften { function, times, asked_for, call } => {
                     let times = with_commas(*times);

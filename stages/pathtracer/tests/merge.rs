@@ -97,8 +97,8 @@ fn adaptive_cells_merge_with_their_sample_counts() {
 /// A part depends on all that was read and on what flags make of it, not on the scene's file alone.
 #[test]
 fn parts_of_changed_materials_or_normals_are_refused() {
-    let folder = folder();
-    let folder = folder.path();
+    let kept = folder();
+    let folder = kept.path();
     let write = |name: &str, text: &str| fs::write(folder.join(name), text).expect("a file");
     write(
         "s.obj",

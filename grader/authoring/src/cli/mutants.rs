@@ -132,6 +132,7 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     }
     let tasks = course.select(what)?;
     let _progress = progress::start("mutants", tasks.len());
+    let mut found_some = false;
     for task in tasks {
         if matches.get_flag("stored") {
             print_stored(&workspace, &task.key)?;
@@ -183,6 +184,7 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
         if let Some(folder) = with {
             let mutants = Corpus::read_unlisted(folder, task)?;
             if !mutants.is_empty() {
+                found_some = true;
                 let known = diagnosis::known(&workspace, &task.key)?;
                 let graded = run::unlisted(&workspace, &course, task, mutants)?;
                 show_unlisted(&task.key, &graded, &known);
@@ -266,7 +268,13 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
             exit = Exit::Failed;
         }
     }
-    Ok(exit)
+    match with {
+        Some(folder) if !found_some => Err(GraderError::new(format!(
+            "{} has no form of a mistake of {what}: expected a file of the task's name, such as part1.task3.txt",
+            folder.display()
+        ))),
+        _ => Ok(exit),
+    }
 }
 
 /// Prints the stored table and signatures.

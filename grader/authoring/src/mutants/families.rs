@@ -113,10 +113,8 @@ fn edited(on: &str, text: &str, within: &[Range<usize>], sources: &Sources) -> V
         (before != after).then(|| Mutant {
             mistakes: vec![format!("{before} => {after}")],
             on: on.into(),
-            how: String::new(),
             edits: vec![edit],
-            code: None,
-            held_out: false,
+            ..Mutant::default()
         })
     };
     slips.filter_map(of_slip).collect()

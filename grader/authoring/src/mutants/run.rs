@@ -335,11 +335,14 @@ pub fn versions(
         } else {
             let variant = variants.iter().find(|variant| variant.name == mutant.on);
             let variant = variant.ok_or_else(|| {
+                let all = variants.iter().map(|variant| variant.name.as_str());
+                let names: Vec<&str> = [REFERENCE].into_iter().chain(all).collect();
                 GraderError::new(format!(
-                    "mutant `{}` changes `{}`, which is not a variant of the stage `{}`",
+                    "the form of `{}` that ends in line {} of its list changes `{}`; expected one of {}",
                     mutant.name(),
+                    mutant.line,
                     mutant.on,
-                    task.stage
+                    names.join(", ")
                 ))
             })?;
             let only = mutant.apply(&[(PathBuf::from("lib.rs"), variant.text.clone())].into())?;

@@ -257,12 +257,10 @@ impl Reproduction {
             ..Edit::default()
         });
         Mutant {
-            code: None,
             mistakes: vec![self.name.into()],
             on: "reference".into(),
-            how: String::new(),
             edits: edits.collect(),
-            held_out: false,
+            ..Mutant::default()
         }
     }
 }

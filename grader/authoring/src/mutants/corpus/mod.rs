@@ -41,6 +41,8 @@ pub struct Mistake {
 pub struct Mutant {
     /// The name of the mistake, or the names of two that are made at once.
     pub mistakes: Vec<String>,
+    /// The last line of its form in the list, counted from 1; 0 if it is of no list.
+    pub line: usize,
     /// The code that it changes: `reference` or the name of a variant.
     pub on: String,
     /// A name that distinguishes mutants with the same mistake in the same code.
@@ -135,6 +137,16 @@ impl Corpus {
                 twice.id
             ));
         }
+        let made: BTreeSet<&String> = self
+            .mutants
+            .iter()
+            .flat_map(|form| &form.mistakes)
+            .collect();
+        if let Some(bare) = ids.iter().find(|id| !made.contains(*id)) {
+            return Err(format!(
+                "no form makes the mistake `{bare}`: add a line below its hint, such as `reference: OLD ~> NEW`"
+            ));
+        }
         let mut names = BTreeSet::new();
         if let Some(twice) = self
             .mutants
@@ -143,7 +155,7 @@ impl Corpus {
             .find(|name| !names.insert(name.clone()))
         {
             return Err(format!(
-                "two mutants have the name `{twice}`: give one of them another `how`"
+                "two mutants have the name `{twice}`: give one of them another name in quotes"
             ));
         }
         for mutant in &self.mutants {
@@ -174,9 +186,9 @@ impl Mutant {
         let mut sources = sources.clone();
         for edit in &self.edits {
             edit.apply(&mut sources).map_err(|why| {
-                let name = self.name();
+                let (name, line) = (self.name(), self.line);
                 GraderError::new(format!(
-                    "mutant `{name}`: {why}. Update it to match the code"
+                    "the form of `{name}` that ends in line {line} of its list: {why}. Update it to match the code"
                 ))
             })?;
         }
@@ -256,7 +268,7 @@ impl Edit {
             find,
             replace,
         } = self;
-        let mut found = 0;
+        let (mut found, mut has_place) = (0, false);
         let mut place = "the sources".to_string();
         if !within.is_empty() {
             place = format!("the function `{within}`");
@@ -269,6 +281,7 @@ impl Edit {
                     None => continue,
                 },
             };
+            has_place = true;
             let mut inside = text[scope.clone()].to_string();
             found += inside.matches(find.as_str()).count();
             inside = inside.replace(find, replace);
@@ -276,6 +289,7 @@ impl Edit {
         }
         match found {
             1 => Ok(()),
+            _ if !has_place => Err(format!("there is no {}", &place["the ".len()..])),
             _ => Err(format!(
                 "expected its text once in {place}, found it {found} times: {find:?}"
             )),

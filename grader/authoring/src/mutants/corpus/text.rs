@@ -22,7 +22,7 @@
 //!
 //! `and` begins a further edit of the same form. The replacement may also be below the text to
 //! find, in one or more lines that begin with `~>`. `\n` is the end of a line in the code, `\s` a
-//! space at an end of a text, `\{` a brace, `\\` a backslash.
+//! space at an end of a text, `\{` and `\}` are braces, `\\` is a backslash.
 //! A form may also be a whole file, indented by four spaces below `code:`, or edits
 //! of the file of a mistake above, after `code like "MISTAKE":`. `symptom` marks a mistake that is only a symptom,
 //! `seen:` has its numbers in the list of observed mistakes.
@@ -97,6 +97,8 @@ impl fmt::Display for FormatError {
 /// Reads a list of mistakes.
 pub(super) fn read(text: &str) -> Result<Corpus, FormatError> {
     let mut reader = Reader::default();
+    // Some editors begin a file with the mark of its encoding.
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let lines: Vec<Line> = (1..).zip(text.lines().map(Cow::from)).collect();
     reader.block(&lines)?;
     reader.end_form()?;
@@ -126,20 +128,29 @@ fn filled<'a>(each: &str, below: &[Line<'a>]) -> Result<Vec<Line<'a>>, String> {
             1 => vec![set],
             _ => set.split_whitespace().collect(),
         };
-        if values.len() != signs.len() || set.is_empty() {
+        let is_whole = !set.is_empty() && !set.ends_with(',');
+        if values.len() != signs.len() || !is_whole || tears_brackets(set) {
             let (number, signs) = (signs.len(), signs.join(" "));
             return Err(format!(
-                "{number} values for `{signs}` in each set, found `{set}`"
+                "a value for each sign of `{signs}` in each set ({number}), sets separated by `, `, which no value \
+                 contains; found `{set}`"
             ));
         }
+        let value_of = |letter: char| {
+            let sign = signs.iter().position(|sign| sign.starts_with(letter));
+            sign.map_or_else(|| letter.to_string(), |sign| values[sign].to_string())
+        };
         lines.extend(below.iter().map(|(number, line)| {
-            let line = line.strip_prefix(EACH_INDENT).unwrap_or(line).to_string();
-            let pairs = signs.iter().zip(&values);
-            let line = pairs.fold(line, |line, (sign, value)| line.replace(sign, value));
-            (*number, line.into())
+            let line = line.strip_prefix(EACH_INDENT).unwrap_or(line);
+            (*number, line.chars().map(value_of).collect())
         }));
     }
     Ok(lines)
+}
+
+/// Whether a set was torn inside of round brackets, as `f(a, b)` would be.
+fn tears_brackets(set: &str) -> bool {
+    set.matches('(').count() > set.matches(')').count() && !set.trim().ends_with('(')
 }
 
 #[derive(Default)]
@@ -231,8 +242,12 @@ impl Reader {
         };
         if let Some((mistake, hint)) = begun {
             let (id, description) = mistake.split_once(": ").unwrap_or((mistake, ""));
+            let is_named = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_';
+            if id.is_empty() || !id.chars().all(is_named) {
+                return Err("a name of small letters, digits and `_`, and after it `: `".into());
+            }
             self.corpus.mistakes.push(Mistake {
-                id: id.trim().into(),
+                id: id.into(),
                 description: description.trim().into(),
                 hint,
                 ..Mistake::default()
@@ -269,7 +284,10 @@ impl Reader {
     /// Reads an edit of the form that is being read, or only the text that it finds: a colon, or
     /// ` in FUNCTION:`, and the texts.
     fn edit(&mut self, edit: &str, number: usize) -> Result<(), String> {
-        let (form, last) = self.form.as_mut().ok_or("`and:` below a form")?;
+        let (form, last) = self
+            .form
+            .as_mut()
+            .ok_or("`and:` below a form; a hint is one line")?;
         let (edit, next) = split_and(edit);
         let (within, edit) = edit.split_once(':').ok_or_else(expected_form)?;
         let within = match within.strip_prefix(" in ") {
@@ -348,6 +366,7 @@ impl Reader {
             form.code = file.into_values().next();
             form.edits.clear();
         }
+        form.line = line;
         self.corpus.mutants.push(form);
         Ok(())
     }
@@ -457,8 +476,8 @@ fn unescaped(text: &str) -> Result<String, String> {
             '\\' => match letters.next() {
                 Some('n') => '\n',
                 Some('s') => ' ',
-                Some(letter @ ('\\' | '{')) => letter,
-                _ => return Err("`\\n`, `\\s`, `\\{` or `\\\\` after a backslash".into()),
+                Some(letter @ ('\\' | '{' | '}')) => letter,
+                _ => return Err("`n`, `s`, `{`, `}` or another backslash after a backslash".into()),
             },
             letter => letter,
         });
@@ -479,9 +498,16 @@ mod tests {
         }
     }
 
+    /// What is read of `text`, without the numbers of lines.
+    fn unnumbered(text: &str) -> Corpus {
+        let mut corpus = read(text).expect(text);
+        corpus.mutants.iter_mut().for_each(|form| form.line = 0);
+        corpus
+    }
+
     /// What is read of both, as text.
     fn assert_same(short: &str, long: &str) {
-        let [short, long] = [short, long].map(|text| read(text).expect(text));
+        let [short, long] = [short, long].map(unnumbered);
         assert_eq!(short.mutants, long.mutants);
         assert_eq!(
             format!("{:?}", short.mistakes),
@@ -500,6 +526,14 @@ mistake early: starts the roulette one bounce too early
   snell "long":
     # No comment: a file has its own.
 "#;
+
+    #[test]
+    fn the_mark_of_an_encoding_and_signs_in_values_are_no_others() {
+        let marked =
+            "\u{feff}mistake m: does\r\n  each @ %: / %, % /\r\n    half_b: a@b ~> a%b\r\n";
+        let plain = "mistake m: does\n  half_b: a/b ~> a%b\n  half_b: a%b ~> a/b\n";
+        assert_same(marked, plain);
+    }
 
     #[test]
     fn forms_are_read_below_their_mistake() {
@@ -642,7 +676,7 @@ mistake early: starts the roulette one bounce too early
         };
         let forms = [edited, whole];
         let text = forms.each_ref().map(form_text).concat();
-        let corpus = read(&format!("mistake one: does\n{text}\n")).unwrap();
+        let corpus = unnumbered(&format!("mistake one: does\n{text}\n"));
         assert_eq!(corpus.mutants, forms);
     }
 
@@ -717,12 +751,28 @@ mistake early: starts the roulette one bounce too early
             (
                 "mistake m: does\n  each @ $: 1 2, 3\n    half_b: @ ~> $\n",
                 2,
-                "2 values for `@ $` in each set, found `3`",
+                "a value for each sign of `@ $` in each set (2), sets separated by `, `, which no value contains; found `3`",
             ),
             (
                 "mistake m: does\n  each @: 1, 2\n  half_b: a ~> @\n",
                 2,
                 "`@` in a line below",
+            ),
+            (
+                "mistake m: does\n  each @: f(a, b), c\n    half_b \"@\": @ ~> d\n",
+                2,
+                "which no value contains; found `f(a`",
+            ),
+            (
+                "mistake m: does\n  each @: a, b,\n    half_b \"@\": @ ~> d\n",
+                2,
+                "found `b,`",
+            ),
+            ("mistake two words: does\n", 1, "a name of small letters"),
+            (
+                "mistake m: does\n  hint: a\n  and: b ~> c\n",
+                3,
+                "a hint is one line",
             ),
             (
                 "mistake m: does\n  each @: a, ~>\n    half_b \"1\": @ ~> b\n",

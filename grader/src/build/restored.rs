@@ -1,0 +1,152 @@
+//! Files that were restored: cargo compiles a crate again if a file is newer than the last build, so
+//! it does not see a copy that comes back with its old time (`mv`, `cp -p`, `tar`, `rsync`).
+
+use base::fnv;
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// The folders of the workspace that contain crates.
+const FOLDERS: [&str; 2] = ["stages", "grader"];
+
+/// The file beside what was compiled that has, line by line, a crate and the stamp of its files.
+const STAMPS: &str = "first-light-stamps.txt";
+
+/// The stamps of all crates before a build.
+pub(super) struct Stamps {
+    file: PathBuf,
+    of_crates: BTreeMap<String, String>,
+}
+
+impl Stamps {
+    /// Reads those of the workspace `root`, and lets cargo compile the crates again whose files are
+    /// not those of the last build that was [stored](Stamps::store), whatever their times: removes
+    /// what cargo knows of them in `compiled`, the folder of a profile in the target folder. What
+    /// was built since, by a command of the student's, has the times that cargo saw.
+    pub(super) fn before_build(root: &Path, compiled: &Path) -> Stamps {
+        let stamps = Stamps {
+            file: compiled.join(STAMPS),
+            of_crates: stamps_of(root),
+        };
+        let time = |path: &Path| path.metadata().and_then(|about| about.modified()).ok();
+        let Some(stored_at) = time(&stamps.file) else {
+            return stamps;
+        };
+        let stored = fs::read_to_string(&stamps.file).unwrap_or_default();
+        let is_other = |line: &str| {
+            let (name, stamp) = line.split_once(' ')?;
+            let is_same = stamps.of_crates.get(name).is_some_and(|now| now == stamp);
+            (!is_same).then(|| name.to_string())
+        };
+        let others: BTreeSet<String> = stored.lines().filter_map(is_other).collect();
+        for known in inside(&compiled.join(".fingerprint")) {
+            let was_built_before = |file: &PathBuf| {
+                let is_of_build = file
+                    .file_name()
+                    .is_some_and(|name| name.to_string_lossy().starts_with("dep-"));
+                is_of_build && time(file).is_some_and(|built| built <= stored_at)
+            };
+            // Cargo's names are those of crates and 16 hexadecimal digits.
+            let name = known.file_name().unwrap_or_default().to_string_lossy();
+            let is_of_other = name
+                .rsplit_once('-')
+                .is_some_and(|(of, _)| others.contains(of));
+            if is_of_other && inside(&known).any(|file| was_built_before(&file)) {
+                let _ = fs::remove_dir_all(&known);
+            }
+        }
+        stamps
+    }
+
+    /// Stores them: the build succeeded. Without the file the next one trusts the times, as cargo
+    /// does.
+    pub(super) fn store(&self) {
+        let lines = self
+            .of_crates
+            .iter()
+            .map(|(name, stamp)| format!("{name} {stamp}\n"));
+        let _ = fs::write(&self.file, lines.collect::<String>());
+    }
+}
+
+/// What is in a folder; nothing if it cannot be read.
+fn inside(folder: &Path) -> impl Iterator<Item = PathBuf> + use<> {
+    let entries = fs::read_dir(folder).into_iter().flatten().flatten();
+    entries.map(|entry| entry.path())
+}
+
+/// The stamps of all crates, by their names.
+fn stamps_of(root: &Path) -> BTreeMap<String, String> {
+    let folders = FOLDERS.iter().flat_map(|folder| inside(&root.join(folder)));
+    let crates = folders.filter(|path| path.join("Cargo.toml").is_file());
+    let stamp = |path: PathBuf| {
+        let mut files = Vec::new();
+        add(path.join("Cargo.toml"), root, &mut files);
+        add(path.join("src"), root, &mut files);
+        files.sort();
+        let stamp = files.concat().bytes().fold(fnv::START, fnv::add);
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        (name.into_owned(), format!("{stamp:016x}"))
+    };
+    crates.map(stamp).collect()
+}
+
+/// Adds a file below `root`, or those of a folder: path, length and time, as text.
+fn add(path: PathBuf, root: &Path, files: &mut Vec<String>) {
+    let Ok(about) = path.metadata() else { return };
+    if about.is_dir() {
+        inside(&path).for_each(|file| add(file, root, files));
+    } else {
+        let below = path.strip_prefix(root);
+        files.push(format!(
+            "{below:?} {} {:?}",
+            about.len(),
+            about.modified().ok()
+        ));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_crate_whose_file_came_back_with_its_old_time_is_compiled_again() {
+        let folder = tempfile::tempdir().unwrap();
+        let [root, compiled] = ["course", "release"].map(|name| folder.path().join(name));
+        let write = |path: &str, text: &str| {
+            let path = folder.path().join(path);
+            fs::create_dir_all(path.parent().unwrap()).unwrap();
+            fs::write(path, text).unwrap();
+        };
+        for name in ["bvh", "kit"] {
+            write(&format!("course/stages/{name}/Cargo.toml"), "");
+            write(&format!("course/stages/{name}/src/lib.rs"), "fn f() {}");
+        }
+        let build = |name: &str| {
+            write(
+                &format!("release/.fingerprint/{name}-0123456789abcdef/dep-lib-{name}"),
+                "",
+            )
+        };
+        let known = |name: &str| {
+            let of_crate = format!(".fingerprint/{name}-0123456789abcdef");
+            compiled.join(of_crate).exists()
+        };
+        build("bvh");
+        build("kit");
+        Stamps::before_build(&root, &compiled).store();
+        let source = root.join("stages/bvh/src/lib.rs");
+        let kept = folder.path().join("lib.rs.bak");
+        fs::rename(&source, &kept).unwrap();
+        fs::write(&source, "fn f() { panic!() }").unwrap();
+        // By another command: cargo saw what it compiled.
+        build("bvh");
+        let stamps = Stamps::before_build(&root, &compiled);
+        assert!(known("bvh") && known("kit"));
+        stamps.store();
+        fs::rename(&kept, &source).unwrap();
+        Stamps::before_build(&root, &compiled);
+        assert!(!known("bvh") && known("kit"));
+    }
+}

@@ -56,11 +56,14 @@ fn touches_bounds(bounds: &Aabb, ray: &Ray) -> bool {
     // large.
     let radius = (bounds.max - center).max(center - bounds.min).length();
     let to_center = center - ray.o;
-    let slack = LOOSE * (radius + to_center.length());
-    let nearest = to_center.dot(ray.d) / ray.d.length_squared();
-    let off = (to_center - nearest * ray.d).length();
-    // If the sum overflows, the oracle decides.
-    off.is_nan() || off <= radius + slack
+    // The sum of the coordinates is at least the distance.
+    let reach = radius + LOOSE * (radius + to_center.abs().element_sum());
+    let length2 = ray.d.length_squared();
+    // `length2` times as long as the way from the line to the centre.
+    let off = to_center * length2 - to_center.dot(ray.d) * ray.d;
+    let (off, reach) = (off.length_squared(), reach * reach * (length2 * length2));
+    // If a product overflows, the oracle decides.
+    off.is_nan() || off <= reach
 }
 
 #[cfg(test)]

@@ -2,6 +2,7 @@
 
 use crate::Image;
 use crate::image::Rgb;
+use png::Compression;
 use std::collections::BTreeSet;
 use std::io::{BufReader, Cursor};
 use std::path::Path;
@@ -15,25 +16,26 @@ const PALETTE: usize = 256;
 /// Encodes the picture, with a palette if it has few colours. The same picture always gives the
 /// same bytes.
 pub fn encode(picture: &Image) -> Vec<u8> {
-    with_palette(picture).unwrap_or_else(|| with_filter(picture, None, FILTERS[0]))
+    with_palette(picture, Compression::Fast)
+        .unwrap_or_else(|| with_filter(picture, None, FILTERS[0], Compression::Fast))
 }
 
-/// As [`encode`], in several times the time: for files that are stored. Which filter is best
-/// depends on the picture, and saves up to a fifth.
+/// As [`encode`], in many times the time: for files that are stored. Which filter is best depends
+/// on the picture, and saves up to a fifth.
 pub fn encode_smallest(picture: &Image) -> Vec<u8> {
-    with_palette(picture).unwrap_or_else(|| {
-        let all = FILTERS.map(|filter| with_filter(picture, None, filter));
+    with_palette(picture, Compression::High).unwrap_or_else(|| {
+        let all = FILTERS.map(|filter| with_filter(picture, None, filter, Compression::High));
         let smallest = all.into_iter().min_by_key(Vec::len);
         smallest.expect("there are filters")
     })
 }
 
 /// The file with a palette; `None` if the picture has too many colours.
-fn with_palette(picture: &Image) -> Option<Vec<u8>> {
+fn with_palette(picture: &Image, compression: Compression) -> Option<Vec<u8>> {
     let colours: BTreeSet<Rgb> = picture.pixels().iter().copied().collect();
     let colours: Vec<Rgb> = colours.into_iter().collect();
     // The filters of rows predict brightness from neighbours; indices have none.
-    let file = || with_filter(picture, Some(&colours), png::Filter::NoFilter);
+    let file = || with_filter(picture, Some(&colours), png::Filter::NoFilter, compression);
     (colours.len() <= PALETTE).then(file)
 }
 
@@ -48,12 +50,17 @@ const FILTERS: [png::Filter; 6] = [
 ];
 
 /// Encodes the picture with one filter, as indices into `palette` if there is one.
-fn with_filter(picture: &Image, palette: Option<&[Rgb]>, filter: png::Filter) -> Vec<u8> {
+fn with_filter(
+    picture: &Image,
+    palette: Option<&[Rgb]>,
+    filter: png::Filter,
+    compression: Compression,
+) -> Vec<u8> {
     let mut bytes = Vec::new();
     let [w, h] = picture.size();
     let mut encoder = png::Encoder::new(&mut bytes, w, h);
     encoder.set_depth(png::BitDepth::Eight);
-    encoder.set_compression(png::Compression::High);
+    encoder.set_compression(compression);
     encoder.set_filter(filter);
     let data = match palette {
         Some(colours) => {

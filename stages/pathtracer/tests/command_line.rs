@@ -1,40 +1,13 @@
 //! The command line of the `pathtracer` program.
 
+use crate::common::{folder_of, square};
 use snapbox::cmd::{Command, cargo_bin};
 use std::fs;
 use std::path::Path;
 
 /// A square of two triangles, seen from the front.
-const SCENE: &str = r##"<?xml version="1.0"?>
-<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
-  <asset><up_axis>Y_UP</up_axis></asset>
-  <library_effects><effect id="grey"><profile_COMMON><technique sid="common"><lambert>
-    <diffuse><color>0.5 0.5 0.5 1</color></diffuse>
-  </lambert></technique></profile_COMMON></effect></library_effects>
-  <library_materials><material id="paint"><instance_effect url="#grey"/></material></library_materials>
-  <library_geometries><geometry id="square"><mesh>
-    <source id="corners">
-      <float_array id="numbers" count="12">-1 -1 0  1 -1 0  1 1 0  -1 1 0</float_array>
-      <technique_common><accessor source="#numbers" count="4" stride="3">
-        <param name="X" type="float"/><param name="Y" type="float"/><param name="Z" type="float"/>
-      </accessor></technique_common>
-    </source>
-    <vertices id="vertices"><input semantic="POSITION" source="#corners"/></vertices>
-    <triangles count="2" material="wall"><input semantic="VERTEX" source="#vertices" offset="0"/><p>0 1 2 0 2 3</p></triangles>
-  </mesh></geometry></library_geometries>
-  <library_visual_scenes><visual_scene id="room">
-    <node id="wall"><instance_geometry url="#square"><bind_material><technique_common>
-      <instance_material symbol="wall" target="#paint"/>
-    </technique_common></bind_material></instance_geometry></node>
-  </visual_scene></library_visual_scenes>
-  <scene><instance_visual_scene url="#room"/></scene>
-</COLLADA>
-"##;
-
 fn folder() -> tempfile::TempDir {
-    let folder = tempfile::tempdir().expect("a temporary folder");
-    fs::write(folder.path().join("square.dae"), SCENE).expect("a scene file");
-    folder
+    folder_of("square.dae", &square("", ""))
 }
 
 fn pathtracer(folder: &Path, args: &str) -> snapbox::cmd::OutputAssert {

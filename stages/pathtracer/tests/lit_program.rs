@@ -1,58 +1,29 @@
 //! The `pathtracer` program, for scenes with light.
 
+use crate::common::{folder_of, run, square};
 use exr::prelude::{ReadChannels, ReadLayers};
-use snapbox::cmd::{Command, cargo_bin};
 use std::fs;
 use std::path::Path;
 
 /// A grey square under an area light without a mesh.
-const SCENE: &str = r##"<?xml version="1.0"?>
-<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
-  <asset><up_axis>Y_UP</up_axis></asset>
-  <library_lights><light id="lamp" name="lamp">
+fn scene() -> String {
+    let light = r##"<library_lights><light id="lamp" name="lamp">
     <technique_common><point><color>5 5 5</color></point></technique_common>
     <extra><technique profile="CGL"><area><color>5 5 5</color></area></technique></extra>
-  </light></library_lights>
-  <library_effects><effect id="grey"><profile_COMMON><technique sid="common"><lambert>
-    <diffuse><color>0.5 0.5 0.5 1</color></diffuse>
-  </lambert></technique></profile_COMMON></effect></library_effects>
-  <library_materials><material id="paint"><instance_effect url="#grey"/></material></library_materials>
-  <library_geometries><geometry id="square"><mesh>
-    <source id="corners">
-      <float_array id="numbers" count="12">-1 -1 0  1 -1 0  1 1 0  -1 1 0</float_array>
-      <technique_common><accessor source="#numbers" count="4" stride="3">
-        <param name="X" type="float"/><param name="Y" type="float"/><param name="Z" type="float"/>
-      </accessor></technique_common>
-    </source>
-    <vertices id="vertices"><input semantic="POSITION" source="#corners"/></vertices>
-    <triangles count="2" material="wall"><input semantic="VERTEX" source="#vertices" offset="0"/><p>0 1 2 0 2 3</p></triangles>
-  </mesh></geometry></library_geometries>
-  <library_visual_scenes><visual_scene id="room">
-    <node id="wall"><instance_geometry url="#square"><bind_material><technique_common>
-      <instance_material symbol="wall" target="#paint"/>
-    </technique_common></bind_material></instance_geometry></node>
-    <node id="above"><translate>1.4 1.4 2</translate><instance_light url="#lamp"/></node>
-  </visual_scene></library_visual_scenes>
-  <scene><instance_visual_scene url="#room"/></scene>
-</COLLADA>
-"##;
+  </light></library_lights>"##;
+    let above = r##"<node id="above"><translate>1.4 1.4 2</translate><instance_light url="#lamp"/></node>"##;
+    square(light, above)
+}
 
 fn folder() -> tempfile::TempDir {
-    let folder = tempfile::tempdir().expect("a temporary folder");
-    fs::write(folder.path().join("lit.dae"), SCENE).expect("a scene file");
-    folder
+    folder_of("lit.dae", &scene())
 }
 
 /// Runs the program. Returns its stdout and stderr.
 fn pathtracer(folder: &Path, args: &str) -> (String, String) {
-    let run = Command::new(cargo_bin!("pathtracer"))
-        .current_dir(folder)
-        .args(args.split_whitespace())
-        .assert()
-        .success();
-    let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
-    let output = run.get_output();
-    (text(&output.stdout), text(&output.stderr))
+    let (code, out, notes) = run(folder, args);
+    assert_eq!(code, 0, "{notes}");
+    (out, notes)
 }
 
 /// Large enough for several blocks of each format.
@@ -76,12 +47,8 @@ fn the_same_command_writes_the_same_bytes() {
 
 fn refused(args: &str, sentence: &str) {
     let folder = folder();
-    let run = Command::new(cargo_bin!("pathtracer"))
-        .current_dir(folder.path())
-        .args(args.split(' '))
-        .assert()
-        .code(2);
-    let output = String::from_utf8_lossy(&run.get_output().stderr).into_owned();
+    let (code, _, output) = run(folder.path(), args);
+    assert_eq!(code, 2, "`{args}` prints:\n{output}");
     assert!(output.contains(sentence), "`{args}` prints:\n{output}");
 }
 
@@ -266,11 +233,11 @@ fn flags_and_lights_without_effect_are_noted() {
     let flags = "-f a.png --export mitsuba a.xml lit.dae";
     let (_, output) = pathtracer(folder.path(), flags);
     assert!(output.contains("no effect: -f: --export"), "{output}");
-    let point = SCENE.replace("area>", "point>");
+    let point = scene().replace("area>", "point>");
     fs::write(folder.path().join("point.dae"), point).expect("a scene file");
     let (_, output) = pathtracer(folder.path(), "-f a.png -r 4 4 -H point.dae");
     assert!(output.contains("-H never hits them"), "{output}");
-    let glass = SCENE.replace(
+    let glass = scene().replace(
         "</profile_COMMON></effect>",
         "</profile_COMMON><extra><technique profile=\"CGL\"><glass><reflectance>1 1 1</reflectance>\
          <transmittance>1 1 1</transmittance><roughness>0.005</roughness><ior>1.5</ior></glass>\
@@ -291,7 +258,7 @@ fn flags_and_lights_without_effect_are_noted() {
 fn a_picture_in_which_nothing_is_seen_has_a_note() {
     let folder = folder();
     let notes = |lamp: &str, args: &str| {
-        let scene = SCENE.replace("5 5 5", lamp);
+        let scene = scene().replace("5 5 5", lamp);
         fs::write(folder.path().join("lamp.dae"), scene).expect("a scene file");
         let args = format!("-f a.png -r 20 20 -s 4 {args} lamp.dae");
         pathtracer(folder.path(), &args).1
@@ -411,7 +378,7 @@ fn a_scene_is_exported_for_mitsuba() {
 #[test]
 fn an_export_says_where_mitsuba_means_another_depth() {
     let folder = folder();
-    let mirror = SCENE.replace(
+    let mirror = scene().replace(
         "</profile_COMMON></effect>",
         "</profile_COMMON><extra><technique profile=\"CGL\"><mirror><reflectance>1 1 1</reflectance>\
          </mirror></technique></extra></effect>",
@@ -429,7 +396,7 @@ fn an_export_says_where_mitsuba_means_another_depth() {
 #[test]
 fn a_missing_texture_is_grey_with_a_warning() {
     let folder = folder();
-    let textured = SCENE
+    let textured = scene()
         .replace(
             "<color>0.5 0.5 0.5 1</color>",
             "<texture texture=\"wall-image\" texcoord=\"UV\"/>",

@@ -1,7 +1,8 @@
 //! Parts of a picture merge into the bits of one run.
 // BEGIN SOLUTION(part6.task1)
 
-use snapbox::cmd::{Command, cargo_bin};
+use crate::common::run;
+use snapbox::cmd::cargo_bin;
 use std::fs;
 use std::path::Path;
 
@@ -12,18 +13,6 @@ fn folder() -> tempfile::TempDir {
     let scenes = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/dae");
     fs::copy(scenes.join(SCENE), folder.path().join(SCENE)).expect("a copy");
     folder
-}
-
-/// Runs the program. Returns its exit code, stdout and stderr.
-fn run(folder: &Path, args: &str) -> (i32, String, String) {
-    let run = Command::new(cargo_bin!("pathtracer"))
-        .current_dir(folder)
-        .args(args.split_whitespace())
-        .output()
-        .expect("the program runs");
-    let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
-    let code = run.status.code().expect("no signal");
-    (code, text(&run.stdout), text(&run.stderr))
 }
 
 fn render(folder: &Path, flags: &str) {

@@ -58,12 +58,10 @@ fn touches_bounds(bounds: &Aabb, ray: &Ray) -> bool {
     let to_center = center - ray.o;
     // The sum of the coordinates is at least the distance.
     let reach = radius + LOOSE * (radius + to_center.abs().element_sum());
-    let length2 = ray.d.length_squared();
-    // `length2` times as long as the way from the line to the centre.
-    let off = to_center * length2 - to_center.dot(ray.d) * ray.d;
-    let (off, reach) = (off.length_squared(), reach * reach * (length2 * length2));
+    let nearest = to_center.dot(ray.d) / ray.d.length_squared();
+    let off2 = (to_center - nearest * ray.d).length_squared();
     // If a product overflows, the oracle decides.
-    off.is_nan() || off <= reach
+    off2.is_nan() || off2 <= reach * reach
 }
 
 #[cfg(test)]

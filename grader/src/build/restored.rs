@@ -109,42 +109,49 @@ fn add(path: PathBuf, root: &Path, files: &mut Vec<String>) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::time::{Duration, SystemTime};
 
     #[test]
     fn a_crate_whose_file_came_back_with_its_old_time_is_compiled_again() {
         let folder = tempfile::tempdir().unwrap();
         let [root, compiled] = ["course", "release"].map(|name| folder.path().join(name));
-        let write = |path: &str, text: &str| {
+        // The system's clock may stand still for milliseconds: times are set.
+        let write = |path: &str, text: &str, time: u64| {
             let path = folder.path().join(path);
             fs::create_dir_all(path.parent().unwrap()).unwrap();
-            fs::write(path, text).unwrap();
+            fs::write(&path, text).unwrap();
+            let file = fs::File::options().append(true).open(&path).unwrap();
+            let time = SystemTime::UNIX_EPOCH + Duration::from_secs(time);
+            file.set_modified(time).unwrap();
+        };
+        let compile = |name: &str, time: u64| {
+            let known = format!("release/.fingerprint/{name}-0123456789abcdef");
+            write(&format!("{known}/dep-lib-{name}"), "", time);
+        };
+        let stamps = format!("release/{STAMPS}");
+        let store = |time: u64| {
+            Stamps::before_build(&root, &compiled).store();
+            let text = fs::read_to_string(folder.path().join(&stamps)).unwrap();
+            write(&stamps, &text, time);
         };
         for name in ["bvh", "kit"] {
-            write(&format!("course/stages/{name}/Cargo.toml"), "");
-            write(&format!("course/stages/{name}/src/lib.rs"), "fn f() {}");
+            write(&format!("course/stages/{name}/Cargo.toml"), "", 1);
+            write(&format!("course/stages/{name}/src/lib.rs"), "fn f() {}", 1);
+            compile(name, 2);
         }
-        let build = |name: &str| {
-            write(
-                &format!("release/.fingerprint/{name}-0123456789abcdef/dep-lib-{name}"),
-                "",
-            )
-        };
+        store(3);
         let known = |name: &str| {
             let of_crate = format!(".fingerprint/{name}-0123456789abcdef");
             compiled.join(of_crate).exists()
         };
-        build("bvh");
-        build("kit");
-        Stamps::before_build(&root, &compiled).store();
         let source = root.join("stages/bvh/src/lib.rs");
         let kept = folder.path().join("lib.rs.bak");
         fs::rename(&source, &kept).unwrap();
-        fs::write(&source, "fn f() { panic!() }").unwrap();
+        write("course/stages/bvh/src/lib.rs", "fn f() { panic!() }", 4);
         // By another command: cargo saw what it compiled.
-        build("bvh");
-        let stamps = Stamps::before_build(&root, &compiled);
+        compile("bvh", 5);
+        store(6);
         assert!(known("bvh") && known("kit"));
-        stamps.store();
         fs::rename(&kept, &source).unwrap();
         Stamps::before_build(&root, &compiled);
         assert!(!known("bvh") && known("kit"));

@@ -477,7 +477,7 @@ fn unescaped(text: &str) -> Result<String, String> {
                 Some('n') => '\n',
                 Some('s') => ' ',
                 Some(letter @ ('\\' | '{' | '}')) => letter,
-                _ => return Err("`n`, `s`, `{`, `}` or another backslash after a backslash".into()),
+                _ => return Err("`n`, `s`, `{`, `}` or `\\` after a backslash".into()),
             },
             letter => letter,
         });

@@ -217,8 +217,8 @@ fn a_handout_contains_the_students_files_and_no_others() {
 /// among triangles, classes of rays' origins and lamps' sides, and drawings of wrong hits. 14,000
 /// are many lamps of which each sample chooses one, and samplers with points in pairs. 10,000 are
 /// slips in boxes by signs and by early returns, with what they answer. 22,000 are slips in areas,
-/// dot products, shears and matrices. 4,000 are files that come back with their old times, libraries
-/// that do not compile, and parts of pictures that know their whole scene.
+/// dot products, shears and matrices. 4,000 are files that come back with their old times,
+/// libraries that do not compile, and parts of pictures that know their whole scene.
 const LARGEST: usize = 8_239_500;
 
 #[test]

@@ -1,5 +1,5 @@
-//! Files that were restored: cargo compiles a crate again if a file is newer than the last build, so
-//! it does not see a copy that comes back with its old time (`mv`, `cp -p`, `tar`, `rsync`).
+//! Files that were restored: cargo compiles a crate again if a file is newer than the last build,
+//! so it does not see a copy that comes back with its old time (`mv`, `cp -p`, `tar`, `rsync`).
 
 use base::fnv;
 use std::collections::{BTreeMap, BTreeSet};

@@ -119,7 +119,8 @@ impl Certainty {
         }
     }
 
-    /// The words with which reports begin the hint: that of a mistake which may not be made is a condition.
+    /// The words with which reports begin the hint: where the mistake may not be made, it is a
+    /// condition.
     pub fn before_hint(self) -> &'static str {
         match self {
             Certainty::Likely => "Hint",

@@ -23,8 +23,8 @@
 //! `and` begins a further edit of the same form. The replacement may also be below the text to
 //! find, in one or more lines that begin with `~>`. `\n` is the end of a line in the code, `\s` a
 //! space at an end of a text, `\{` and `\}` are braces, `\\` is a backslash.
-//! A form may also be a whole file, indented by four spaces below `code:`, or edits
-//! of the file of a mistake above, after `code like "MISTAKE":`. `symptom` marks a mistake that is only a symptom,
+//! A form may also be a whole file, indented by four spaces below `code:`, or edits of the file of
+//! a mistake above, after `code like "MISTAKE":`. `symptom` marks a mistake that is only a symptom,
 //! `seen:` has its numbers in the list of observed mistakes.
 //!
 //! Lines below `each`, indented by two spaces, are a template: they are read once for each set of

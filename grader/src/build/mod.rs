@@ -135,11 +135,12 @@ impl BuildRoot<'_> {
                 "Compiling your code and the program that runs it: some ten seconds the first time."
             );
         }
-        let own = || own_target(self.root);
-        let target = self.target.map(Path::to_path_buf).or_else(own);
-        let is_own = self.launcher.is_none();
-        let stamps = (target.filter(|_| is_own))
-            .map(|target| Stamps::before_build(self.root, &target.join("release")));
+        let stamps = match (self.launcher, self.target) {
+            // Of a submission nothing was compiled before.
+            (Some(_), _) => None,
+            (None, Some(target)) => Some(Stamps::before_build(self.root, &target.join("release"))),
+            (None, None) => own_stamps(self.root, "release"),
+        };
         let command = self.command(features, show && has_colours());
         let built = run_cargo(command, WORKER, show, self.most_time())?;
         match self.without_foreign_files(built, features)? {
@@ -157,7 +158,7 @@ impl BuildRoot<'_> {
                 match self.launcher {
                     Some(_) => self.blame_the_code(&mut errors, features)?,
                     None => {
-                        self.ensure_libraries_compile(&errors)?;
+                        ensure_libraries_compile(self.root, &errors)?;
                         errors.ensure_of_the_code()?;
                     }
                 }
@@ -238,21 +239,6 @@ impl BuildRoot<'_> {
         Ok(())
     }
 
-    /// Returns an error if a crate failed that is not in the workspace: settings of cargo, such as
-    /// another target, or the toolchain are at fault.
-    fn ensure_libraries_compile(&self, errors: &CompileErrors) -> Result<(), GraderError> {
-        let is_own = |name: &String| {
-            let mut folders = ["stages", "grader"].into_iter();
-            folders.any(|folder| self.root.join(folder).join(name).is_dir())
-        };
-        match errors.failed_crates.iter().find(|name| !is_own(name)) {
-            None => Ok(()),
-            Some(library) => Err(GraderError::new(format!(
-                "this machine cannot build the library `{library}`. This is no error in the code, so nothing is graded. Look at the compiler's messages, and for settings such as `target` in a `.cargo/config.toml` in the folders above or at home; `cargo grader doctor` says what is missing"
-            ))),
-        }
-    }
-
     /// Adds an error for each file of a stage that failed which is no text: the compiler may not say
     /// where it met this file.
     fn add_files_without_text(&self, errors: &mut CompileErrors, show: bool) {
@@ -329,6 +315,21 @@ impl BuildRoot<'_> {
     }
 }
 
+/// Returns an error if a crate failed that is not in the workspace: the settings of cargo or the
+/// toolchain are at fault.
+fn ensure_libraries_compile(root: &Path, errors: &CompileErrors) -> Result<(), GraderError> {
+    let is_own = |name: &String| {
+        let mut folders = ["stages", "grader"].into_iter();
+        folders.any(|folder| root.join(folder).join(name).is_dir())
+    };
+    match errors.failed_crates.iter().find(|name| !is_own(name)) {
+        None => Ok(()),
+        Some(library) => Err(GraderError::new(format!(
+            "this machine cannot build the library `{library}`. This is no error in the code, so nothing is graded. See the compiler's messages, and settings such as `target` in a `.cargo/config.toml` above or at home; `cargo grader doctor` says what is missing"
+        ))),
+    }
+}
+
 /// Builds the program of `package` in the workspace `root`, in release. The program must not link a
 /// stage. Returns its path, or the compiler's messages, which were also printed to stderr.
 pub fn build_program(root: &Path, package: &str) -> Result<Result<PathBuf, String>, GraderError> {
@@ -340,7 +341,7 @@ pub fn build_program_with_stages(
     root: &Path,
     package: &str,
 ) -> Result<Result<PathBuf, String>, GraderError> {
-    let stamps = own_target(root).map(|it| Stamps::before_build(root, &it.join("release")));
+    let stamps = own_stamps(root, "release");
     let built = build_in(root, package, target_folder::of(root))?;
     if built.is_ok() {
         stamps.iter().for_each(Stamps::store);
@@ -360,9 +361,8 @@ pub(crate) fn build_worked_example(
     if is_first_build(root, "debug/deps") {
         errln!("Compiling the tests, as `cargo test` does: half a minute the first time.");
     }
-    let stamps = own_target(root).map(|it| Stamps::before_build(root, &it.join("debug")));
-    let mut command = Command::new(child_processes::cargo());
-    command.current_dir(root);
+    let stamps = own_stamps(root, "debug");
+    let mut command = cargo_in(root);
     command.args(["test", "--no-run", "--test", WORKED_EXAMPLE]);
     command.args(["--package", stage]);
     in_json(&mut command, has_colours());
@@ -370,9 +370,12 @@ pub(crate) fn build_worked_example(
         command.arg("--target-dir").arg(target);
     }
     let built = run_cargo(command, stage, true, None)?;
-    match (&built, stamps) {
-        (Err(errors), _) => errors.ensure_of_the_code()?,
-        (Ok(_), stamps) => stamps.iter().for_each(Stamps::store),
+    match &built {
+        Ok(_) => stamps.iter().for_each(Stamps::store),
+        Err(errors) => {
+            ensure_libraries_compile(root, errors)?;
+            errors.ensure_of_the_code()?;
+        }
     }
     Ok(built.ok())
 }
@@ -421,18 +424,29 @@ fn own_target(root: &Path) -> Option<PathBuf> {
     })
 }
 
+/// The stamps of the workspace `root` before a build of this profile in its own target folder.
+fn own_stamps(root: &Path, profile: &str) -> Option<Stamps> {
+    Some(Stamps::before_build(root, &own_target(root)?.join(profile)))
+}
+
 fn has_colours() -> bool {
     std::io::stderr().is_terminal()
 }
 
 /// The command `cargo build --release` for the program of `package`, which has the package's name.
 fn release_build(root: &Path, package: &str, colours: bool) -> Command {
+    let mut command = cargo_in(root);
+    build_arguments(&mut command, package, colours);
+    command
+}
+
+/// Cargo in the workspace `root`. Warnings in a student's code are no errors.
+fn cargo_in(root: &Path) -> Command {
     let mut command = Command::new(child_processes::cargo());
     command.current_dir(root);
     if let Ok(flags) = std::env::var("RUSTFLAGS") {
         command.env("RUSTFLAGS", with_warnings_allowed(&flags));
     }
-    build_arguments(&mut command, package, colours);
     command
 }
 
@@ -581,9 +595,9 @@ mod tests {
                 errors.messages
             );
             assert_eq!(errors.ensure_of_the_code(), Ok(()));
-            assert_eq!(root.ensure_libraries_compile(&errors), Ok(()));
+            assert_eq!(ensure_libraries_compile(root.root, &errors), Ok(()));
             errors.add("serde_core", "can't find crate for `core`".into(), true);
-            let why = root.ensure_libraries_compile(&errors).unwrap_err();
+            let why = ensure_libraries_compile(root.root, &errors).unwrap_err();
             assert!(
                 why.to_string().contains("the library `serde_core`"),
                 "{why}"

@@ -5,6 +5,7 @@ use base::fnv;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::time::SystemTime;
 
 /// The folders of the workspace that contain crates.
 const FOLDERS: [&str; 2] = ["stages", "grader"];
@@ -19,39 +20,31 @@ pub(super) struct Stamps {
 }
 
 impl Stamps {
-    /// Reads those of the workspace `root`, and lets cargo compile the crates again whose files are
-    /// not those of the last build that was [stored](Stamps::store), whatever their times: removes
-    /// what cargo knows of them in `compiled`, the folder of a profile in the target folder. What
-    /// was built since, by a command of the student's, has the times that cargo saw.
+    /// Computes the stamps of the workspace `root`. Makes cargo compile each crate whose stamp
+    /// is not the stored one: removes what cargo knows of it in `compiled`, the folder of a profile
+    /// in the target folder. A crate that was compiled after the stamps were stored stays: cargo
+    /// saw the times of its files then.
     pub(super) fn before_build(root: &Path, compiled: &Path) -> Stamps {
         let stamps = Stamps {
             file: compiled.join(STAMPS),
             of_crates: stamps_of(root),
         };
-        let time = |path: &Path| path.metadata().and_then(|about| about.modified()).ok();
-        let Some(stored_at) = time(&stamps.file) else {
+        let Some(stored_at) = time_of(&stamps.file) else {
             return stamps;
         };
         let stored = fs::read_to_string(&stamps.file).unwrap_or_default();
-        let is_other = |line: &str| {
-            let (name, stamp) = line.split_once(' ')?;
-            let is_same = stamps.of_crates.get(name).is_some_and(|now| now == stamp);
-            (!is_same).then(|| name.to_string())
-        };
-        let others: BTreeSet<String> = stored.lines().filter_map(is_other).collect();
+        let others: BTreeSet<&str> = stored
+            .lines()
+            .filter_map(|line| line.split_once(' '))
+            .filter(|(name, stamp)| stamps.of_crates.get(*name).is_none_or(|now| now != stamp))
+            .map(|(name, _)| name)
+            .collect();
         for known in inside(&compiled.join(".fingerprint")) {
-            let was_built_before = |file: &PathBuf| {
-                let is_of_build = file
-                    .file_name()
-                    .is_some_and(|name| name.to_string_lossy().starts_with("dep-"));
-                is_of_build && time(file).is_some_and(|built| built <= stored_at)
-            };
             // Cargo's names are those of crates and 16 hexadecimal digits.
             let name = known.file_name().unwrap_or_default().to_string_lossy();
-            let is_of_other = name
-                .rsplit_once('-')
-                .is_some_and(|(of, _)| others.contains(of));
-            if is_of_other && inside(&known).any(|file| was_built_before(&file)) {
+            let of_crate = name.rsplit_once('-').map(|(of_crate, _)| of_crate);
+            let is_other = of_crate.is_some_and(|of_crate| others.contains(of_crate));
+            if is_other && compiled_at(&known).any(|time| time <= stored_at) {
                 let _ = fs::remove_dir_all(&known);
             }
         }
@@ -67,6 +60,21 @@ impl Stamps {
             .map(|(name, stamp)| format!("{name} {stamp}\n"));
         let _ = fs::write(&self.file, lines.collect::<String>());
     }
+}
+
+fn time_of(path: &Path) -> Option<SystemTime> {
+    path.metadata().and_then(|about| about.modified()).ok()
+}
+
+/// When the parts of a crate were compiled: cargo has a file `dep-…` for each.
+fn compiled_at(known: &Path) -> impl Iterator<Item = SystemTime> + use<> {
+    let is_of_part = |path: &PathBuf| {
+        let name = path.file_name().unwrap_or_default();
+        name.to_string_lossy().starts_with("dep-")
+    };
+    inside(known)
+        .filter(is_of_part)
+        .filter_map(|path| time_of(&path))
 }
 
 /// What is in a folder; nothing if it cannot be read.
@@ -109,7 +117,7 @@ fn add(path: PathBuf, root: &Path, files: &mut Vec<String>) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::time::{Duration, SystemTime};
+    use std::time::Duration;
 
     #[test]
     fn a_crate_whose_file_came_back_with_its_old_time_is_compiled_again() {

@@ -48,8 +48,8 @@ fn merged_head(parts: &[(&Path, SumsHead)]) -> Result<SumsHead, String> {
         if same(part) != same(&first) {
             return Err(format!(
                 "{} and {} are not parts of one picture: render all with the same scene, camera, textures and flags, \
-                 apart from -p, --first-sample, -s and -t. With -s 1 samples are at the centres of the pixels: it goes \
-                 with no other -s",
+                 apart from -p, --first-sample, -s and -t. Parts of -s 1 have their samples at the centres of pixels, and \
+                 merge only with each other",
                 first_path.display(),
                 path.display()
             ));

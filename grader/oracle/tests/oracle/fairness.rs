@@ -24,8 +24,8 @@ fn scale(r: &mut Random) -> f64 {
     }
 }
 
-/// Whether a coordinate that is not 0 is so large or so small that products of several are infinite
-/// or lose digits. No case of the course has such coordinates.
+/// Whether a coordinate that is not 0 is so large or so small that the product of several is
+/// infinite or loses digits. No case of the course has such coordinates.
 fn is_extreme<const N: usize>(points: [Vec3; N]) -> bool {
     let numbers = points.map(|p| p.abs().to_array());
     let is_ordinary = |x: &f64| *x == 0.0 || (1e-60..=1e60).contains(x);
@@ -77,12 +77,14 @@ fn at_edge(r: &mut Random) -> (Triangle, Ray) {
 
 #[test]
 fn no_correct_triangle_test_is_marked_down() {
-    check_triangles(10, 50_000);
+    assert_eq!(check_triangles(10, 50_000), 0);
 }
 
-fn check_triangles(seed: u64, count: u64) {
+/// Panics if a correct test is marked down at ordinary coordinates. Returns how often one is at
+/// [extreme](is_extreme) ones.
+fn check_triangles(seed: u64, count: u64) -> u64 {
     let mut r = Random::new(seed);
-    let mut undecidable = 0;
+    let (mut undecidable, mut extreme) = (0, 0);
     for _ in 0..count {
         let (tri, ray) = match r.below(4) {
             0 => {
@@ -101,24 +103,18 @@ fn check_triangles(seed: u64, count: u64) {
         for (kernel, kernels) in groups {
             for (name, test) in kernels {
                 let answer = test(&tri, &ray);
-                // Where there is no direction, textbook code may find a hit at infinity if its
-                // products are infinite.
-                if ray.d == Vec3::ZERO && answer == Some(f64::INFINITY) {
-                    assert!(
-                        is_extreme([tri.p0, tri.p1, tri.p2, ray.o]),
-                        "{name}: {ray:?}"
-                    );
-                    continue;
-                }
                 let judgement = verdict.judge(kernel, answer);
+                let is_unfair = !judgement.scores();
+                extreme += u64::from(is_unfair);
                 assert!(
-                    judgement.scores(),
+                    !is_unfair || is_extreme([tri.p0, tri.p1, tri.p2, ray.o]),
                     "{name} is marked down: {judgement:?} for {answer:?}, {verdict:?}\n{tri:?}\n{ray:?}"
                 );
             }
         }
     }
     println!("{undecidable} of {count} rays aimed at edges are undecidable for a robust kernel");
+    extreme
 }
 
 /// Returns a ray aimed close to the rim of a sphere of any scale and position.
@@ -213,11 +209,12 @@ fn at_corner(r: &mut Random) -> (Aabb, Ray) {
 
 #[test]
 fn no_correct_box_test_is_marked_down() {
-    check_boxes(12, 50_000);
+    assert_eq!(check_boxes(12, 50_000), 0);
 }
 
-fn check_boxes(seed: u64, count: u64) {
-    let mut r = Random::new(seed);
+/// As [`check_triangles`].
+fn check_boxes(seed: u64, count: u64) -> u64 {
+    let (mut r, mut extreme) = (Random::new(seed), 0);
     for _ in 0..count {
         let (b, ray) = match r.below(4) {
             0 => {
@@ -226,9 +223,6 @@ fn check_boxes(seed: u64, count: u64) {
             }
             _ => at_corner(&mut r),
         };
-        if is_extreme([b.min, b.max, ray.o, ray.d]) {
-            continue;
-        }
         let verdict = bbox(&b, &ray);
         let groups = [
             (KernelClass::Textbook, &TEXTBOOK_BOXES[..]),
@@ -239,13 +233,16 @@ fn check_boxes(seed: u64, count: u64) {
             for (name, test) in kernels {
                 let answer = test(&b, &ray);
                 let judgement = verdict.judge(kernel, answer);
+                let is_unfair = !judgement.scores();
+                extreme += u64::from(is_unfair);
                 assert!(
-                    judgement.scores(),
+                    !is_unfair || is_extreme([b.min, b.max, ray.o, ray.d]),
                     "{name} is marked down: {judgement:?} for {answer:?}, {verdict:?}\n{b:?}\n{ray:?}"
                 );
             }
         }
     }
+    extreme
 }
 
 /// The error bounds are so small that no ordinary ray is undecidable.
@@ -276,7 +273,11 @@ fn fewer_than_one_ordinary_ray_in_a_million_is_undecidable() {
 #[test]
 #[ignore = "takes some minutes; run it when a bound changes"]
 fn no_correct_test_is_marked_down_on_ten_million_rays() {
-    check_triangles(20, 10_000_000);
     check_spheres(21, 10_000_000);
-    check_boxes(22, 10_000_000);
+    let extreme = [check_triangles(20, 10_000_000), check_boxes(22, 10_000_000)];
+    // What the oracle does not see of infinite products: none of it more often than today.
+    assert!(
+        extreme[0] <= 2 && extreme[1] <= 272,
+        "at extreme coordinates: {extreme:?}"
+    );
 }

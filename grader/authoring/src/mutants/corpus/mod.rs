@@ -41,7 +41,8 @@ pub struct Mistake {
 pub struct Mutant {
     /// The name of the mistake, or the names of two that are made at once.
     pub mistakes: Vec<String>,
-    /// The last line of its form in the list, counted from 1; 0 if it is of no list.
+    /// The number of the line in which its form ends in the list of mistakes, from 1. 0 if it comes
+    /// from no list.
     pub line: usize,
     /// The code that it changes: `reference` or the name of a variant.
     pub on: String,

@@ -69,12 +69,14 @@ fn fingerprint(
     let folder = args.scene.parent().unwrap_or(Path::new(""));
     let textures = &scene.scene().textures;
     for file in &textures.files {
-        // One that cannot be read is grey, as if it were empty.
-        let read = || fs::read(folder.join(file)).unwrap_or_default();
-        add_file(
-            &mut picture,
-            &textures.embedded.get(file).cloned().unwrap_or_else(read),
-        );
+        match textures.embedded.get(file) {
+            Some(bytes) => add_file(&mut picture, bytes),
+            // One that cannot be read is grey, as if it were empty.
+            None => add_file(
+                &mut picture,
+                &fs::read(folder.join(file)).unwrap_or_default(),
+            ),
+        }
     }
     let settings = LightSettings {
         force_effects: false,
@@ -96,7 +98,7 @@ fn fingerprint(
     Ok(picture.value())
 }
 
-/// Adds all of a scene but the bytes of its images, and the camera, which is that of the picture.
+/// Adds a scene without its camera (the picture's counts) and the bytes of its images.
 fn add_scene(picture: &mut Fingerprint, scene: &Scene) {
     for t in &scene.triangles {
         for number in [t.p0, t.p1, t.p2, t.n0, t.n1, t.n2]

@@ -33,6 +33,7 @@ pub(super) struct TexCoordSet {
 pub(super) struct MeshReader<'a> {
     pub(super) sources: Sources<'a>,
     pub(super) counter: TestCounter,
+    smooth: SmoothNormals,
 }
 
 impl<'a> MeshReader<'a> {
@@ -70,11 +71,13 @@ impl<'a> MeshReader<'a> {
             }
         }
         let positions = &vertices.positions.values;
-        let mut smooth = SmoothNormals::default();
-        for corners in parts.iter().flat_map(|(.., corners)| corners) {
-            if corners.normals.is_none() {
-                smooth.add(positions, corners.positions);
-            }
+        let smoothed: Vec<[usize; 3]> = (parts.iter())
+            .flat_map(|(.., corners)| corners)
+            .filter(|corners| corners.normals.is_none())
+            .map(|corners| corners.positions)
+            .collect();
+        for corners in &smoothed {
+            self.smooth.add(positions, *corners);
         }
         let mut is_smoothed = false;
         let mut flat = 0_usize;
@@ -83,11 +86,13 @@ impl<'a> MeshReader<'a> {
             let count = corners.len();
             let mut triangles = Vec::with_capacity(count);
             corners.retain(|corners| {
-                let triangle = finish(corners, positions, &smooth);
-                is_smoothed |=
-                    corners.normals.is_none() && triangle.as_ref().is_some_and(looks_round);
-                triangles.extend(triangle);
-                triangle.is_some()
+                let Some((triangle, face)) = finish(corners, positions, &self.smooth) else {
+                    return false;
+                };
+                let Triangle { n0, n1, n2, .. } = triangle;
+                is_smoothed |= corners.normals.is_none() && looks_round(face, [n0, n1, n2]);
+                triangles.push(triangle);
+                true
             });
             flat += count - corners.len();
             finished.push(MeshPart {
@@ -95,6 +100,9 @@ impl<'a> MeshReader<'a> {
                 triangles,
                 tex_coords: reader.tex_coords(&corners),
             });
+        }
+        for corners in smoothed {
+            self.smooth.forget(corners);
         }
         if is_smoothed {
             doc.add_smoothed(name_of(mesh.parent_element().unwrap_or(mesh)));
@@ -108,8 +116,12 @@ impl<'a> MeshReader<'a> {
     }
 }
 
-/// The triangle with its vertex normals; `None` if it has no area.
-fn finish(corners: &Corners, positions: &[Vec3], smooth: &SmoothNormals) -> Option<Triangle> {
+/// The triangle with its vertex normals, and that of its plane; `None` if it has no area.
+fn finish(
+    corners: &Corners,
+    positions: &[Vec3],
+    smooth: &SmoothNormals,
+) -> Option<(Triangle, Vec3)> {
     let [p0, p1, p2] = corners.positions.map(|i| positions[i]);
     let face = face_normal(p0, p1, p2)?;
     let normals = corners
@@ -117,5 +129,5 @@ fn finish(corners: &Corners, positions: &[Vec3], smooth: &SmoothNormals) -> Opti
         .unwrap_or_else(|| smooth.at(corners.positions));
     // A normal that cancels out or is zero in the file is replaced by the geometric normal.
     let normals = normals.map(|n| n.try_normalize().unwrap_or(face));
-    Some(Triangle::smooth([p0, p1, p2], normals))
+    Some((Triangle::smooth([p0, p1, p2], normals), face))
 }

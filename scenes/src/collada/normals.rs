@@ -1,7 +1,6 @@
 //! Normals of meshes without normals in the file.
 
-use kit::{Triangle, Vec3};
-use std::collections::HashMap;
+use kit::Vec3;
 
 /// `(p1-p0) x (p2-p0)` divided by the square of `size`, which is the largest component of the two
 /// edges, so that it neither underflows nor overflows. Zero if the triangle has no area.
@@ -23,22 +22,21 @@ pub(crate) fn face_normal(p0: Vec3, p1: Vec3, p2: Vec3) -> Option<Vec3> {
 /// smoothed mesh still looks like its triangles: 30 degrees. At the corners of a cube it is 55.
 const MIN_SMOOTH_COS: f64 = 0.866;
 
-/// Whether a normal at a vertex of the triangle is so far from that of its plane that a box looks
-/// round.
-pub(crate) fn looks_round(triangle: &Triangle) -> bool {
-    let Triangle { p0, p1, p2, .. } = *triangle;
-    let face = face_normal(p0, p1, p2).unwrap_or(triangle.n0);
-    [triangle.n0, triangle.n1, triangle.n2]
-        .iter()
-        .any(|n| n.dot(face) < MIN_SMOOTH_COS)
+/// Whether a normal at a vertex of a triangle is so far from `face`, that of its plane, that a box
+/// looks round.
+pub(crate) fn looks_round(face: Vec3, normals: [Vec3; 3]) -> bool {
+    normals.iter().any(|n| n.dot(face) < MIN_SMOOTH_COS)
 }
 
 /// Vertex normals: the area-weighted mean of the normals of all adjacent triangles (H. Gouraud,
 /// "Continuous shading of curved surfaces", 1971).
+///
+/// One is used for all meshes of a file, which may share a long list of positions: of each only the
+/// sums at its own vertices are set to zero again ([`SmoothNormals::forget`]).
 #[derive(Default)]
 pub(crate) struct SmoothNormals {
-    /// For each vertex of a triangle, the sum of the weighted normals.
-    sums: HashMap<usize, Vec3>,
+    /// For each position, the sum of the weighted normals.
+    sums: Vec<Vec3>,
 }
 
 impl SmoothNormals {
@@ -46,13 +44,23 @@ impl SmoothNormals {
     pub(crate) fn add(&mut self, positions: &[Vec3], corners: [usize; 3]) {
         let [p0, p1, p2] = corners.map(|i| positions[i]);
         let (cross, size) = scaled_cross(p0, p1, p2);
+        if self.sums.len() < positions.len() {
+            self.sums.resize(positions.len(), Vec3::ZERO);
+        }
         for corner in corners {
-            *self.sums.entry(corner).or_default() += cross * size * size;
+            self.sums[corner] += cross * size * size;
         }
     }
 
     /// The normals at three vertices, not normalised.
     pub(crate) fn at(&self, corners: [usize; 3]) -> [Vec3; 3] {
-        corners.map(|corner| self.sums.get(&corner).copied().unwrap_or(Vec3::ZERO))
+        corners.map(|corner| self.sums.get(corner).copied().unwrap_or(Vec3::ZERO))
+    }
+
+    /// Ends the mesh of a triangle that was added.
+    pub(crate) fn forget(&mut self, corners: [usize; 3]) {
+        for corner in corners {
+            self.sums[corner] = Vec3::ZERO;
+        }
     }
 }

@@ -31,14 +31,14 @@ pub(super) struct MeshData {
 /// Indices into the lists of a [`MeshData`].
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Corner {
-    pub(super) position: usize,
-    pub(super) normal: Option<usize>,
-    pub(super) tex_coords: Option<usize>,
+    pub(super) position: u32,
+    pub(super) normal: Option<u32>,
+    pub(super) tex_coords: Option<u32>,
 }
 
 impl Corner {
     /// A corner with one index for all lists of `mesh` that are not empty.
-    pub(super) fn of_all(mesh: &MeshData, index: usize) -> Corner {
+    pub(super) fn of_all(mesh: &MeshData, index: u32) -> Corner {
         Corner {
             position: index,
             normal: (!mesh.normals.is_empty()).then_some(index),
@@ -54,6 +54,7 @@ pub(super) struct Builder<'f> {
     /// Titles, advice, and the parts of the file that each is about.
     warnings: Vec<(String, String, Vec<String>)>,
     smoothed: Vec<String>,
+    smooth: SmoothNormals,
     tex_coords: Vec<[Vec2; 3]>,
     pub(super) textures: TextureMap,
     default_material: Option<u32>,
@@ -66,6 +67,7 @@ impl<'f> Builder<'f> {
             scene: Scene::default(),
             warnings: Vec::new(),
             smoothed: Vec::new(),
+            smooth: SmoothNormals::default(),
             tex_coords: Vec::new(),
             textures: TextureMap::default(),
             default_material: None,
@@ -122,30 +124,34 @@ impl<'f> Builder<'f> {
         }
     }
 
-    /// The triangles of a polygon. One with fewer than three corners has none.
-    pub(super) fn triangulated(
+    /// Adds the triangles of a polygon to `triangles`. One with fewer than three corners has none.
+    pub(super) fn triangulate(
         &self,
         mesh: &MeshData,
         polygon: &[Corner],
         counter: &mut TestCounter,
-    ) -> Result<Vec<[Corner; 3]>, SceneError> {
-        let position = |corner: &Corner| mesh.positions.get(corner.position).copied();
+        triangles: &mut Vec<[Corner; 3]>,
+    ) -> Result<(), SceneError> {
+        if let [a, b, c] = *polygon {
+            triangles.push([a, b, c]);
+            return Ok(());
+        }
+        let position = |corner: &Corner| mesh.positions.get(corner.position as usize).copied();
         // An index out of range is found when the mesh is added.
         let points: Vec<Vec3> = polygon
             .iter()
             .map(|corner| position(corner).unwrap_or(Vec3::ZERO))
             .collect();
         if points.len() < 3 {
-            return Ok(Vec::new());
+            return Ok(());
         }
         let triangulation = triangulate(&points, counter).map_err(|TooComplex| {
             let title = "the polygons are too complex to triangulate";
             self.error(title, "triangulate the mesh before the export")
         })?;
-        let triangles = triangulation.triangles.into_iter();
-        Ok(triangles
-            .map(|corners| corners.map(|i| polygon[i]))
-            .collect())
+        let of_polygon = |corners: [usize; 3]| corners.map(|i| polygon[i]);
+        triangles.extend(triangulation.triangles.into_iter().map(of_polygon));
+        Ok(())
     }
 
     /// Adds a mesh to the scene. Triangles without area, or with a position that is not finite, are
@@ -163,7 +169,7 @@ impl<'f> Builder<'f> {
             return Err(self.error(title, "use fewer instances, or simplify the mesh"));
         }
         let position = |corner: Corner| {
-            let position = mesh.positions.get(corner.position).copied();
+            let position = mesh.positions.get(corner.position as usize);
             position.ok_or_else(|| {
                 let title = format!(
                     "`{name}` refers to vertex {}, but has {}",
@@ -173,14 +179,18 @@ impl<'f> Builder<'f> {
                 self.error(title, "the file is damaged: export it again")
             })
         };
-        let mut smooth = SmoothNormals::default();
         for corners in &mesh.triangles {
             for corner in corners {
                 position(*corner)?;
             }
-            if mesh.is_smooth && corners[0].normal.is_none() {
-                smooth.add(&mesh.positions, corners.map(|corner| corner.position));
-            }
+        }
+        let smoothed = || {
+            let corners = mesh.triangles.iter();
+            let corners = corners.filter(|[a, ..]| mesh.is_smooth && a.normal.is_none());
+            corners.map(|corners| corners.map(|corner| corner.position as usize))
+        };
+        for corners in smoothed() {
+            self.smooth.add(&mesh.positions, corners);
         }
         let object = self.scene.objects.len() as u32;
         self.scene.objects.push(Object {
@@ -190,28 +200,31 @@ impl<'f> Builder<'f> {
         let transform = TriangleTransform::new(to_world);
         let has_texture = self.textures.of_material(material).is_some();
         let (mut flat, mut is_smoothed) = (0_usize, false);
+        self.scene.triangles.reserve(mesh.triangles.len());
         for corners in &mesh.triangles {
-            let [p0, p1, p2] = corners.map(|corner| mesh.positions[corner.position]);
+            let positions = corners.map(|corner| corner.position as usize);
+            let [p0, p1, p2] = positions.map(|i| mesh.positions[i]);
             let Some(face) = face_normal(p0, p1, p2) else {
                 flat += 1;
                 continue;
             };
-            let given = corners.map(|c| c.normal.and_then(|i| mesh.normals.get(i)));
+            let given = corners.map(|c| c.normal.and_then(|i| mesh.normals.get(i as usize)));
             let normals = match given {
                 [Some(a), Some(b), Some(c)] => [*a, *b, *c],
-                _ if mesh.is_smooth => smooth.at(corners.map(|corner| corner.position)),
+                _ if mesh.is_smooth => self.smooth.at(positions),
                 _ => [face; 3],
             };
             let normals = normals.map(|n| n.try_normalize().unwrap_or(face));
             let local = Triangle::smooth([p0, p1, p2], normals);
-            is_smoothed |= given[0].is_none() && mesh.is_smooth && looks_round(&local);
+            is_smoothed |= given[0].is_none() && mesh.is_smooth && looks_round(face, normals);
             let Some(placed) = transform.triangle(&local) else {
                 let title = format!("`{name}` is too far from the origin");
                 return Err(self.error(title, "look for a scale with a wrong exponent"));
             };
             if has_texture {
                 let of = |corner: Corner| {
-                    let uv = corner.tex_coords.and_then(|i| mesh.tex_coords.get(i));
+                    let uv = corner.tex_coords;
+                    let uv = uv.and_then(|i| mesh.tex_coords.get(i as usize));
                     uv.copied()
                         .filter(|uv| uv.is_finite())
                         .unwrap_or(Vec2::ZERO)
@@ -223,7 +236,11 @@ impl<'f> Builder<'f> {
                 self.tex_coords.push(coordinates);
             }
             self.scene.triangles.push(placed);
-            self.scene.object_of.push(object);
+        }
+        let count = self.scene.triangles.len();
+        self.scene.object_of.resize(count, object);
+        for corners in smoothed() {
+            self.smooth.forget(corners);
         }
         if has_texture && mesh.tex_coords.is_empty() {
             self.warn(

@@ -351,16 +351,16 @@ impl Reader<'_> {
                     .map(|uv| placement.apply(uv))
                     .collect();
             }
-            let indices: Vec<usize> = match primitive.indices() {
+            let indices: Vec<u32> = match primitive.indices() {
                 Some(indices) => {
                     let indices = self.numbers::<1>(&indices)?;
-                    indices.into_iter().map(|[index]| index as usize).collect()
+                    indices.into_iter().map(|[index]| index as u32).collect()
                 }
-                None => (0..data.positions.len()).collect(),
+                None => (0..data.positions.len() as u32).collect(),
             };
-            let corners = |list: [usize; 3]| list.map(|i| Corner::of_all(&data, i));
-            let triangles: Vec<[usize; 3]> = match primitive.mode() {
-                Mode::Triangles => indices.as_chunks::<3>().0.to_vec(),
+            let corners = |list: [u32; 3]| list.map(|i| Corner::of_all(&data, i));
+            let triangles: Vec<[u32; 3]> = match primitive.mode() {
+                Mode::Triangles => indices.as_chunks().0.to_vec(),
                 Mode::TriangleStrip => (indices.windows(3).enumerate())
                     .map(|(i, w)| {
                         if i % 2 == 0 {

@@ -12,6 +12,7 @@ use crate::collada::transform::Affine;
 use crate::diagnostic::SceneError;
 use crate::limited_file;
 use kit::{Vec2, Vec3};
+use std::borrow::Cow;
 use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
 
@@ -51,29 +52,32 @@ pub(super) fn read(name: &str, folder: &Path, bytes: &[u8]) -> Result<Loaded, Sc
             let title = format!("line {line} is not valid: expected {expected}");
             builder.error(title, "export the model again, or correct this line")
         };
-        let numbers =
-            || -> Option<Vec<f64>> { value.split_whitespace().map(|x| x.parse().ok()).collect() };
-        match (word, numbers().as_deref()) {
-            ("v", Some([x, y, z, more @ ..])) => {
-                data.positions.push(Vec3::new(*x, *y, *z));
-                if more.len() >= 3 {
-                    let title = "the colours of vertices are ignored";
-                    let result = "the material alone gives a surface its colour";
-                    builder.warn(title, "", result);
+        match word {
+            "v" | "vn" => match numbers(value) {
+                Some((p, count @ 3..)) => {
+                    let list = match word {
+                        "v" => &mut data.positions,
+                        _ => &mut data.normals,
+                    };
+                    list.push(Vec3::from(p));
+                    if word == "v" && count >= 6 {
+                        let title = "the colours of vertices are ignored";
+                        let result = "the material alone gives a surface its colour";
+                        builder.warn(title, "", result);
+                    }
                 }
-            }
-            ("vn", Some([x, y, z, ..])) => data.normals.push(Vec3::new(*x, *y, *z)),
-            ("vt", Some([u, more @ ..])) => {
-                let v = more.first().copied().unwrap_or(0.0);
-                data.tex_coords.push(Vec2::new(*u, v));
-            }
-            ("v" | "vn", _) => return Err(invalid(&builder, "three numbers")),
-            ("vt", _) => return Err(invalid(&builder, "one number, or more")),
-            ("f" | "fo", _) => {
+                _ => return Err(invalid(&builder, "three numbers")),
+            },
+            "vt" => match numbers(value) {
+                Some(([u, v, _], 1..)) => data.tex_coords.push(Vec2::new(u, v)),
+                _ => return Err(invalid(&builder, "one number, or more")),
+            },
+            "f" | "fo" => {
                 let group = groups.last_mut().expect("there is always one");
                 let before = group.corners.len();
                 for corner in value.split_whitespace() {
-                    let expected = "vertices such as 1, 1/2, 1//3 or 1/2/3, none of them 0";
+                    let expected =
+                        "vertices such as 1, 1/2, 1//3 or 1/2/3, none of them 0 or above 4294967295";
                     let corner = corner_of(corner, &data);
                     group
                         .corners
@@ -87,7 +91,7 @@ pub(super) fn read(name: &str, folder: &Path, bytes: &[u8]) -> Result<Loaded, Sc
                 }
                 group.polygons.push((line, size));
             }
-            ("o" | "g" | "usemtl" | "s", _) => {
+            "o" | "g" | "usemtl" | "s" => {
                 let last = groups.last().expect("there is always one");
                 let mut group = last.emptied();
                 match word {
@@ -100,12 +104,12 @@ pub(super) fn read(name: &str, folder: &Path, bytes: &[u8]) -> Result<Loaded, Sc
                     groups.push(group);
                 }
             }
-            ("mtllib", _) => {
+            "mtllib" => {
                 if libraries.insert(value) {
                     materials.extend(read_libraries(&mut builder, folder, value));
                 }
             }
-            ("l" | "p", _) => builder.warn("points and lines", "", "they are left out"),
+            "l" | "p" => builder.warn("points and lines", "", "they are left out"),
             _ => builder.warn("statements that are not read", word, "they are ignored"),
         }
     }
@@ -118,25 +122,27 @@ pub(super) fn read(name: &str, folder: &Path, bytes: &[u8]) -> Result<Loaded, Sc
         };
         let mut absent = [false; 2];
         let mut rest = &group.corners[..];
-        data.triangles.clear();
+        let mut triangles = std::mem::take(&mut data.triangles);
+        triangles.clear();
         data.is_smooth = !group.is_flat;
         for (line, size) in &group.polygons {
             let (polygon, others) = rest.split_at(*size);
             rest = others;
             for corner in polygon {
-                let (at, count) = (corner.position, data.positions.len());
+                let (at, count) = (corner.position as usize, data.positions.len());
                 if at >= count {
-                    let at = at.wrapping_add(1);
+                    let at = at + 1;
                     let title = format!("line {line} refers to vertex {at}, but there are {count}");
                     return Err(builder.error(title, "the file is damaged: export it again"));
                 }
-                let is_absent = |index: Option<usize>, count| index.is_some_and(|i| i >= count);
+                let is_absent =
+                    |index: Option<u32>, count| index.is_some_and(|i| i as usize >= count);
                 absent[0] |= is_absent(corner.tex_coords, data.tex_coords.len());
                 absent[1] |= is_absent(corner.normal, data.normals.len());
             }
-            let triangles = builder.triangulated(&data, polygon, &mut counter)?;
-            data.triangles.extend(triangles);
+            builder.triangulate(&data, polygon, &mut counter, &mut triangles)?;
         }
+        data.triangles = triangles;
         for (is_absent, what, result) in [
             (absent[0], "texture coordinates", "using 0 0"),
             (absent[1], "normals", "using those of the faces"),
@@ -159,16 +165,30 @@ pub(super) fn read(name: &str, folder: &Path, bytes: &[u8]) -> Result<Loaded, Sc
     Ok(builder.into_loaded())
 }
 
+/// The first three numbers of a text, 0 where there are fewer, and how many it has; `None` if a word
+/// is not a number.
+fn numbers(text: &str) -> Option<([f64; 3], usize)> {
+    let (mut first, mut count) = ([0.0; 3], 0);
+    for word in text.split_whitespace() {
+        let number = word.parse().ok()?;
+        if let Some(place) = first.get_mut(count) {
+            *place = number;
+        }
+        count += 1;
+    }
+    Some((first, count))
+}
+
 /// A corner of a face: `position/texture/normal`, counted from 1, or backwards from the last one.
 fn corner_of(text: &str, data: &MeshData) -> Option<Corner> {
     let mut parts = text.split('/');
-    let mut index = |count: usize| -> Option<Option<usize>> {
+    let mut index = |count: usize| -> Option<Option<u32>> {
         match parts.next().unwrap_or_default() {
             "" => Some(None),
-            number => match number.parse::<isize>().ok()? {
+            number => match number.parse::<i64>().ok()? {
                 0 => None,
-                back @ ..0 => Some(Some(count.checked_add_signed(back)?)),
-                number => Some(Some(number.unsigned_abs() - 1)),
+                back @ ..0 => Some(Some((count as u32).checked_add_signed(back.try_into().ok()?)?)),
+                number => Some(Some((number - 1).try_into().ok()?)),
             },
         }
     };
@@ -221,19 +241,23 @@ fn find(folder: &Path, name: &str) -> Option<PathBuf> {
 }
 
 /// The text of a file in UTF-8, UTF-16 or nearly so, with one kind of line ends.
-pub(super) fn decoded(bytes: &[u8]) -> String {
+pub(super) fn decoded(bytes: &[u8]) -> Cow<'_, str> {
     let utf16 = |unit: fn([u8; 2]) -> u16| {
         let units: Vec<u16> = bytes.as_chunks().0.iter().map(|pair| unit(*pair)).collect();
         String::from_utf16_lossy(&units)
     };
     let text = match bytes {
-        [0xfe, 0xff, ..] => utf16(u16::from_be_bytes),
-        [0xff, 0xfe, ..] => utf16(u16::from_le_bytes),
-        _ => String::from_utf8_lossy(bytes).into_owned(),
+        [0xfe, 0xff, ..] => utf16(u16::from_be_bytes).into(),
+        [0xff, 0xfe, ..] => utf16(u16::from_le_bytes).into(),
+        _ => String::from_utf8_lossy(bytes),
     };
+    let has = |byte| text.as_bytes().contains(&byte);
+    if !(text.starts_with('\u{feff}') || has(b'\r') || has(b'\\')) {
+        return text;
+    }
     let text = text.trim_start_matches('\u{feff}').replace("\r\n", "\n");
     // A line that is continued on the next stays one, of the same number.
-    text.replace('\r', "\n").replace("\\\n", " \u{b}")
+    text.replace('\r', "\n").replace("\\\n", " \u{b}").into()
 }
 
 /// The statements of an OBJ or MTL file: line, first word and the rest, without comments.

@@ -134,22 +134,23 @@ pub(super) fn read(name: &str, bytes: &[u8]) -> Result<Loaded, SceneError> {
     let mut counter = TestCounter::default();
     // One mesh for each texture, and one without.
     let mut meshes: Vec<Vec<[Corner; 3]>> = vec![Vec::new(); textures.len() + 1];
+    let mut polygon: Vec<Corner> = Vec::new();
     for face in faces {
         let Some(vertices) = face.vertices else {
             let help = "indices are integers >= 0: export the model again";
             return Err(builder.error("an index of a face is not a vertex", help));
         };
-        let corner = |index: &u32| Corner::of_all(&data, *index as usize);
-        let mut polygon: Vec<Corner> = vertices.iter().map(corner).collect();
+        polygon.clear();
+        polygon.extend((vertices.iter()).map(|index| Corner::of_all(&data, *index)));
         let own = face.tex_coords.as_chunks().0;
         if !textures.is_empty() && own.len() == polygon.len() {
             for (corner, [u, v]) in polygon.iter_mut().zip(own) {
-                corner.tex_coords = Some(data.tex_coords.len());
+                corner.tex_coords = Some(data.tex_coords.len() as u32);
                 data.tex_coords.push(Vec2::new((*u).into(), (*v).into()));
             }
         }
-        let triangles = builder.triangulated(&data, &polygon, &mut counter)?;
-        meshes[face.texture.min(textures.len())].extend(triangles);
+        let mesh = &mut meshes[face.texture.min(textures.len())];
+        builder.triangulate(&data, &polygon, &mut counter, mesh)?;
     }
     if meshes.iter().all(Vec::is_empty) {
         let help = "clouds of points and strips of triangles are not read: export a mesh of faces";

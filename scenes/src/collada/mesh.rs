@@ -1,12 +1,12 @@
 //! `<mesh>`: converts sources and primitive elements to triangles in local space.
 
 use super::document::{Document, Element, children, name_of, tag};
-use super::mesh_part::{Corners, PartReader};
+use super::mesh_part::PartReader;
 use super::normals::{SmoothNormals, face_normal, looks_round};
 use super::polygon::TestCounter;
 use super::vertices::{Sources, Vertices};
 use crate::diagnostic::SceneError;
-use kit::{Triangle, Vec2, Vec3};
+use kit::{Triangle, Vec2};
 
 /// The triangles of a mesh that have one material.
 #[derive(Debug)]
@@ -71,11 +71,11 @@ impl<'a> MeshReader<'a> {
             }
         }
         let positions = &vertices.positions.values;
-        let smoothed: Vec<[usize; 3]> = (parts.iter())
-            .flat_map(|(.., corners)| corners)
-            .filter(|corners| corners.normals.is_none())
-            .map(|corners| corners.positions)
-            .collect();
+        let mut smoothed = Vec::new();
+        for (_, reader, corners) in &parts {
+            let without = corners.iter().filter(|corners| !corners.has_normals);
+            smoothed.extend(without.map(|corners| reader.positions_of(corners)));
+        }
         for corners in &smoothed {
             self.smooth.add(positions, *corners);
         }
@@ -86,12 +86,18 @@ impl<'a> MeshReader<'a> {
             let count = corners.len();
             let mut triangles = Vec::with_capacity(count);
             corners.retain(|corners| {
-                let Some((triangle, face)) = finish(corners, positions, &self.smooth) else {
+                let corner_positions = reader.positions_of(corners);
+                let [p0, p1, p2] = corner_positions.map(|i| positions[i]);
+                let Some(face) = face_normal(p0, p1, p2) else {
                     return false;
                 };
-                let Triangle { n0, n1, n2, .. } = triangle;
-                is_smoothed |= corners.normals.is_none() && looks_round(face, [n0, n1, n2]);
-                triangles.push(triangle);
+                let normals = reader.normals_of(corners);
+                let normals = normals.unwrap_or_else(|| self.smooth.at(corner_positions));
+                // A normal that cancels out or is zero in the file is replaced by the geometric
+                // normal.
+                let normals = normals.map(|n| n.try_normalize().unwrap_or(face));
+                is_smoothed |= !corners.has_normals && looks_round(face, normals);
+                triangles.push(Triangle::smooth([p0, p1, p2], normals));
                 true
             });
             flat += count - corners.len();
@@ -114,20 +120,4 @@ impl<'a> MeshReader<'a> {
         }
         Ok(finished)
     }
-}
-
-/// The triangle with its vertex normals, and that of its plane; `None` if it has no area.
-fn finish(
-    corners: &Corners,
-    positions: &[Vec3],
-    smooth: &SmoothNormals,
-) -> Option<(Triangle, Vec3)> {
-    let [p0, p1, p2] = corners.positions.map(|i| positions[i]);
-    let face = face_normal(p0, p1, p2)?;
-    let normals = corners
-        .normals
-        .unwrap_or_else(|| smooth.at(corners.positions));
-    // A normal that cancels out or is zero in the file is replaced by the geometric normal.
-    let normals = normals.map(|n| n.try_normalize().unwrap_or(face));
-    Some((Triangle::smooth([p0, p1, p2], normals), face))
 }

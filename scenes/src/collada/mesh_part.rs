@@ -10,12 +10,18 @@ use super::vertices::{Sources, Vertices};
 use crate::diagnostic::SceneError;
 use kit::{Vec2, Vec3};
 
-/// A triangle whose vertices are indices of positions, with the normals of the file, if any.
+/// A triangle.
 pub(super) struct Corners {
-    pub(super) positions: [usize; 3],
-    pub(super) normals: Option<[Vec3; 3]>,
     /// The groups of the corners in the index lists.
-    groups: [usize; 3],
+    groups: [u32; 3],
+    /// Whether the file has normals for them.
+    pub(super) has_normals: bool,
+}
+
+impl Corners {
+    fn groups(&self) -> [usize; 3] {
+        self.groups.map(|group| group as usize)
+    }
 }
 
 /// Converts the index lists of a primitive element to triangles.
@@ -103,21 +109,23 @@ impl<'r, 'a> PartReader<'r, 'a> {
         let lists = &self.polygons.lists;
         let mut corners = Vec::with_capacity(self.polygons.polygons.len());
         let mut problems = Problems::default();
+        let mut triangles = Vec::new();
         for polygon in &self.polygons.polygons {
-            for [a, b, c] in self.triangles(polygon, counter, &mut problems)? {
+            self.triangulate(polygon, counter, &mut problems, &mut triangles)?;
+            for [a, b, c] in triangles.drain(..) {
                 // The winding order of a strip alternates: every second triangle is reversed.
                 let groups = if polygon.reversed {
                     [a, c, b]
                 } else {
                     [a, b, c]
                 };
+                let normals = self.normals.as_ref();
+                let normals =
+                    normals.and_then(|into| into.values(lists, groups, &mut problems.normals));
                 corners.push(Corners {
-                    positions: groups.map(|group| lists.index(group, self.positions.offset)),
-                    groups,
-                    normals: self
-                        .normals
-                        .as_ref()
-                        .and_then(|into| into.values(lists, groups, &mut problems.normals)),
+                    // A file has less than 2³⁰ bytes.
+                    groups: groups.map(|group| group as u32),
+                    has_normals: normals.is_some(),
                 });
             }
         }
@@ -125,12 +133,25 @@ impl<'r, 'a> PartReader<'r, 'a> {
         Ok(corners)
     }
 
+    /// The indices of the positions of a triangle.
+    pub(super) fn positions_of(&self, corners: &Corners) -> [usize; 3] {
+        let lists = &self.polygons.lists;
+        (corners.groups()).map(|group| lists.index(group, self.positions.offset))
+    }
+
+    /// The normals of a triangle, if the file has them.
+    pub(super) fn normals_of(&self, corners: &Corners) -> Option<[Vec3; 3]> {
+        let into = self.normals.as_ref().filter(|_| corners.has_normals)?;
+        let lists = &self.polygons.lists;
+        into.values(lists, corners.groups(), &mut Found::default())
+    }
+
     /// The sets of texture coordinates of these triangles.
     pub(super) fn tex_coords(&self, triangles: &[Corners]) -> Vec<TexCoordSet> {
         let set = |(number, into): &(u64, IndexInto<'a, Vec2>)| {
             let mut missing = Found::default();
             let of = |corners: &Corners| {
-                let values = into.values(&self.polygons.lists, corners.groups, &mut missing);
+                let values = into.values(&self.polygons.lists, corners.groups(), &mut missing);
                 values.unwrap_or([Vec2::ZERO; 3])
             };
             let coordinates = triangles.iter().map(of).collect();
@@ -145,13 +166,20 @@ impl<'r, 'a> PartReader<'r, 'a> {
         self.tex_coords.iter().map(set).collect()
     }
 
-    /// The triangles of a polygon, as the groups of their corners. None if a position is NaN.
-    fn triangles(
+    /// Adds the triangles of a polygon, as the groups of their corners. None if a position is NaN.
+    fn triangulate(
         &self,
         polygon: &Polygon,
         counter: &mut TestCounter,
         problems: &mut Problems,
-    ) -> Result<Vec<[usize; 3]>, SceneError> {
+        triangles: &mut Vec<[usize; 3]>,
+    ) -> Result<(), SceneError> {
+        if let Some(groups) = self.polygons.as_triangle(polygon) {
+            let [a, b, c] = groups;
+            let points = [self.position(a)?, self.position(b)?, self.position(c)?];
+            triangles.extend(points.iter().all(|p| !p.is_nan()).then_some(groups));
+            return Ok(());
+        }
         let mut groups: Vec<usize> = polygon.groups().collect();
         let outline = groups.len();
         let mut holes = Vec::new();
@@ -166,7 +194,7 @@ impl<'r, 'a> PartReader<'r, 'a> {
             .map(position)
             .collect::<Result<Vec<Vec3>, SceneError>>()?;
         if points.iter().any(|p| p.is_nan()) {
-            return Ok(Vec::new());
+            return Ok(());
         }
         if !holes.is_empty() {
             let boundary = holes::connect(&points, outline, &holes, counter)
@@ -179,10 +207,9 @@ impl<'r, 'a> PartReader<'r, 'a> {
             triangulate(&points, counter).map_err(|TooComplex| self.too_complex())?;
         let intersects = usize::from(!triangulation.simple);
         problems.self_intersections.add(intersects, polygon.first);
-        let triangles = triangulation.triangles.into_iter();
-        Ok(triangles
-            .map(|corners| corners.map(|corner| groups[corner]))
-            .collect())
+        let of_polygon = |corners: [usize; 3]| corners.map(|corner| groups[corner]);
+        triangles.extend(triangulation.triangles.into_iter().map(of_polygon));
+        Ok(())
     }
 
     /// The position of a corner. An error if its index is out of range.

@@ -173,6 +173,7 @@ impl<'r, 'a> Builder<'r, 'a> {
                         self.tex_coords
                             .extend(corners.map(|corners| transform.tex_coords(*corners)));
                     }
+                    self.scene.triangles.reserve(part.triangles.len());
                     for local in &part.triangles {
                         let placed = transform
                             .triangle(local)

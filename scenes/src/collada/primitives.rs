@@ -100,6 +100,13 @@ impl<'a> Polygons<'a> {
         &self.holes[polygon.holes.clone()]
     }
 
+    /// The groups of the corners of a triangle without holes.
+    pub(super) fn as_triangle(&self, polygon: &Polygon) -> Option<[usize; 3]> {
+        let mut groups = polygon.groups();
+        (polygon.corners == 3 && polygon.holes.is_empty())
+            .then(|| std::array::from_fn(|_| groups.next().unwrap_or_default()))
+    }
+
     /// Adds the polygons of a `<p>` with these groups. The `<p>` of a polylist is split later.
     fn add_list(
         &mut self,

@@ -76,8 +76,7 @@ pub(super) fn read(name: &str, folder: &Path, bytes: &[u8]) -> Result<Loaded, Sc
                 let group = groups.last_mut().expect("there is always one");
                 let before = group.corners.len();
                 for corner in value.split_whitespace() {
-                    let expected =
-                        "vertices such as 1, 1/2, 1//3 or 1/2/3, none of them 0 or above 4294967295";
+                    let expected = "vertices such as 1, 1/2, 1//3 or 1/2/3, none of them 0 or above 4294967295";
                     let corner = corner_of(corner, &data);
                     group
                         .corners
@@ -187,7 +186,9 @@ fn corner_of(text: &str, data: &MeshData) -> Option<Corner> {
             "" => Some(None),
             number => match number.parse::<i64>().ok()? {
                 0 => None,
-                back @ ..0 => Some(Some((count as u32).checked_add_signed(back.try_into().ok()?)?)),
+                back @ ..0 => Some(Some(
+                    (count as u32).checked_add_signed(back.try_into().ok()?)?,
+                )),
                 number => Some(Some((number - 1).try_into().ok()?)),
             },
         }

@@ -119,9 +119,8 @@ impl Scene {
 
     /// The bounding box of the scene.
     pub fn bounds(&self) -> Aabb {
-        self.primitive_bounds()
-            .into_iter()
-            .fold(Aabb::EMPTY, Aabb::union)
+        let boxes = self.primitives().map(|primitive| primitive.bounds());
+        boxes.fold(Aabb::EMPTY, Aabb::union)
     }
 
     /// Gives every triangle the normal of its plane, on the side of its vertex normals. A triangle

@@ -45,7 +45,9 @@ pub(crate) fn build(triangles: &[Triangle], spheres: &[Sphere], with_apart: bool
     let mut prims = input.primitives(&space);
     let mut apart = Vec::new();
     if with_apart {
-        tree.apart = large::choose(|| input.boxes());
+        let numbers = (0..count).into_par_iter();
+        let boxes = numbers.map(|number| (PrimId(number as u32), input.bounds(number)));
+        tree.apart = large::choose(boxes);
         let is_apart = |prim: &mut BuildPrimitive| tree.apart.contains(&PrimId(prim.id()));
         apart = prims.extract_if(.., is_apart).collect();
     }
@@ -110,12 +112,6 @@ impl Input<'_> {
             }
         };
         (is_finite && !bounds.is_empty()).then_some(bounds)
-    }
-
-    /// All primitives that have a box, in ascending order.
-    fn boxes(&self) -> impl Iterator<Item = (PrimId, Aabb)> {
-        let numbers = 0..self.triangles.len() + self.spheres.len();
-        numbers.filter_map(|number| Some((PrimId(number as u32), self.bounds(number)?)))
     }
 
     /// How many of `prims`, which are in ascending order, are triangles.

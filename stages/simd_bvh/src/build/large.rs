@@ -6,6 +6,7 @@
 //! only where a ray also crosses the boxes of the rest.
 
 use kit::{Aabb, PrimId};
+use rayon::prelude::*;
 
 /// The largest number of primitives that are apart.
 const MAX_APART: usize = 16;
@@ -19,18 +20,21 @@ const COST_OF_TEST: f64 = 0.01;
 const WORTHWHILE: f64 = 0.75;
 
 /// The primitives to be apart, in ascending order: the largest ones, as many as make the expected
-/// time least. None if that would not save time. `boxes` are those of all primitives.
+/// time least. None if that would not save time. `boxes` are those of all primitives, in ascending
+/// order.
 ///
 /// A ray that crosses the scene crosses a box in it with the probability that the surface area
 /// heuristic assumes: the ratio of the surface areas.
-pub(crate) fn choose<I>(boxes: impl Fn() -> I) -> Vec<PrimId>
-where
-    I: Iterator<Item = (PrimId, Aabb)>,
-{
-    let mut largest = largest(boxes());
-    let mut others = boxes()
-        .filter(|&(id, _)| largest.iter().all(|&(other, _)| other != id))
-        .fold(Aabb::EMPTY, |sum, (_, bounds)| sum.union(bounds));
+pub(crate) fn choose(
+    boxes: impl IndexedParallelIterator<Item = (PrimId, Option<Aabb>)>,
+) -> Vec<PrimId> {
+    let all = boxes
+        .with_min_len(MIN_PARALLEL)
+        .fold(Largest::default, Largest::with_box);
+    let Largest {
+        mut largest,
+        mut others,
+    } = all.reduce(Largest::default, Largest::with_all);
     if others.is_empty() {
         return Vec::new();
     }
@@ -49,18 +53,55 @@ where
     ids
 }
 
-/// The primitives with the largest boxes, the largest first.
-fn largest(boxes: impl Iterator<Item = (PrimId, Aabb)>) -> Vec<(PrimId, Aabb)> {
-    let mut largest: Vec<(PrimId, Aabb)> = Vec::with_capacity(MAX_APART + 1);
-    for (id, bounds) in boxes {
-        let area = bounds.surface_area();
-        let place = largest.partition_point(|(_, other)| other.surface_area() >= area);
-        if place < MAX_APART {
-            largest.insert(place, (id, bounds));
-            largest.truncate(MAX_APART);
+/// A thread looks at this many boxes at once, or more.
+const MIN_PARALLEL: usize = 1 << 12;
+
+/// The primitives with the largest boxes, the largest first, and the box of all others.
+struct Largest {
+    largest: Vec<(PrimId, Aabb)>,
+    others: Aabb,
+}
+
+impl Default for Largest {
+    fn default() -> Largest {
+        Largest {
+            largest: Vec::with_capacity(MAX_APART + 1),
+            others: Aabb::EMPTY,
         }
     }
-    largest
+}
+
+impl Largest {
+    /// With one more primitive, behind all that it has; without its box it does not count.
+    fn with_box(mut self, (id, bounds): (PrimId, Option<Aabb>)) -> Largest {
+        let Some(bounds) = bounds else {
+            return self;
+        };
+        let area = bounds.surface_area();
+        let is_larger = |(_, other): &(PrimId, Aabb)| other.surface_area() >= area;
+        let place = match self.largest.last() {
+            Some(last) if self.largest.len() == MAX_APART && is_larger(last) => MAX_APART,
+            _ => self.largest.partition_point(is_larger),
+        };
+        if place == MAX_APART {
+            self.others = self.others.union(bounds);
+            return self;
+        }
+        self.largest.insert(place, (id, bounds));
+        if self.largest.len() > MAX_APART
+            && let Some((_, bounds)) = self.largest.pop()
+        {
+            self.others = self.others.union(bounds);
+        }
+        self
+    }
+
+    /// With those of the primitives behind.
+    fn with_all(mut self, behind: Largest) -> Largest {
+        self.others = self.others.union(behind.others);
+        let boxes = behind.largest.into_iter();
+        boxes.fold(self, |all, (id, bounds)| all.with_box((id, Some(bounds))))
+    }
 }
 
 #[cfg(test)]
@@ -70,7 +111,8 @@ mod tests {
     use meshes::{MeshKind, generate};
 
     fn chosen(boxes: &[Aabb]) -> Vec<u32> {
-        let numbered = || (0..).map(PrimId).zip(boxes.iter().copied());
+        let numbered = boxes.par_iter().enumerate();
+        let numbered = numbered.map(|(i, bounds)| (PrimId(i as u32), Some(*bounds)));
         choose(numbered).iter().map(|id| id.0).collect()
     }
 
@@ -86,7 +128,8 @@ mod tests {
 
     #[test]
     fn only_what_is_large_is_apart() {
-        let mesh = generate(MeshKind::Knot, 2000);
+        // Several threads look at parts of so many.
+        let mesh = generate(MeshKind::Knot, 20_000);
         let mut boxes: Vec<Aabb> = mesh.iter().map(|t| t.bounds()).collect();
         let size = boxes
             .iter()

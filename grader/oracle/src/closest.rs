@@ -138,10 +138,18 @@ fn test_primitive(primitive: Primitive<'_>, ray: &Ray) -> (Option<BigFloat>, Per
 /// Returns the closest hit of `ray` among `primitives`, whose ids count from 0, by testing every
 /// one.
 pub fn closest<'a>(primitives: impl IntoIterator<Item = Primitive<'a>>, ray: &Ray) -> Closest {
+    closest_of((0..).map(PrimId).zip(primitives), ray)
+}
+
+/// The same of primitives with their ids.
+pub(super) fn closest_of<'a>(
+    primitives: impl Iterator<Item = (PrimId, Primitive<'a>)>,
+    ray: &Ray,
+) -> Closest {
     let mut nearest: Option<(PrimId, BigFloat)> = None;
     let mut ties = Vec::new();
     let mut answered: PerKernel<Vec<(PrimId, Answers)>> = PerKernel::default();
-    for (id, primitive) in (0..).map(PrimId).zip(primitives) {
+    for (id, primitive) in primitives {
         let (t, answers) = test_primitive(primitive, ray);
         if let Some(t) = t {
             match nearest {

@@ -50,7 +50,7 @@ pub mod verdict;
 pub use bbox::{BoxJudgement, BoxVerdict, bbox};
 pub use big_float::{BigFloat, ulps};
 pub use closest::{Closest, any, closest};
-pub use near::{may_touch, near};
+pub use near::{Shapes, may_touch};
 pub use sphere::{SphereClass, SphereVerdict, sphere};
 pub use surface::{NormalTruth, PointTruth};
 pub use triangle::{PlaneCrossing, TriangleClass, TriangleVerdict, plane_crossing, triangle};

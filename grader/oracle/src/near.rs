@@ -1,25 +1,67 @@
 //! A fast filter: selects the shapes that are close enough to a ray to need an exact test.
 
+use super::closest::{Closest, closest_of};
 use super::sphere_error::SphereErrorBounds;
-use super::triangle_error::TriangleErrorBounds;
+use super::triangle_error::{TriangleErrorBounds, TriangleSizes};
 use super::verdict::KernelClass;
 use kit::scene::Primitive;
-use kit::{Aabb, Ray};
+use kit::{Aabb, PrimId, Ray, Sphere};
 
 /// Bounding spheres are enlarged by this fraction of their radius and distance, which is much more
 /// than the rounding error of the test.
 const LOOSE: f64 = 1e-6;
 
-/// Returns the shapes that `ray` may hit, with their indices in `shapes`: see [`may_touch`].
-pub fn near<'a>(
-    shapes: &[Primitive<'a>],
-    ray: &Ray,
-    kernel: KernelClass,
-) -> Vec<(u32, Primitive<'a>)> {
-    (0..)
-        .zip(shapes.iter().copied())
-        .filter(|(_, shape)| may_touch(shape, ray, kernel))
-        .collect()
+/// Shapes, numbered from 0, with what the filters need of each whatever the ray is: for many rays.
+pub struct Shapes<'a>(Vec<Shape<'a>>);
+
+struct Shape<'a> {
+    primitive: Primitive<'a>,
+    ball: Sphere,
+    /// Of a triangle.
+    sizes: Option<TriangleSizes>,
+}
+
+impl<'a> Shapes<'a> {
+    /// Prepares the shapes.
+    pub fn new(shapes: impl IntoIterator<Item = Primitive<'a>>) -> Shapes<'a> {
+        let shapes = shapes.into_iter().map(|primitive| Shape {
+            primitive,
+            ball: ball_around(&primitive.bounds()),
+            sizes: match primitive {
+                Primitive::Triangle(tri) => Some(TriangleSizes::of(tri)),
+                Primitive::Sphere(_) => None,
+            },
+        });
+        Shapes(shapes.collect())
+    }
+
+    /// The shapes that `ray` may hit, with their numbers: see [`may_touch`].
+    pub fn near(&self, ray: &Ray, kernel: KernelClass) -> Vec<(u32, Primitive<'a>)> {
+        let is_near = |shape: &Shape<'a>| match (kernel, shape.primitive, shape.sizes) {
+            (KernelClass::Textbook, ..) => touches(&shape.ball, ray),
+            (KernelClass::Robust, Primitive::Triangle(tri), Some(sizes)) => {
+                !TriangleErrorBounds::with(sizes, tri, ray).surely_misses(kernel)
+            }
+            (KernelClass::Robust, primitive, _) => may_touch(&primitive, ray, kernel),
+        };
+        let numbered = (0..).zip(&self.0).filter(|(_, shape)| is_near(shape));
+        numbered
+            .map(|(number, shape)| (number, shape.primitive))
+            .collect()
+    }
+
+    /// The closest hit of `ray` among all shapes: what [`closest`](super::closest()) returns.
+    pub fn closest(&self, ray: &Ray) -> Closest {
+        let is_hit = |shape: &Shape<'a>| match (shape.primitive, shape.sizes) {
+            (Primitive::Triangle(tri), Some(sizes)) => {
+                !TriangleErrorBounds::with(sizes, tri, ray).surely_misses(KernelClass::Textbook)
+            }
+            _ => true,
+        };
+        let numbered = (0..).map(PrimId).zip(&self.0);
+        let numbered = numbered.filter(|(_, shape)| is_hit(shape));
+        closest_of(numbered.map(|(id, shape)| (id, shape.primitive)), ray)
+    }
 }
 
 /// Whether `ray` may hit the shape, exactly or with the roundings of a kernel of this class.
@@ -38,8 +80,7 @@ pub fn near<'a>(
 /// ```
 pub fn may_touch(shape: &Primitive<'_>, ray: &Ray, kernel: KernelClass) -> bool {
     match (kernel, shape) {
-        (KernelClass::Textbook, Primitive::Triangle(t)) => touches_bounds(&t.bounds(), ray),
-        (KernelClass::Textbook, Primitive::Sphere(s)) => touches_bounds(&s.bounds(), ray),
+        (KernelClass::Textbook, shape) => touches(&ball_around(&shape.bounds()), ray),
         (KernelClass::Robust, Primitive::Triangle(t)) => {
             !TriangleErrorBounds::new(t, ray).surely_misses(kernel)
         }
@@ -49,12 +90,17 @@ pub fn may_touch(shape: &Primitive<'_>, ray: &Ray, kernel: KernelClass) -> bool 
     }
 }
 
-/// Whether the line of `ray` intersects an enlarged sphere around the box.
-fn touches_bounds(bounds: &Aabb, ray: &Ray) -> bool {
+/// A sphere around a box.
+fn ball_around(bounds: &Aabb) -> Sphere {
     let center = (bounds.min + bounds.max) / 2.0;
     // From the rounded centre: far from the world's origin it may be as far off as the shape is
     // large.
     let radius = (bounds.max - center).max(center - bounds.min).length();
+    Sphere { center, radius }
+}
+
+/// Whether the line of `ray` intersects the sphere, enlarged.
+fn touches(&Sphere { center, radius }: &Sphere, ray: &Ray) -> bool {
     let to_center = center - ray.o;
     // The sum of the coordinates is at least the distance.
     let reach = radius + LOOSE * (radius + to_center.abs().element_sum());
@@ -67,7 +113,7 @@ fn touches_bounds(bounds: &Aabb, ray: &Ray) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Answers, sphere, triangle};
+    use crate::{Answers, closest, sphere, triangle};
     use kit::{PixelSampler, Sphere, Triangle, Vec3};
 
     /// A shape of random size at a random distance, far from the world's origin or not, and a ray
@@ -125,6 +171,32 @@ mod tests {
         assert!(dropped > 2000 && touching > 2000, "{dropped} {touching}");
     }
 
+    /// For rays past all of them, past some, and through thin triangles.
+    #[test]
+    fn prepared_shapes_give_the_same_answers() {
+        let random = &mut PixelSampler::new(4, 5, 6);
+        let pairs: Vec<_> = (0..60).map(|_| random_pair(random)).collect();
+        let primitives: Vec<Primitive<'_>> = pairs
+            .iter()
+            .flat_map(|(tri, ball, _)| [Primitive::Triangle(tri), Primitive::Sphere(ball)])
+            .collect();
+        let shapes = Shapes::new(primitives.iter().copied());
+        let mut hits = 0;
+        for (.., ray) in &pairs {
+            let truth = closest(primitives.iter().copied(), ray);
+            hits += usize::from(truth.nearest.is_some());
+            assert_eq!(shapes.closest(ray), truth, "{ray:?}");
+            for kernel in [KernelClass::Textbook, KernelClass::Robust] {
+                let near = (0..).zip(primitives.iter());
+                let near = near.filter(|(_, shape)| may_touch(shape, ray, kernel));
+                let near: Vec<u32> = near.map(|(number, _)| number).collect();
+                let found = shapes.near(ray, kernel);
+                assert_eq!(found.iter().map(|n| n.0).collect::<Vec<_>>(), near);
+            }
+        }
+        assert!((10..60).contains(&hits), "{hits}");
+    }
+
     /// Triangles of 0.1 side by side: a ray from 1e8 away has at most those around its target.
     #[test]
     fn few_shapes_remain_far_away() {
@@ -133,11 +205,11 @@ mod tests {
         let triangles: Vec<Triangle> = squares
             .map(|(i, j)| Triangle::flat(corner(i, j), corner(i + 1, j), corner(i, j + 1)))
             .collect();
-        let shapes: Vec<Primitive<'_>> = triangles.iter().map(Primitive::Triangle).collect();
+        let shapes = Shapes::new(triangles.iter().map(Primitive::Triangle));
         let target = Vec3::new(1.03, 2.04, 0.0);
         for distance in [1.0, 1e4, 1e8, 1e12] {
             let o = target + distance * Vec3::new(0.1, 0.2, 1.0);
-            let found = near(&shapes, &Ray::new(o, target - o), KernelClass::Robust);
+            let found = shapes.near(&Ray::new(o, target - o), KernelClass::Robust);
             assert!(
                 (1..=6).contains(&found.len()),
                 "{distance}: {}",

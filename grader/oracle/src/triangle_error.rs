@@ -47,41 +47,64 @@ pub(super) struct TriangleErrorBounds {
     pub(super) relative: [Vec3; 3],
     /// The ray's direction.
     pub(super) d: Vec3,
-    /// `(p1-p0) × (p2-p0)`.
-    normal: Vec3,
-    /// The sums of the absolute products in a normal, for the longest edges, so that they hold for
-    /// every base vertex.
-    normal_sizes: Vec3,
-    /// Largest component of an edge, and largest coordinate in world space (of a vertex plus that
-    /// of the ray's origin).
-    max_edge: f64,
+    sizes: TriangleSizes,
+    /// Largest coordinate in world space, of a vertex plus that of the ray's origin.
     extent: f64,
     /// See [`fits_f64`].
     pub(super) fits_f64: bool,
 }
 
-impl TriangleErrorBounds {
-    pub(super) fn new(tri: &Triangle, ray: &Ray) -> TriangleErrorBounds {
-        let relative = [tri.p0 - ray.o, tri.p1 - ray.o, tri.p2 - ray.o];
+/// Those of them that depend on the triangle alone.
+#[derive(Clone, Copy)]
+pub(super) struct TriangleSizes {
+    /// The sums of the absolute products in a normal, for the longest edges, so that they hold for
+    /// every base vertex.
+    normal_sizes: Vec3,
+    /// Largest component of an edge.
+    max_edge: f64,
+    /// Largest absolute coordinate of a vertex on each axis.
+    outmost: Vec3,
+    /// With `(p1-p0) × (p2-p0)` in `f64`.
+    thinness: f64,
+    fits_f64: bool,
+}
+
+impl TriangleSizes {
+    pub(super) fn of(tri: &Triangle) -> TriangleSizes {
         let edges = [tri.p1 - tri.p0, tri.p2 - tri.p0, tri.p2 - tri.p1];
         let longest = edges[0].abs().max(edges[1].abs()).max(edges[2].abs());
-        let outmost = tri.p0.abs().max(tri.p1.abs()).max(tri.p2.abs());
-        TriangleErrorBounds {
-            relative,
-            d: ray.d,
-            normal: edges[0].cross(edges[1]),
-            normal_sizes: abs_cross(longest, longest),
+        let normal_sizes = abs_cross(longest, longest);
+        TriangleSizes {
+            normal_sizes,
             max_edge: longest.max_element(),
-            extent: (outmost + ray.o.abs()).max_element(),
-            fits_f64: fits_f64(&[tri.p0, tri.p1, tri.p2, ray.o, ray.d]),
+            outmost: tri.p0.abs().max(tri.p1.abs()).max(tri.p2.abs()),
+            thinness: thinness(normal_sizes, edges[0].cross(edges[1])),
+            fits_f64: fits_f64(&[tri.p0, tri.p1, tri.p2]),
         }
     }
+}
 
-    /// Returns how thin the triangle is, at least 2: the sum of the absolute products in its normal
-    /// over the normal. A kernel that first intersects the plane and then tests the sides of the
-    /// edges has an error that grows by this factor. `normal` must be accurate to a few digits.
-    fn thinness(&self, normal: Vec3) -> f64 {
-        sum_abs(self.normal_sizes) / max_abs(normal)
+/// Returns how thin a triangle is, at least 2: the sum of the absolute products in its normal over
+/// the normal. A kernel that first intersects the plane and then tests the sides of the edges has an
+/// error that grows by this factor. `normal` must be accurate to a few digits.
+fn thinness(normal_sizes: Vec3, normal: Vec3) -> f64 {
+    sum_abs(normal_sizes) / max_abs(normal)
+}
+
+impl TriangleErrorBounds {
+    pub(super) fn new(tri: &Triangle, ray: &Ray) -> TriangleErrorBounds {
+        TriangleErrorBounds::with(TriangleSizes::of(tri), tri, ray)
+    }
+
+    /// The same with the sizes of the triangle.
+    pub(super) fn with(sizes: TriangleSizes, tri: &Triangle, ray: &Ray) -> TriangleErrorBounds {
+        TriangleErrorBounds {
+            relative: [tri.p0 - ray.o, tri.p1 - ray.o, tri.p2 - ray.o],
+            d: ray.d,
+            sizes,
+            extent: (sizes.outmost + ray.o.abs()).max_element(),
+            fits_f64: sizes.fits_f64 && fits_f64(&[ray.o, ray.d]),
+        }
     }
 
     /// Bounds the error of textbook code in every edge function:
@@ -92,7 +115,11 @@ impl TriangleErrorBounds {
     /// no bound: its normal has no correct digits, and a test with weights from dot products may
     /// accept points far from it.
     pub(super) fn textbook_edge(&self, normal: Vec3) -> f64 {
-        TEXTBOOK_EDGE * self.thinness(normal) * sum_abs(self.d) * self.extent * self.extent
+        self.textbook_edge_of(thinness(self.sizes.normal_sizes, normal))
+    }
+
+    fn textbook_edge_of(&self, thinness: f64) -> f64 {
+        TEXTBOOK_EDGE * thinness * sum_abs(self.d) * self.extent * self.extent
     }
 
     /// Whether two edge functions certainly have opposite signs, in exact arithmetic and for every
@@ -114,10 +141,10 @@ impl TriangleErrorBounds {
             return false;
         }
         match kernel {
-            KernelClass::Textbook if self.thinness(self.normal) < THIN => {
+            KernelClass::Textbook if self.sizes.thinness < THIN => {
                 let [a, b, c] = self.relative;
                 let e = [b.cross(c), c.cross(a), a.cross(b)].map(|normal| self.d.dot(normal));
-                differ(e, [self.textbook_edge(self.normal); 3])
+                differ(e, [self.textbook_edge_of(self.sizes.thinness); 3])
             }
             KernelClass::Textbook => false,
             KernelClass::Robust => {
@@ -136,9 +163,9 @@ impl TriangleErrorBounds {
     /// subtract the origin first: `extent`). An edge function sums `|d| extent²`, and a `t` that is
     /// interpolated from the vertices' depths has that error times the edge's depth.
     pub(super) fn textbook_t(&self, det: f64, t: f64) -> f64 {
-        let sizes = sum_abs(self.normal_sizes);
-        let det_error = TEXTBOOK_T * self.d.abs().dot(self.normal_sizes);
-        let interpolated = self.extent * self.extent * self.max_edge;
+        let sizes = sum_abs(self.sizes.normal_sizes);
+        let det_error = TEXTBOOK_T * self.d.abs().dot(self.sizes.normal_sizes);
+        let interpolated = self.extent * self.extent * self.sizes.max_edge;
         let num_error = TEXTBOOK_T * (self.extent * sizes + interpolated);
         (num_error + t.abs() * det_error) / (det.abs() - det_error).max(0.0) + TEXTBOOK_T * t.abs()
     }
@@ -184,7 +211,7 @@ impl TriangleErrorBounds {
     /// Textbook code computes `o + t·d`. Robust code interpolates the vertices, which keeps the
     /// point on the triangle's plane but moves it within the plane by the error of the weights.
     pub(super) fn position(&self, kernel: KernelClass, t: f64, b: f64) -> f64 {
-        let interpolated = DOUBLED * (2.0 * b * self.max_edge + gamma(8.0) * self.extent);
+        let interpolated = DOUBLED * (2.0 * b * self.sizes.max_edge + gamma(8.0) * self.extent);
         match kernel {
             KernelClass::Textbook => interpolated + t * max_abs(self.d) + gamma(4.0) * self.extent,
             KernelClass::Robust => interpolated,

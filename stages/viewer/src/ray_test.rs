@@ -2,6 +2,7 @@
 
 use judge::{Tier, repro};
 use kit::{Primitive, Ray, Scene, Vec3};
+use oracle::{KernelClass, Shapes};
 use pathtracer::replay::{RayRecord, Test};
 use wire::Work;
 use wire::work::{BoxWork, BruteForceWork, Probe, SphereWork, TriangleWork, Xyz};
@@ -18,8 +19,7 @@ pub struct RayTest {
 /// The test that a ray hits what it hits exactly, among the primitives that its line comes near.
 /// The error says why there is none.
 pub fn of_ray(scene: &Scene, record: &RayRecord) -> Result<RayTest, String> {
-    let primitives: Vec<Primitive<'_>> = scene.primitives().collect();
-    let near = oracle::near(&primitives, &record.ray, oracle::KernelClass::Textbook);
+    let near = Shapes::new(scene.primitives()).near(&record.ray, KernelClass::Textbook);
     let near = near
         .iter()
         .filter(|n| record.skip.is_none_or(|skip| skip.0 != n.0));

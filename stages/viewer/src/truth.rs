@@ -5,7 +5,7 @@
 
 use crate::project::Projection;
 use kit::{Aabb, Camera, Hit, PrimId, Primitive, Ray, Scene};
-use oracle::{Closest, KernelClass};
+use oracle::{Closest, KernelClass, Shapes};
 use pathtracer::RayRole;
 use pathtracer::replay::text::vector;
 use pathtracer::replay::{Outcome, PixelReplay, PrimAnswer, RayRecord, Test, Visit};
@@ -113,7 +113,7 @@ fn wrong_camera_ray(camera: &Camera, record: &RayRecord, sensor: kit::Vec2) -> O
 
 /// Checks one ray against the exact answer over all `primitives` of its scene.
 pub fn check_ray(primitives: &[Primitive<'_>], record: &RayRecord) -> RayTruth {
-    let near = oracle::near(primitives, &record.ray, KERNEL);
+    let near = Shapes::new(primitives.iter().copied()).near(&record.ray, KERNEL);
     let is_skipped = |id: u32| record.skip == Some(PrimId(id));
     let near: Vec<(u32, Primitive<'_>)> = near.into_iter().filter(|n| !is_skipped(n.0)).collect();
     let exact = oracle::closest(near.iter().map(|n| n.1), &record.ray);

@@ -10,8 +10,7 @@ use crate::tools::truth::tree_tests::{
 };
 use crate::tools::{Tier, convert, truth};
 use kit::{Aabb, PrimId, Primitive};
-use oracle::closest::Closest;
-use oracle::verdict::KernelClass;
+use oracle::{Closest, KernelClass, Shapes};
 use std::cell::RefCell;
 use std::collections::HashMap;
 use wire::answer::HitsAnswer;
@@ -20,7 +19,7 @@ use wire::work::{Ray, SceneWork};
 /// The closest hits that score, with all that a hit record contains.
 pub(super) fn expected(work: &SceneWork, tier: Tier) -> Vec<Expected> {
     let scene = load(&work.scene);
-    let shapes: Vec<Primitive<'_>> = scene.primitives().collect();
+    let shapes = Shapes::new(scene.primitives());
     of_each_ray(&work.rays, |ray| {
         truth::first_of(tier, &shapes, &convert::ray(ray), false)
     })
@@ -85,7 +84,8 @@ pub(super) fn decisions(findings: &mut Findings, tier: Tier, truths: &[Closest])
 /// The tests that all rays need, by the exact oracle.
 pub(super) fn needed_tests(work: &SceneWork) -> NeededTests {
     let scene = load(&work.scene);
-    let shapes: Vec<Primitive<'_>> = scene.primitives().collect();
+    let primitives: Vec<Primitive<'_>> = scene.primitives().collect();
+    let shapes = Shapes::new(scene.primitives());
     let of_ray = |wire_ray: &Ray| {
         let ray = convert::ray(wire_ray);
         let span = memoised(|node: usize| {
@@ -94,7 +94,7 @@ pub(super) fn needed_tests(work: &SceneWork) -> NeededTests {
             let ends = verdict.ends.filter(|_| verdict.hits())?;
             Some([ends.0.to_f64(), ends.1.to_f64()])
         });
-        let hit = memoised(|id: u32| match shapes[id as usize] {
+        let hit = memoised(|id: u32| match primitives[id as usize] {
             Primitive::Triangle(shape) => {
                 let verdict = oracle::triangle(shape, &ray);
                 Some(verdict.crossing.filter(|_| verdict.hits())?.t.to_f64())
@@ -110,7 +110,7 @@ pub(super) fn needed_tests(work: &SceneWork) -> NeededTests {
         };
         let mut twice_plain = traced.fixed_order(false);
         twice_plain += traced.fixed_order(true);
-        let near = oracle::near(&shapes, &ray, KernelClass::Robust).into_iter();
+        let near = shapes.near(&ray, KernelClass::Robust).into_iter();
         let closest = near.filter_map(|(id, _)| hit(id)).reduce(f64::min);
         NeededTests {
             fewest: traced.fewest(closest),

@@ -16,8 +16,8 @@ use oracle::surface::{
     geometric_normal, sphere_normal, sphere_point, triangle_normal, triangle_point,
 };
 use oracle::{
-    self, Answers, Candidate, KernelClass, Miss, SphereClass, SphereVerdict, TriangleClass,
-    TriangleVerdict, closest, near,
+    self, Answers, Candidate, KernelClass, Miss, Shapes, SphereClass, SphereVerdict, TriangleClass,
+    TriangleVerdict, closest,
 };
 
 /// The largest distance of a hit point from the surface, in roundings of its largest coordinate:
@@ -62,8 +62,8 @@ pub fn sphere(tier: Tier, prim: u32, sphere: &Sphere, ray: &Ray) -> Expected {
 /// The results that score for the closest hit of `ray` among `shapes`, numbered from 0. If
 /// `enclosed`, the shapes enclose the ray's origin: a miss is wrong even where rounding decides
 /// which of two adjacent shapes is hit.
-pub fn first_of(tier: Tier, shapes: &[Primitive<'_>], ray: &Ray, enclosed: bool) -> Expected {
-    let near = near(shapes, ray, kernel(tier));
+pub fn first_of(tier: Tier, shapes: &Shapes<'_>, ray: &Ray, enclosed: bool) -> Expected {
+    let near = shapes.near(ray, kernel(tier));
     let closest = closest(near.iter().map(|(_, shape)| *shape), ray);
     let answers = closest.answers.get(kernel(tier));
     let hit = |(PrimId(index), candidate): &(PrimId, Candidate)| {
@@ -221,7 +221,7 @@ mod tests {
     #[test]
     fn on_a_shared_edge_either_triangle_scores() {
         let [first, second] = square();
-        let shapes = [Primitive::Triangle(&first), Primitive::Triangle(&second)];
+        let shapes = Shapes::new([&first, &second].map(Primitive::Triangle));
         let expected = first_of(Tier::Core, &shapes, &down(3.0, 5.0), false);
         let mut prims: Vec<u32> = expected.hits.iter().map(|hit| hit.prim).collect();
         prims.sort_unstable();
@@ -237,7 +237,7 @@ mod tests {
             p2: first.p2 + Vec3::Z,
             ..first
         };
-        let shapes = [Primitive::Triangle(&first), Primitive::Triangle(&above)];
+        let shapes = Shapes::new([&first, &above].map(Primitive::Triangle));
         let expected = first_of(Tier::Core, &shapes, &down(1.0, 1.0), false);
         assert_eq!(expected.hits.len(), 1);
         assert_eq!((expected.hits[0].prim, expected.hits[0].t), (1, 3.0));
@@ -248,7 +248,7 @@ mod tests {
         // Aimed at an edge with coordinates that round: textbook code may hit either triangle, but
         // must not miss both.
         let [first, second] = square();
-        let shapes = [Primitive::Triangle(&first), Primitive::Triangle(&second)];
+        let shapes = Shapes::new([&first, &second].map(Primitive::Triangle));
         let target = Vec3::new(0.1 * 3.0, 8.0 - 0.1 * 3.0, 0.0);
         let o = Vec3::new(1.7, 0.3, 2.9);
         let ray = Ray::new(o, (target - o).normalize());

@@ -6,12 +6,18 @@ use super::{first_of, scene};
 use crate::tools::snapshot::{Fields, record};
 use crate::tools::{Tier, convert};
 use kit::{Primitive, Scene};
+use oracle::Shapes;
 use wire::answer::Hit;
 use wire::work::Ray;
 
 /// The right hit of one shape. It has no number to compare.
 pub(crate) fn of_shape(shape: Primitive<'_>, ray: &Ray) -> Fields {
-    let first = first_of(Tier::Robust, &[shape], &convert::ray(ray), false);
+    let first = first_of(
+        Tier::Robust,
+        &Shapes::new([shape]),
+        &convert::ray(ray),
+        false,
+    );
     let mut fields = fields(&first);
     fields.retain(|(name, _)| name != "prim");
     fields
@@ -19,7 +25,7 @@ pub(crate) fn of_shape(shape: Primitive<'_>, ray: &Ray) -> Fields {
 
 /// The right closest hits of the rays with the numbers `calls`.
 pub(crate) fn of_scene(shapes: &Scene, enclosed: bool, rays: &[Ray], calls: &[u32]) -> Vec<Fields> {
-    let shapes: Vec<Primitive<'_>> = shapes.primitives().collect();
+    let shapes = Shapes::new(shapes.primitives());
     let of_ray = |ray: &Ray| first_of(Tier::Robust, &shapes, &convert::ray(ray), enclosed);
     let chosen: Vec<Ray> = calls.iter().map(|&call| rays[call as usize]).collect();
     scene::of_each_ray(&chosen, |ray| fields(&of_ray(ray)))

@@ -4,13 +4,14 @@
 use crate::tools::convert;
 use kit::Scene;
 use meshes::{MeshKind, cornell_with, generate};
-use oracle::closest::{Closest, closest};
+use oracle::{Closest, Shapes};
 use wire::work::{Ray, SceneSource};
 
 /// The exact closest hit of each of `rays`.
 pub(crate) fn closest_hits(source: &SceneSource, rays: &[Ray]) -> Vec<Closest> {
     let scene = load(source);
-    of_each_ray(rays, |ray| truth(&scene, ray))
+    let shapes = Shapes::new(scene.primitives());
+    of_each_ray(rays, |ray| shapes.closest(&convert::ray(ray)))
 }
 
 /// Computes `of` for each of `rays` on all threads, in their order.
@@ -53,8 +54,4 @@ pub fn load(source: &SceneSource) -> Scene {
         },
         SceneSource::InCornellBox(name, triangles) => cornell_with(mesh(name, *triangles)),
     }
-}
-
-fn truth(scene: &Scene, ray: &Ray) -> Closest {
-    closest(scene.primitives(), &convert::ray(ray))
 }

@@ -5,7 +5,7 @@ use crate::tools::shown::{ShownCall, ShownRay, YourHit};
 use crate::tools::snapshot::Fields;
 use crate::tools::truth::{self, records};
 use crate::tools::{Tier, convert, plural};
-use kit::Primitive;
+use oracle::Shapes;
 use wire::answer::HitsAnswer;
 use wire::work::BruteForceWork;
 
@@ -39,7 +39,7 @@ pub(super) fn shown(
 ) -> Option<ShownCall> {
     let scene = convert::scene(&work.triangles, &work.spheres);
     let ray = convert::ray(work.rays.get(call)?);
-    let shapes: Vec<Primitive<'_>> = scene.primitives().collect();
+    let shapes = Shapes::new(scene.primitives());
     let expected = truth::first_of(tier, &shapes, &ray, enclosed);
     let hit = answer.and_then(|answer| answer.hits.get(call));
     let yours = hit.map(|hit| YourHit {

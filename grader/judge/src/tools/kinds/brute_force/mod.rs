@@ -17,7 +17,7 @@ use crate::tools::snapshot::Fields;
 use crate::tools::snapshot::lines::{self, each};
 use crate::tools::truth::expected::Expected;
 use crate::tools::{Tier, colours, convert, truth};
-use kit::Primitive;
+use oracle::Shapes;
 use wire::answer::HitsAnswer;
 use wire::kind;
 use wire::work::{BruteForceWork, Xyz};
@@ -66,7 +66,7 @@ impl Check for kind::BruteForce {
 
     fn expected(work: &BruteForceWork, tier: Tier, enclosed: bool) -> Vec<Expected> {
         let scene = convert::scene(&work.triangles, &work.spheres);
-        let shapes: Vec<Primitive<'_>> = scene.primitives().collect();
+        let shapes = Shapes::new(scene.primitives());
         let rays = work.rays.iter();
         rays.map(|ray| truth::first_of(tier, &shapes, &convert::ray(ray), enclosed))
             .collect()

@@ -4,7 +4,7 @@ use crate::tools::repro::hits::{hit_asserts, sphere_literal, triangle_literal};
 use crate::tools::repro::numbers::{ray, unchanged};
 use crate::tools::truth::expected::Expected;
 use crate::tools::{Tier, convert, truth};
-use kit::Primitive;
+use oracle::Shapes;
 use std::fmt::Write;
 use wire::work::{Ray, Xyz};
 
@@ -42,7 +42,7 @@ pub(crate) fn first_of(
     } else {
         return None;
     };
-    let shapes: Vec<Primitive<'_>> = scene.primitives().collect();
+    let shapes = Shapes::new(scene.primitives());
     let expected = truth::first_of(tier, &shapes, &convert::ray(probe), false);
     if met.is_empty() || met.len() > SHAPES || expected.hits.len() > 1 {
         return None;

@@ -59,8 +59,8 @@ impl<'a> Shapes<'a> {
             _ => true,
         };
         let numbered = (0..).map(PrimId).zip(&self.0);
-        let numbered = numbered.filter(|(_, shape)| is_hit(shape));
-        closest_of(numbered.map(|(id, shape)| (id, shape.primitive)), ray)
+        let hit = numbered.filter(|(_, shape)| is_hit(shape));
+        closest_of(hit.map(|(id, shape)| (id, shape.primitive)), ray)
     }
 }
 
@@ -187,11 +187,9 @@ mod tests {
             hits += usize::from(truth.nearest.is_some());
             assert_eq!(shapes.closest(ray), truth, "{ray:?}");
             for kernel in [KernelClass::Textbook, KernelClass::Robust] {
-                let near = (0..).zip(primitives.iter());
-                let near = near.filter(|(_, shape)| may_touch(shape, ray, kernel));
-                let near: Vec<u32> = near.map(|(number, _)| number).collect();
-                let found = shapes.near(ray, kernel);
-                assert_eq!(found.iter().map(|n| n.0).collect::<Vec<_>>(), near);
+                let numbered = (0..).zip(primitives.iter().copied());
+                let near = numbered.filter(|(_, shape)| may_touch(shape, ray, kernel));
+                assert_eq!(shapes.near(ray, kernel), near.collect::<Vec<_>>());
             }
         }
         assert!((10..60).contains(&hits), "{hits}");

@@ -119,9 +119,10 @@ impl<'r, 'a> PartReader<'r, 'a> {
                 } else {
                     [a, b, c]
                 };
-                let normals = self.normals.as_ref();
-                let normals =
-                    normals.and_then(|into| into.values(lists, groups, &mut problems.normals));
+                let normals = match &self.normals {
+                    Some(into) => into.values(lists, groups, &mut problems.normals),
+                    None => None,
+                };
                 corners.push(Corners {
                     // A file has less than 2³⁰ bytes.
                     groups: groups.map(|group| group as u32),

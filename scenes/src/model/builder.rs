@@ -185,9 +185,9 @@ impl<'f> Builder<'f> {
             }
         }
         let smoothed = || {
-            let corners = mesh.triangles.iter();
-            let corners = corners.filter(|[a, ..]| mesh.is_smooth && a.normal.is_none());
-            corners.map(|corners| corners.map(|corner| corner.position as usize))
+            (mesh.triangles.iter())
+                .filter(|[a, ..]| mesh.is_smooth && a.normal.is_none())
+                .map(|corners| corners.map(|corner| corner.position as usize))
         };
         for corners in smoothed() {
             self.smooth.add(&mesh.positions, corners);
@@ -223,9 +223,8 @@ impl<'f> Builder<'f> {
             };
             if has_texture {
                 let of = |corner: Corner| {
-                    let uv = corner.tex_coords;
-                    let uv = uv.and_then(|i| mesh.tex_coords.get(i as usize));
-                    uv.copied()
+                    (corner.tex_coords)
+                        .and_then(|i| mesh.tex_coords.get(i as usize).copied())
                         .filter(|uv| uv.is_finite())
                         .unwrap_or(Vec2::ZERO)
                 };

@@ -112,8 +112,8 @@ mod tests {
 
     fn chosen(boxes: &[Aabb]) -> Vec<u32> {
         let numbered = boxes.par_iter().enumerate();
-        let numbered = numbered.map(|(i, bounds)| (PrimId(i as u32), Some(*bounds)));
-        choose(numbered).iter().map(|id| id.0).collect()
+        let chosen = choose(numbered.map(|(i, bounds)| (PrimId(i as u32), Some(*bounds))));
+        chosen.iter().map(|id| id.0).collect()
     }
 
     #[test]

@@ -14,10 +14,16 @@ pub(crate) fn closest_hits(source: &SceneSource, rays: &[Ray]) -> Vec<Closest> {
     of_each_ray(rays, |ray| shapes.closest(&convert::ray(ray)))
 }
 
+/// Fewer rays are not worth a thread.
+const MIN_SHARE: usize = 16;
+
 /// Computes `of` for each of `rays` on all threads, in their order.
 pub fn of_each_ray<T: Send>(rays: &[Ray], of: impl Fn(&Ray) -> T + Sync) -> Vec<T> {
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
-    let share = rays.len().div_ceil(threads).max(1);
+    let share = rays.len().div_ceil(threads).max(MIN_SHARE);
+    if rays.len() <= share {
+        return rays.iter().map(of).collect();
+    }
     // Scoped threads and not rayon: nothing else that `grader part1` compiles needs rayon.
     let of = &of;
     std::thread::scope(|scope| {

@@ -16,6 +16,7 @@ use crate::tools::snapshot::Content;
 use crate::tools::snapshot::Fields;
 use crate::tools::snapshot::lines::{self, each};
 use crate::tools::truth::expected::Expected;
+use crate::tools::truth::scene::of_each_ray;
 use crate::tools::{Tier, colours, convert, truth};
 use oracle::Shapes;
 use wire::answer::HitsAnswer;
@@ -67,9 +68,9 @@ impl Check for kind::BruteForce {
     fn expected(work: &BruteForceWork, tier: Tier, enclosed: bool) -> Vec<Expected> {
         let scene = convert::scene(&work.triangles, &work.spheres);
         let shapes = Shapes::new(scene.primitives());
-        let rays = work.rays.iter();
-        rays.map(|ray| truth::first_of(tier, &shapes, &convert::ray(ray), enclosed))
-            .collect()
+        of_each_ray(&work.rays, |ray| {
+            truth::first_of(tier, &shapes, &convert::ray(ray), enclosed)
+        })
     }
 
     fn judge(

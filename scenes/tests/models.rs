@@ -600,6 +600,7 @@ fn rare_lines_of_obj_are_read_or_named() {
         ("f 1 2 0", "line 17 is not valid: expected vertices"),
         ("f -9 -2 -1", "line 17 is not valid: expected vertices"),
         ("f 1 2 9", "line 17 refers to vertex 9, but there are 5"),
+        ("f 1 2 4294967297", "line 17 is not valid: expected vertices"),
         ("v 1 2", "line 17 is not valid: expected three numbers"),
     ] {
         let obj = format!("{OBJ}# a \\\n comment\n{line}\n");
@@ -637,6 +638,17 @@ fn obj_faces_without_normals_are_flat_after_s_off() {
         assert_eq!(triangles.all(|t| t.n0 == t.n2), is_flat, "{s}");
         assert_eq!(read.smoothed_note().is_none(), is_flat, "{s}");
     }
+}
+
+/// Two faces with a common edge are smooth in one group only.
+#[test]
+fn obj_normals_are_smooth_within_a_group() {
+    let roof = |group: &str| {
+        let file = format!("v 0 0 0\nv 0 1 0\nv 1 0 1\nv -1 0 1\nf 1 3 2\n{group}f 1 2 4\n");
+        let scene = loaded(&[("a.obj", file.as_bytes())]).scene;
+        scene.triangles.iter().all(|t| t.n0 == t.n1 && t.n1 == t.n2)
+    };
+    assert!(!roof("") && roof("o other\n"));
 }
 
 #[test]

@@ -73,15 +73,20 @@ fn framing_direction(scene: &Scene) -> Vec3 {
 /// Whether the camera of the file lies in the plane of a face of the scene's bounding box and looks
 /// along this plane. Half of its image would then be empty, whatever the scene.
 pub fn is_edge_on(scene: &Scene) -> bool {
-    let bounds = scene.bounds();
-    let Some(camera) = scene.camera.filter(|_| !bounds.is_empty()) else {
+    let Some(camera) = scene.camera else {
         return false;
     };
+    let looks_along = |axis: &usize| camera.c2w.z_axis[*axis].abs() <= EDGE_ON_TOLERANCE;
+    let mut axes = (0..3).filter(looks_along).peekable();
+    // Most cameras look along no face, and the box of a large mesh takes time.
+    if axes.peek().is_none() {
+        return false;
+    }
+    let bounds = scene.bounds();
     let near = EDGE_ON_TOLERANCE * bounds.extent().length();
-    (0..3).any(|axis| {
+    axes.any(|axis| {
         let distance_to = |face: Vec3| (camera.pos[axis] - face[axis]).abs();
-        let along = camera.c2w.z_axis[axis].abs() <= EDGE_ON_TOLERANCE;
-        along && distance_to(bounds.min).min(distance_to(bounds.max)) <= near
+        !bounds.is_empty() && distance_to(bounds.min).min(distance_to(bounds.max)) <= near
     })
 }
 

@@ -51,7 +51,7 @@ impl fmt::Display for OutputError {
         match self {
             OutputError::UnknownFormat(path) => write!(
                 f,
-                "{}: unknown picture format: use a name that ends in .png, .exr or .hdr",
+                "{}: unknown picture format: use a name that ends in .png, .exr or .hdr, or in .sums for a part",
                 path.display()
             ),
             OutputError::IsFolder(path) => write!(

@@ -146,11 +146,11 @@ impl SumsHead {
             "has a head that does not fit a picture: render or copy it again".to_owned()
         })?;
         // Memory is asked for by the head's word.
-        let length = input
-            .inner
-            .get_ref()
-            .metadata()
-            .map_or(0, |file| file.len());
+        let file = input.inner.get_ref().metadata();
+        if file.as_ref().is_ok_and(|file| !file.is_file()) {
+            return Err("is a pipe or a device: copy it to a file first".into());
+        }
+        let length = file.map_or(0, |file| file.len());
         if length < head.cell.area() * MIN_PIXEL {
             return Err(
                 "is damaged: it is too short for its pixels: render or copy it again".into(),

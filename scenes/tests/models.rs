@@ -600,7 +600,10 @@ fn rare_lines_of_obj_are_read_or_named() {
         ("f 1 2 0", "line 17 is not valid: expected vertices"),
         ("f -9 -2 -1", "line 17 is not valid: expected vertices"),
         ("f 1 2 9", "line 17 refers to vertex 9, but there are 5"),
-        ("f 1 2 4294967297", "line 17 is not valid: expected vertices"),
+        (
+            "f 1 2 4294967297",
+            "line 17 is not valid: expected vertices",
+        ),
         ("v 1 2", "line 17 is not valid: expected three numbers"),
     ] {
         let obj = format!("{OBJ}# a \\\n comment\n{line}\n");

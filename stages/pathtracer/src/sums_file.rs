@@ -99,8 +99,7 @@ impl SumsFile {
 
     /// Reads a file. The error is a sentence about its content, without its name.
     pub fn read(path: &Path) -> Result<SumsFile, String> {
-        let file = File::open(path).map_err(|why| format!("cannot be read: {why}"))?;
-        let mut input = Checked::new(BufReader::new(file));
+        let mut input = open(path)?;
         let head = SumsHead::read_from(&mut input)?;
         let damaged = |why: io::Error| format!("is damaged: {why}: render or copy it again");
         let mut pixels = Vec::new();
@@ -120,11 +119,21 @@ impl SumsFile {
     }
 }
 
+fn open(path: &Path) -> Result<Checked<BufReader<File>>, String> {
+    let file = File::open(path).map_err(|why| format!("cannot be read: {why}"))?;
+    match file.metadata() {
+        Ok(found) if !found.is_file() => Err(
+            "is a folder, a pipe or a device: expected a file that pathtracer -f NAME.sums wrote"
+                .to_owned(),
+        ),
+        _ => Ok(Checked::new(BufReader::new(file))),
+    }
+}
+
 impl SumsHead {
     /// Reads the head of a file only.
     pub fn read(path: &Path) -> Result<SumsHead, String> {
-        let file = File::open(path).map_err(|why| format!("cannot be read: {why}"))?;
-        SumsHead::read_from(&mut Checked::new(BufReader::new(file)))
+        SumsHead::read_from(&mut open(path)?)
     }
 
     fn read_from(input: &mut Checked<BufReader<File>>) -> Result<SumsHead, String> {
@@ -146,11 +155,11 @@ impl SumsHead {
             "has a head that does not fit a picture: render or copy it again".to_owned()
         })?;
         // Memory is asked for by the head's word.
-        let file = input.inner.get_ref().metadata();
-        if file.as_ref().is_ok_and(|file| !file.is_file()) {
-            return Err("is a pipe or a device: copy it to a file first".into());
-        }
-        let length = file.map_or(0, |file| file.len());
+        let length = input
+            .inner
+            .get_ref()
+            .metadata()
+            .map_or(0, |file| file.len());
         if length < head.cell.area() * MIN_PIXEL {
             return Err(
                 "is damaged: it is too short for its pixels: render or copy it again".into(),

@@ -147,7 +147,8 @@ fn what_does_not_fit_is_refused() {
         ("-f all.png a.sums seed.sums", "not parts of one picture"),
         ("-f all.png a.sums none.sums", "none.sums cannot be read"),
         ("-f all.png text.sums", "text.sums is not a file of sums"),
-        ("-f all.gif a.sums", "ends in .png, .exr or .hdr"),
+        ("-f all.png a.sums .", ". is a folder, a pipe or a device"),
+        ("-f all.gif a.sums", "or in .sums for a part"),
         ("-f a.sums a.sums", "a.sums is also a part"),
     ] {
         refused(folder, &format!("merge {args}"), sentence);

@@ -20,8 +20,11 @@ fn tokens<'a>(
         let parsed = node.text().unwrap_or_default();
         // The range of text before a CDATA section ends where that begins, the text does not.
         // Line ends count once.
-        let is_whole =
-            parsed.len() == raw.len() || parsed.len() == raw.len() - raw.matches("\r\n").count();
+        let line_ends = match raw.contains('\r') {
+            true => raw.matches("\r\n").count(),
+            false => 0,
+        };
+        let is_whole = parsed.len() == raw.len() - line_ends;
         let plain = is_whole && !raw.contains('&') && !raw.contains('<');
         let text = if plain { raw } else { parsed };
         text.split_ascii_whitespace().map(move |token| {

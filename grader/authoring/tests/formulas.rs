@@ -22,7 +22,7 @@ const FORMULAS: &[(&str, &[&str])] = &[
             "c2w.x_axis*half_w",
         ],
     ),
-    ("part2.task1", &["ids.sort_by_key(|&id|morton_code"]),
+    ("part2.task1", &["ids.sort_by_cached_key(|&id|morton_code"]),
     (
         "part3.task1",
         &["rho/PI", "cosine/PI", "wi.abs()/PI", "FRAC_1_PI"],

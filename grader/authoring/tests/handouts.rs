@@ -218,8 +218,8 @@ fn a_handout_contains_the_students_files_and_no_others() {
 /// are many lamps of which each sample chooses one, and samplers with points in pairs. 10,000 are
 /// slips in boxes by signs and by early returns, with what they answer. 22,000 are slips in areas,
 /// dot products, shears and matrices. 9,000 are files that come back with their old times,
-/// libraries that do not compile, and parts of pictures that know their whole scene. 7,500 are large
-/// meshes that are read, and exact answers that are computed, in less time.
+/// libraries that do not compile, and parts of pictures that know their whole scene. 7,500 are
+/// large meshes that are read, and exact answers that are computed, in less time.
 const LARGEST: usize = 8_252_000;
 
 #[test]

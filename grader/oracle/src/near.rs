@@ -11,7 +11,8 @@ use kit::{Aabb, PrimId, Ray, Sphere};
 /// than the rounding error of the test.
 const LOOSE: f64 = 1e-6;
 
-/// Shapes, numbered from 0, with what the filters need of each whatever the ray is: for many rays.
+/// Shapes that many rays are tested against, numbered from 0. What the filters need of a shape is
+/// computed once, unless it depends on the ray.
 pub struct Shapes<'a>(Vec<Shape<'a>>);
 
 struct Shape<'a> {
@@ -37,30 +38,37 @@ impl<'a> Shapes<'a> {
 
     /// The shapes that `ray` may hit, with their numbers: see [`may_touch`].
     pub fn near(&self, ray: &Ray, kernel: KernelClass) -> Vec<(u32, Primitive<'a>)> {
-        let is_near = |shape: &Shape<'a>| match (kernel, shape.primitive, shape.sizes) {
-            (KernelClass::Textbook, ..) => touches(&shape.ball, ray),
-            (KernelClass::Robust, Primitive::Triangle(tri), Some(sizes)) => {
-                !TriangleErrorBounds::with(sizes, tri, ray).surely_misses(kernel)
-            }
-            (KernelClass::Robust, primitive, _) => may_touch(&primitive, ray, kernel),
+        let is_near = |shape: &Shape<'a>| match kernel {
+            KernelClass::Textbook => touches(&shape.ball, ray),
+            KernelClass::Robust => !surely_misses(ray, shape.primitive, shape.sizes, kernel),
         };
-        let numbered = (0..).zip(&self.0).filter(|(_, shape)| is_near(shape));
-        numbered
-            .map(|(number, shape)| (number, shape.primitive))
-            .collect()
+        let near = (0..).zip(&self.0).filter(|(_, shape)| is_near(shape));
+        near.map(|(number, s)| (number, s.primitive)).collect()
     }
 
     /// The closest hit of `ray` among all shapes: what [`closest`](super::closest()) returns.
     pub fn closest(&self, ray: &Ray) -> Closest {
-        let is_hit = |shape: &Shape<'a>| match (shape.primitive, shape.sizes) {
-            (Primitive::Triangle(tri), Some(sizes)) => {
-                !TriangleErrorBounds::with(sizes, tri, ray).surely_misses(KernelClass::Textbook)
-            }
-            _ => true,
-        };
+        let kernel = KernelClass::Textbook;
         let numbered = (0..).map(PrimId).zip(&self.0);
-        let hit = numbered.filter(|(_, shape)| is_hit(shape));
-        closest_of(hit.map(|(id, shape)| (id, shape.primitive)), ray)
+        let others = numbered.filter(|(_, s)| !surely_misses(ray, s.primitive, s.sizes, kernel));
+        closest_of(others.map(|(id, shape)| (id, shape.primitive)), ray)
+    }
+}
+
+/// Whether the error bounds of correct code of this class say that `ray` misses the shape. `sizes`
+/// are those of a triangle, where they are known.
+fn surely_misses(
+    ray: &Ray,
+    shape: Primitive<'_>,
+    sizes: Option<TriangleSizes>,
+    kernel: KernelClass,
+) -> bool {
+    match shape {
+        Primitive::Triangle(tri) => {
+            let sizes = sizes.unwrap_or_else(|| TriangleSizes::of(tri));
+            TriangleErrorBounds::with(sizes, tri, ray).surely_misses(kernel)
+        }
+        Primitive::Sphere(sphere) => SphereErrorBounds::new(sphere, ray).surely_misses(kernel),
     }
 }
 
@@ -79,14 +87,9 @@ impl<'a> Shapes<'a> {
 /// assert_eq!([0.25, 0.75, 0.76].map(touches), [true, true, false]);
 /// ```
 pub fn may_touch(shape: &Primitive<'_>, ray: &Ray, kernel: KernelClass) -> bool {
-    match (kernel, shape) {
-        (KernelClass::Textbook, shape) => touches(&ball_around(&shape.bounds()), ray),
-        (KernelClass::Robust, Primitive::Triangle(t)) => {
-            !TriangleErrorBounds::new(t, ray).surely_misses(kernel)
-        }
-        (KernelClass::Robust, Primitive::Sphere(s)) => {
-            !SphereErrorBounds::new(s, ray).surely_misses(kernel)
-        }
+    match kernel {
+        KernelClass::Textbook => touches(&ball_around(&shape.bounds()), ray),
+        KernelClass::Robust => !surely_misses(ray, *shape, None, kernel),
     }
 }
 

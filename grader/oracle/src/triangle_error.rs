@@ -64,7 +64,7 @@ pub(super) struct TriangleSizes {
     max_edge: f64,
     /// Largest absolute coordinate of a vertex on each axis.
     outmost: Vec3,
-    /// With `(p1-p0) × (p2-p0)` in `f64`.
+    /// See [`thinness`]; of the normal `(p1-p0) × (p2-p0)`, computed in `f64`.
     thinness: f64,
     fits_f64: bool,
 }
@@ -85,8 +85,8 @@ impl TriangleSizes {
 }
 
 /// Returns how thin a triangle is, at least 2: the sum of the absolute products in its normal over
-/// the normal. A kernel that first intersects the plane and then tests the sides of the edges has an
-/// error that grows by this factor. `normal` must be accurate to a few digits.
+/// the normal. A kernel that first intersects the plane and then tests the sides of the edges has
+/// an error that grows by this factor. `normal` must be accurate to a few digits.
 fn thinness(normal_sizes: Vec3, normal: Vec3) -> f64 {
     sum_abs(normal_sizes) / max_abs(normal)
 }

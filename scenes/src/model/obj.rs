@@ -164,8 +164,8 @@ pub(super) fn read(name: &str, folder: &Path, bytes: &[u8]) -> Result<Loaded, Sc
     Ok(builder.into_loaded())
 }
 
-/// The first three numbers of a text, 0 where there are fewer, and how many it has; `None` if a word
-/// is not a number.
+/// The first three numbers of a text, 0 where there are fewer, and how many it has. `None` if a
+/// word is not a number.
 fn numbers(text: &str) -> Option<([f64; 3], usize)> {
     let (mut first, mut count) = ([0.0; 3], 0);
     for word in text.split_whitespace() {

@@ -1,8 +1,8 @@
 //! A recorded ray as a Rust test, with the exact answer.
 
 use judge::{Tier, repro};
-use kit::{Primitive, Ray, Scene, Vec3};
-use oracle::{KernelClass, Shapes};
+use kit::{PrimId, Primitive, Ray, Scene, Vec3};
+use oracle::{KernelClass, may_touch};
 use pathtracer::replay::{RayRecord, Test};
 use wire::Work;
 use wire::work::{BoxWork, BruteForceWork, Probe, SphereWork, TriangleWork, Xyz};
@@ -19,17 +19,15 @@ pub struct RayTest {
 /// The test that a ray hits what it hits exactly, among the primitives that its line comes near.
 /// The error says why there is none.
 pub fn of_ray(scene: &Scene, record: &RayRecord) -> Result<RayTest, String> {
-    let near = Shapes::new(scene.primitives()).near(&record.ray, KernelClass::Textbook);
-    let near = near
-        .iter()
-        .filter(|n| record.skip.is_none_or(|skip| skip.0 != n.0));
     let mut work = BruteForceWork {
         triangles: Vec::new(),
         spheres: Vec::new(),
         rays: vec![wire_ray(&record.ray)],
     };
-    for (_, primitive) in near {
-        push(&mut work, primitive);
+    for (id, primitive) in (0..).map(PrimId).zip(scene.primitives()) {
+        if record.skip != Some(id) && may_touch(&primitive, &record.ray, KernelClass::Textbook) {
+            push(&mut work, &primitive);
+        }
     }
     file(
         "intersect",

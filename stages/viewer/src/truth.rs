@@ -5,7 +5,7 @@
 
 use crate::project::Projection;
 use kit::{Aabb, Camera, Hit, PrimId, Primitive, Ray, Scene};
-use oracle::{Closest, KernelClass, Shapes};
+use oracle::{Closest, KernelClass, may_touch};
 use pathtracer::RayRole;
 use pathtracer::replay::text::vector;
 use pathtracer::replay::{Outcome, PixelReplay, PrimAnswer, RayRecord, Test, Visit};
@@ -113,9 +113,11 @@ fn wrong_camera_ray(camera: &Camera, record: &RayRecord, sensor: kit::Vec2) -> O
 
 /// Checks one ray against the exact answer over all `primitives` of its scene.
 pub fn check_ray(primitives: &[Primitive<'_>], record: &RayRecord) -> RayTruth {
-    let near = Shapes::new(primitives.iter().copied()).near(&record.ray, KERNEL);
-    let is_skipped = |id: u32| record.skip == Some(PrimId(id));
-    let near: Vec<(u32, Primitive<'_>)> = near.into_iter().filter(|n| !is_skipped(n.0)).collect();
+    let is_near = |(id, primitive): &(u32, Primitive<'_>)| {
+        record.skip != Some(PrimId(*id)) && may_touch(primitive, &record.ray, KERNEL)
+    };
+    let numbered = (0..).zip(primitives.iter().copied());
+    let near: Vec<(u32, Primitive<'_>)> = numbered.filter(is_near).collect();
     let exact = oracle::closest(near.iter().map(|n| n.1), &record.ray);
     // The oracle counts the primitives that it was given.
     let id = |i: PrimId| PrimId(near[i.0 as usize].0);

@@ -84,7 +84,6 @@ pub(super) fn decisions(findings: &mut Findings, tier: Tier, truths: &[Closest])
 /// The tests that all rays need, by the exact oracle.
 pub(super) fn needed_tests(work: &SceneWork) -> NeededTests {
     let scene = load(&work.scene);
-    let primitives: Vec<Primitive<'_>> = scene.primitives().collect();
     let shapes = Shapes::new(scene.primitives());
     let of_ray = |wire_ray: &Ray| {
         let ray = convert::ray(wire_ray);
@@ -94,7 +93,7 @@ pub(super) fn needed_tests(work: &SceneWork) -> NeededTests {
             let ends = verdict.ends.filter(|_| verdict.hits())?;
             Some([ends.0.to_f64(), ends.1.to_f64()])
         });
-        let hit = memoised(|id: u32| match primitives[id as usize] {
+        let hit = memoised(|id: u32| match scene.primitive(PrimId(id)) {
             Primitive::Triangle(shape) => {
                 let verdict = oracle::triangle(shape, &ray);
                 Some(verdict.crossing.filter(|_| verdict.hits())?.t.to_f64())

@@ -2,7 +2,7 @@
 //!
 //! Reading order: [`world`] (the scene as a ray tests it, and the counters), [`accel`] (brute force
 //! or a tree), [`normals`] and [`lit`] (from pixel to radiance), `integrator` and `packet` (scalar
-//! paths, and paths in packets of eight), [`empty_pixels`] (where there is nothing to hit),
+//! paths, and paths in packets of eight), [`pixel_contents`] (where there is nothing to hit),
 //! `materials` (scattering), `clamp` (fireflies), [`textures`], [`lens`] and [`environment_file`]
 //! (what flags add to a scene), `radiance_file` (picture files that are read), [`mod@darkness`]
 //! (why a picture is black), [`trial`] (whether the stages for a picture are written), [`rendered`]
@@ -17,10 +17,10 @@ pub mod accel;
 pub mod args;
 mod clamp;
 pub mod darkness;
-pub mod empty_pixels;
 pub mod environment_file;
 pub mod exact_sum;
 mod integrator;
+mod lamp_edge;
 pub mod layer_file;
 pub mod layers;
 pub mod lens;
@@ -35,6 +35,7 @@ mod packet;
 pub mod part_file;
 pub mod passes;
 pub mod picture;
+pub mod pixel_contents;
 pub mod progressive;
 mod radiance_file;
 pub mod rate_picture;

@@ -5,10 +5,10 @@
 //! ray depth of 0 or 1 needs `direct` only. With `--accel simd`, `PacketRenderer` traces most
 //! pictures instead, in packets of eight paths.
 
-use crate::empty_pixels::EmptyPixels;
 use crate::exact_sum::PixelSum;
 use crate::integrator::PathIntegrator;
 use crate::packet::PacketRenderer;
+use crate::pixel_contents::PixelContents;
 use crate::rendered::RenderedTile;
 use crate::textures::Textures;
 use crate::tiles;
@@ -47,6 +47,9 @@ pub struct LightSettings {
     pub roulette: bool,
     /// How many times as often as by their throughput alone paths survive, at least 1.
     pub roulette_factor: u32,
+    /// Camera rays for each sample that find the light of the lamps in a pixel with the edge of a
+    /// lamp, at least 1 (`--lamp-rays`).
+    pub lamp_rays: u32,
     /// Whether light fades towards the plane of a triangle (`--soft-terminator`).
     pub soft_terminator: bool,
     /// The largest luminance of a sample's indirect light (`--clamp`).
@@ -70,6 +73,7 @@ impl Default for LightSettings {
             direct_sampling: DirectSampling::Lights,
             roulette: true,
             roulette_factor: 1,
+            lamp_rays: 1,
             soft_terminator: false,
             clamp: None,
             adaptive: None,
@@ -93,13 +97,14 @@ impl LightSettings {
         })
     }
 
-    /// The empty pixels of `job`. None are known without adaptive sampling, which alone asks for
-    /// them, or with a lens, whose rays start elsewhere.
-    pub(crate) fn empty_pixels(&self, lit: &LitScene, job: &Job) -> EmptyPixels {
-        if self.adaptive.is_none() || self.lens.radius > 0.0 {
-            return EmptyPixels::default();
+    /// What the pixels of `job` can show, as far as it matters: only adaptive sampling asks for
+    /// empty pixels. With a lens, whose rays start elsewhere, nothing is known.
+    pub(crate) fn pixel_contents(&self, lit: &LitScene, job: &Job) -> PixelContents {
+        if self.lens.radius > 0.0 {
+            return PixelContents::default();
         }
-        EmptyPixels::new(lit, &job.camera, job.film)
+        let wanted = [self.adaptive.is_some(), self.lamp_rays > 1];
+        PixelContents::new(lit, &job.camera, job.film, wanted)
     }
 }
 
@@ -123,22 +128,22 @@ pub fn render_lit(
         tile_done(tile.cell, tile.counters.rays);
         tile
     };
-    let empty = settings.empty_pixels(lit, job);
+    let contents = settings.pixel_contents(lit, job);
     let tiles = render_lit_tiles(
-        lit, textures, accel, job, settings, &empty, &tiles, stop, &finished,
+        lit, textures, accel, job, settings, &contents, &tiles, stop, &finished,
     );
     let mut rendered = Rendered::black(job.film, true);
     tiles.iter().for_each(|tile| rendered.add_tile(tile));
     rendered
 }
 
-/// Renders some tiles of the picture of [`render_lit`], with the same pixels. `empty` must be the
-/// [`Picture::empty_pixels`](crate::Picture::empty_pixels) of `job`. `finish` is called with each
+/// Renders some tiles of the picture of [`render_lit`], with the same pixels. `contents` must be the
+/// [`Picture::pixel_contents`](crate::Picture::pixel_contents) of `job`. `finish` is called with each
 /// tile and returns what to keep of it. A tile that is in progress when `stop` is set has black
 /// pixels without samples.
 #[allow(
     clippy::too_many_arguments,
-    reason = "those of `render_lit`, its empty pixels, and the tiles"
+    reason = "those of `render_lit`, what its pixels can show, and the tiles"
 )]
 pub fn render_lit_tiles<R: Send>(
     lit: &LitScene,
@@ -146,12 +151,12 @@ pub fn render_lit_tiles<R: Send>(
     accel: &Accel,
     job: &Job,
     settings: &LightSettings,
-    empty: &EmptyPixels,
+    contents: &PixelContents,
     tiles: &[Cell],
     stop: &AtomicBool,
     finish: &(dyn Fn(RenderedTile) -> R + Sync),
 ) -> Vec<R> {
-    if let Some(renderer) = PacketRenderer::new(lit, textures, accel, job, settings, empty) {
+    if let Some(renderer) = PacketRenderer::new(lit, textures, accel, job, settings, contents) {
         return renderer.render(tiles, stop, finish);
     }
     tiles::render(
@@ -162,7 +167,7 @@ pub fn render_lit_tiles<R: Send>(
             if stop.load(Ordering::Relaxed) {
                 return integrator.finish_pixel(PixelSum::default(), Tally::default());
             }
-            integrator.pixel(job, empty, (x, y), sampler)
+            integrator.pixel(job, contents, (x, y), sampler)
         },
         |cell, pixels, integrator| finish(integrator.into_tile(cell, pixels)),
     )
@@ -174,11 +179,12 @@ impl<T: RayTracer> PathIntegrator<'_, T> {
     pub(crate) fn pixel(
         &mut self,
         job: &Job,
-        empty: &EmptyPixels,
+        contents: &PixelContents,
         (x, y): (u32, u32),
         sampler: &mut PixelSampler,
     ) -> PixelEstimate {
         let this = &*self;
+        let edge = this.lamp_edge(job, contents, (x, y));
         let camera_ray = &mut |sensor| {
             this.tracer.sample_starts(sensor);
             generate_ray(&job.camera, sensor)
@@ -186,13 +192,17 @@ impl<T: RayTracer> PathIntegrator<'_, T> {
         let trace_ray = &mut |ray: &Ray, sampler: &mut PixelSampler| {
             let ray = this.through_lens(&job.camera, ray, sampler);
             let radiance = this.radiance(&ray, sampler);
-            this.tracer.sample_ends(radiance);
-            radiance
+            let smoothed = match &edge {
+                Some(edge) => edge.smooth(this, sampler.samples_started() - 1, &ray, radiance),
+                None => radiance,
+            };
+            this.tracer.sample_ends(radiance, smoothed);
+            smoothed
         };
         let (sum, luminance) = sample_pixel(
             job,
             this.settings,
-            empty,
+            contents,
             (x, y),
             sampler,
             camera_ray,
@@ -231,7 +241,7 @@ impl<T: RayTracer> PathIntegrator<'_, T> {
 pub(crate) fn sample_pixel(
     job: &Job,
     settings: &LightSettings,
-    empty: &EmptyPixels,
+    contents: &PixelContents,
     (x, y): (u32, u32),
     sampler: &mut PixelSampler,
     camera_ray: &mut impl FnMut(Vec2) -> Ray,
@@ -259,7 +269,7 @@ pub(crate) fn sample_pixel(
             camera_ray,
             trace_ray,
             &mut |samples: &Tally, tolerance| {
-                empty.contains((x, y))
+                contents.is_empty((x, y))
                     || has_surely_converged(samples, tolerance, &mut has_converged)
             },
         ),

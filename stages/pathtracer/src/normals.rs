@@ -92,7 +92,7 @@ fn sum_of_pixel(
                 Some(hit) => normal_color(hit.n),
                 None => Spectrum::BLACK,
             };
-            tracer.sample_ends(color);
+            tracer.sample_ends(color, color);
             sum.push(color);
             color
         },

@@ -1,9 +1,9 @@
 //! What a picture shows, and everything that rendering it needs.
 
 use crate::args::Shade;
-use crate::empty_pixels::EmptyPixels;
 use crate::lit::{LightSettings, render_lit_tiles};
 use crate::normals::render_normal_tiles;
+use crate::pixel_contents::PixelContents;
 use crate::rendered::RenderedTile;
 use crate::{Accel, AccelKind, Job, Textures};
 use kit::film::Cell;
@@ -45,10 +45,10 @@ impl Picture {
     }
 
     /// The empty pixels of `job`: none of a picture of normals, which is not sampled adaptively.
-    pub fn empty_pixels(&self, job: &Job, settings: &LightSettings) -> EmptyPixels {
+    pub fn pixel_contents(&self, job: &Job, settings: &LightSettings) -> PixelContents {
         match self {
-            Picture::Normals(_) => EmptyPixels::default(),
-            Picture::Lit(lit) => settings.empty_pixels(lit, job),
+            Picture::Normals(_) => PixelContents::default(),
+            Picture::Lit(lit) => settings.pixel_contents(lit, job),
         }
     }
 
@@ -86,13 +86,13 @@ impl PreparedScene {
 
     /// Renders some tiles of the picture: those of [`render_lit`](crate::render_lit), or of
     /// normals. `finish` is called with each tile and returns what to keep of it. A tile that is in
-    /// progress when `stop` is set has black pixels without samples. `empty` must be the
-    /// [`Picture::empty_pixels`] of `job`.
+    /// progress when `stop` is set has black pixels without samples. `contents` must be the
+    /// [`Picture::pixel_contents`] of `job`.
     pub fn render_tiles<R: Send>(
         &self,
         job: &Job,
         settings: &LightSettings,
-        empty: &EmptyPixels,
+        contents: &PixelContents,
         tiles: &[Cell],
         stop: &AtomicBool,
         finish: &(dyn Fn(RenderedTile) -> R + Sync),
@@ -107,7 +107,7 @@ impl PreparedScene {
                 &self.accel,
                 job,
                 settings,
-                empty,
+                contents,
                 tiles,
                 stop,
                 finish,

@@ -1,6 +1,6 @@
 //! Rendering that can be watched, stopped, resumed, and continued with more samples.
 
-use crate::empty_pixels::EmptyPixels;
+use crate::pixel_contents::PixelContents;
 use crate::rendered::RenderedTile;
 use crate::{Job, LightSettings, PreparedScene, Rendered};
 use kit::film::Cell;
@@ -24,8 +24,8 @@ pub struct ProgressiveRender {
     current: Job,
     /// The tiles of this pass that are still to be rendered.
     pending: Vec<Cell>,
-    /// The empty pixels of all passes, known once the first tile is rendered.
-    empty: OnceCell<EmptyPixels>,
+    /// What the pixels of all passes can show, known once the first tile is rendered.
+    contents: OnceCell<PixelContents>,
     so_far: Rendered,
 }
 
@@ -55,7 +55,7 @@ impl ProgressiveRender {
             passes: 1,
             current: job,
             pending: centre_first(job.cell),
-            empty: OnceCell::new(),
+            contents: OnceCell::new(),
             so_far,
         }
     }
@@ -162,10 +162,10 @@ impl ProgressiveRender {
             }
         };
         let (job, settings) = (&self.current, &self.settings);
-        let empty = self
-            .empty
-            .get_or_init(|| scene.picture.empty_pixels(job, settings));
-        scene.render_tiles(job, settings, empty, &tiles, stop, &finish);
+        let contents = self
+            .contents
+            .get_or_init(|| scene.picture.pixel_contents(job, settings));
+        scene.render_tiles(job, settings, contents, &tiles, stop, &finish);
         let (_, finished) = finished.into_inner().expect("adding a tile does not panic");
         let (rendered, mut pending): (Vec<Cell>, Vec<Cell>) =
             tiles.iter().partition(|tile| finished.contains(tile));

@@ -44,6 +44,9 @@ pub(crate) trait RayTracer {
         counters: &mut Counters,
     ) -> Option<Hit>;
 
+    /// The closest hit of a camera ray that is not part of a path, and never recorded.
+    fn closest_unrecorded(&self, ray: &Ray, counters: &mut Counters) -> Option<Hit>;
+
     /// Whether any primitive other than `skip` is hit in the range of `ray`, a shadow ray.
     fn occluded(&self, ray: &Ray, skip: Option<PrimId>, counters: &mut Counters) -> bool;
 
@@ -60,10 +63,11 @@ pub(crate) trait RayTracer {
         let _ = (throughput, survivor);
     }
 
-    /// Called with the radiance of a finished sample.
+    /// Called when a sample is finished: with the radiance of its path, and with that of the
+    /// sample, in which the light of lamps may be the mean of several camera rays.
     #[inline]
-    fn sample_ends(&self, radiance: Spectrum) {
-        let _ = radiance;
+    fn sample_ends(&self, of_path: Spectrum, radiance: Spectrum) {
+        let _ = (of_path, radiance);
     }
 }
 
@@ -86,6 +90,12 @@ impl RayTracer for SceneTracer<'_> {
     ) -> Option<Hit> {
         self.accel
             .closest(self.scene, &mut { *ray }, skip, counters)
+    }
+
+    #[inline]
+    fn closest_unrecorded(&self, ray: &Ray, counters: &mut Counters) -> Option<Hit> {
+        self.accel
+            .closest(self.scene, &mut { *ray }, None, counters)
     }
 
     #[inline]

@@ -100,20 +100,24 @@ fn scenes_with_light_are_lit_by_default() {
     assert_eq!(shown("--shade normals"), [0.5, 0.5, 1.0]);
 }
 
-/// The picture without flags is that of `sobol4` and a roulette of 4, for every way to trace.
+/// The picture without flags is that of `sobol4`, a roulette of 4 and 8 rays at the edges of lamps,
+/// for every way to trace.
 #[test]
-fn the_default_sampler_and_roulette_reduce_noise() {
+fn the_defaults_reduce_noise() {
     let folder = folder();
-    let scene = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenes/dae/spheres.dae");
+    let scene = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../../scenes/dae/cornell_spheres.dae"
+    );
     let bytes = |flags: &str| {
         let flags = format!("-f a.exr -r 24 18 -s 16 -m 12 {flags} {scene}");
         pathtracer(folder.path(), &flags);
         fs::read(folder.path().join("a.exr")).expect("a picture")
     };
     let default = bytes("");
-    assert!(default == bytes("--sampler sobol4 --roulette 4"));
+    assert!(default == bytes("--sampler sobol4 --roulette 4 --lamp-rays 8"));
     assert!(default == bytes("--accel bvh -t 1"));
-    for old in ["--sampler sobol", "--roulette 1"] {
+    for old in ["--sampler sobol", "--roulette 1", "--lamp-rays 1"] {
         assert!(default != bytes(old), "{old}");
     }
 }

@@ -51,6 +51,7 @@ fn render(
 fn all_settings() -> Vec<(u32, LightSettings)> {
     let deep = LightSettings {
         max_depth: 6,
+        lamp_rays: 4,
         ..LightSettings::default()
     };
     let adaptive = |batch| LightSettings {
@@ -67,6 +68,13 @@ fn all_settings() -> Vec<(u32, LightSettings)> {
     vec![
         (1, deep),
         (3, deep),
+        (
+            3,
+            LightSettings {
+                lamp_rays: 1,
+                ..deep
+            },
+        ),
         (
             70,
             LightSettings {

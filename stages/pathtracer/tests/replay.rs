@@ -138,6 +138,10 @@ fn the_mean_of_a_replay_is_the_pixel_with_every_setting() {
             roulette: false,
             ..default
         },
+        LightSettings {
+            lamp_rays: 4,
+            ..default
+        },
     ];
     for light in settings {
         let name = format!("{light:?}");

@@ -49,6 +49,7 @@ mod tests {
     fn replay(luminances: &[f64]) -> PixelReplay {
         let sample = |&luminance: &f64| SampleRecord {
             sensor: Vec2::ZERO,
+            of_path: Spectrum::grey(luminance),
             radiance: Spectrum::grey(luminance),
             rays: Vec::new(),
             roulettes: Vec::new(),

@@ -4,7 +4,7 @@ use clap::ValueEnum;
 use kit::film::Cell;
 use kit::sampler::{Pattern, Sampling};
 use kit::{Camera, FilmSize};
-use pathtracer::args::{Args, DEFAULT_ROULETTE, DEFAULT_SAMPLER, SamplerName};
+use pathtracer::args::{Args, DEFAULT_LAMP_RAYS, DEFAULT_ROULETTE, DEFAULT_SAMPLER, SamplerName};
 use pathtracer::{DirectSampling, Job, LightSettings};
 
 /// The settings of a render.
@@ -158,6 +158,9 @@ impl RenderSettings {
             (true, DEFAULT_ROULETTE) => {}
             (true, factor) => flags += &format!(" --roulette {factor}"),
         }
+        if self.light.lamp_rays != DEFAULT_LAMP_RAYS {
+            flags += &format!(" --lamp-rays {}", self.light.lamp_rays);
+        }
         if self.seed != 0 {
             flags += &format!(" --seed {}", self.seed);
         }
@@ -186,12 +189,16 @@ mod tests {
             settings.expect("settings").flags()
         };
         let default = "-r 4 3 -s 1 -l 1 -m 1";
-        assert_eq!(flags("--sampler sobol4 --roulette 4"), default);
+        assert_eq!(
+            flags("--sampler sobol4 --roulette 4 --lamp-rays 8"),
+            default
+        );
         for given in [
             "--sampler sobol",
             "--sampler stratified",
             "--roulette 1",
             "--no-roulette",
+            "--lamp-rays 1",
         ] {
             assert_eq!(flags(given), format!("{default} {given}"));
         }

@@ -105,6 +105,11 @@ pub struct Args {
     #[arg(long, value_name = "FACTOR", default_value_t = DEFAULT_ROULETTE, value_parser = samples, conflicts_with = "no_roulette")]
     pub roulette: u32,
 
+    /// Camera rays by which each sample finds the lamps' own light in a pixel at the edge of a lamp:
+    /// with 1 these edges are noisier. Without effect if there is a lens
+    #[arg(long, value_name = "INT", default_value_t = DEFAULT_LAMP_RAYS, value_parser = samples)]
+    pub lamp_rays: u32,
+
     /// The largest luminance of a sample's indirect light: removes fireflies, and light. Indirect
     /// is what reaches the first surface that is neither a mirror nor smooth glass from other
     /// surfaces
@@ -216,6 +221,9 @@ const DEFAULT_ACCEL: AccelName = AccelName::Simd;
 pub const DEFAULT_SAMPLER: SamplerName = SamplerName::Sobol4;
 /// The factor of Russian roulette without `--roulette`.
 pub const DEFAULT_ROULETTE: u32 = 4;
+
+/// Camera rays for each sample at the edge of a lamp without `--lamp-rays`.
+pub const DEFAULT_LAMP_RAYS: u32 = 8;
 
 /// The distribution of a pixel's samples.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

@@ -1,7 +1,9 @@
 //! Converts flags to the settings of the renderer.
 
 use super::values::samples;
-use super::{Args, DEFAULT_ROULETTE, DEFAULT_SAMPLER, SamplerName, Shade, ToneName};
+use super::{
+    Args, DEFAULT_LAMP_RAYS, DEFAULT_ROULETTE, DEFAULT_SAMPLER, SamplerName, Shade, ToneName,
+};
 use crate::{DirectSampling, Lens, LightSettings, Tone};
 use kit::FilmSize;
 use kit::film::Cell;
@@ -99,6 +101,7 @@ impl Args {
             },
             roulette: !self.no_roulette,
             roulette_factor: self.roulette,
+            lamp_rays: self.lamp_rays,
             soft_terminator: self.soft_terminator,
             clamp: self.clamp,
             adaptive: self.adaptive()?,
@@ -198,6 +201,7 @@ impl Args {
             (self.mis, "--mis"),
             (self.no_roulette, "--no-roulette"),
             (self.roulette != DEFAULT_ROULETTE, "--roulette"),
+            (self.lamp_rays != DEFAULT_LAMP_RAYS, "--lamp-rays"),
             (self.soft_terminator, "--soft-terminator"),
             (self.clamp.is_some(), "--clamp"),
             (self.pixel.is_some(), "--pixel"),
@@ -229,6 +233,7 @@ impl Args {
             (self.mis, "--mis"),
             (self.no_roulette, "--no-roulette"),
             (self.roulette != DEFAULT_ROULETTE, "--roulette"),
+            (self.lamp_rays != DEFAULT_LAMP_RAYS, "--lamp-rays"),
             (self.soft_terminator, "--soft-terminator"),
             (self.clamp.is_some(), "--clamp"),
             (self.lens_radius > 0.0, "--lens-radius"),

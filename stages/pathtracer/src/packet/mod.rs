@@ -6,10 +6,10 @@
 mod fallback;
 
 use crate::clamp::clamp_indirect;
-use crate::empty_pixels::EmptyPixels;
 use crate::exact_sum::PixelSum;
 use crate::integrator::PathIntegrator;
 use crate::lit::sample_pixel;
+use crate::pixel_contents::PixelContents;
 use crate::rendered::RenderedTile;
 use crate::textures::Textures;
 use crate::tiles;
@@ -33,7 +33,7 @@ pub(crate) struct PacketRenderer<'a> {
     tree: &'a WideBvh,
     job: &'a Job,
     settings: &'a LightSettings,
-    empty: &'a EmptyPixels,
+    contents: &'a PixelContents,
     scene: PathScene<'a>,
     view: View,
     paths: PathSettings,
@@ -47,7 +47,7 @@ impl<'a> PacketRenderer<'a> {
         accel: &'a Accel,
         job: &'a Job,
         settings: &'a LightSettings,
-        empty: &'a EmptyPixels,
+        contents: &'a PixelContents,
     ) -> Option<PacketRenderer<'a>> {
         let Accel::Simd(tree) = accel else {
             return None;
@@ -69,7 +69,7 @@ impl<'a> PacketRenderer<'a> {
             tree,
             job,
             settings,
-            empty,
+            contents,
             scene: PathScene::new(lit, tree.apart())?,
             view: View {
                 camera: job.camera,
@@ -160,7 +160,7 @@ impl<'a> PacketRenderer<'a> {
         let (sum, luminance) = sample_pixel(
             self.job,
             self.settings,
-            self.empty,
+            self.contents,
             start.pixel,
             // The packets draw the sample positions and generate the camera rays.
             &mut PixelSampler::new(0, 0, 0),
@@ -218,14 +218,17 @@ impl<'a> PacketRenderer<'a> {
             &mut fallback,
         );
         integrator.counting(|counters| *counters += fallback.counters);
-        for pixel in pixels {
-            pixel.sampler.start_samples(count);
-        }
         if let (Some(limit), true) = (self.settings.clamp, self.paths.keeps_direct) {
             for (i, radiance) in samples.iter_mut().enumerate() {
                 let direct = memory.paths.direct[i];
                 *radiance = clamp_indirect(limit, *radiance, direct, &removed[i / count as usize]);
             }
+        }
+        for (start, samples) in pixels.iter_mut().zip(samples.chunks_mut(count as usize)) {
+            if let Some(edge) = integrator.lamp_edge(self.job, self.contents, start.pixel) {
+                edge.smooth_all(integrator, &start.sampler, samples);
+            }
+            start.sampler.start_samples(count);
         }
         samples
     }
@@ -314,10 +317,10 @@ mod tests {
             samples: 1,
             sampling: 0.into(),
         };
-        let (textures, empty) = (Textures::default(), EmptyPixels::default());
+        let (textures, contents) = (Textures::default(), PixelContents::default());
         let uses_packets = |kind, settings: LightSettings| {
             let accel = Accel::build(kind, &lit.scene);
-            PacketRenderer::new(&lit, &textures, &accel, &job, &settings, &empty).is_some()
+            PacketRenderer::new(&lit, &textures, &accel, &job, &settings, &contents).is_some()
         };
         let lights = LightSettings::default();
         let adaptive = |batch| LightSettings {

@@ -49,7 +49,7 @@ pub fn heat_map(
     stop: &AtomicBool,
 ) -> HeatMap {
     let tiles = job.cell.tiles();
-    let empty = picture.empty_pixels(job, settings);
+    let contents = picture.pixel_contents(job, settings);
     let counts: Vec<(Cell, Vec<Counters>)> = match picture {
         Picture::Normals(scene) => {
             let tracer = SceneTracer { scene, accel };
@@ -80,7 +80,7 @@ pub fn heat_map(
             |(paths, counts), x, y, sampler| {
                 let before = paths.counters();
                 if !stop.load(Ordering::Relaxed) {
-                    paths.pixel(job, &empty, (x, y), sampler);
+                    paths.pixel(job, &contents, (x, y), sampler);
                 }
                 counts.push(paths.counters() - before);
                 PixelEstimate::default()

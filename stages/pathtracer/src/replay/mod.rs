@@ -43,7 +43,7 @@ pub fn replay_pixel(
     (x, y): (u32, u32),
 ) -> PixelReplay {
     let recorder = Recorder::new(picture.scene(), accel);
-    let empty = picture.empty_pixels(job, settings);
+    let contents = picture.pixel_contents(job, settings);
     let mut estimate = PixelEstimate::default();
     let mut luminance = Tally::default();
     let mut counters = Counters::default();
@@ -56,7 +56,7 @@ pub fn replay_pixel(
             }
             Picture::Lit(lit) => {
                 let mut paths = PathIntegrator::with_tracer(lit, textures, &recorder, settings);
-                let estimate = paths.pixel(&job, &empty, (x, y), &mut sampler);
+                let estimate = paths.pixel(&job, &contents, (x, y), &mut sampler);
                 counters += paths.counters();
                 paths
                     .luminance

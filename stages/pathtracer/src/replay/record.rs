@@ -24,7 +24,10 @@ pub struct PixelReplay {
 pub struct SampleRecord {
     /// The position on the film, in [0, 1]² from the bottom left.
     pub sensor: Vec2,
-    /// The radiance of the sample.
+    /// The radiance of its path.
+    pub of_path: Spectrum,
+    /// The radiance of the sample: in a pixel at the edge of a lamp that of the path with the light
+    /// of lamps as the mean of several camera rays, which are not recorded.
     pub radiance: Spectrum,
     /// Its rays, in the order in which they were traced. Empty beyond
     /// [`MAX_RECORDED_SAMPLES`](super::MAX_RECORDED_SAMPLES).

@@ -92,6 +92,11 @@ impl RayTracer for &Recorder<'_> {
         hit
     }
 
+    fn closest_unrecorded(&self, ray: &Ray, counters: &mut Counters) -> Option<Hit> {
+        self.accel
+            .closest(self.scene, &mut { *ray }, None, counters)
+    }
+
     fn occluded(&self, ray: &Ray, skip: Option<PrimId>, counters: &mut Counters) -> bool {
         let mut world = self.world(ray, skip);
         let blocked = self.accel.occluded_through(self.scene, ray, &mut world);
@@ -108,6 +113,7 @@ impl RayTracer for &Recorder<'_> {
     fn sample_starts(&self, sensor: Vec2) {
         self.samples.borrow_mut().push(SampleRecord {
             sensor,
+            of_path: Spectrum::BLACK,
             radiance: Spectrum::BLACK,
             rays: Vec::new(),
             roulettes: Vec::new(),
@@ -128,9 +134,9 @@ impl RayTracer for &Recorder<'_> {
         }
     }
 
-    fn sample_ends(&self, radiance: Spectrum) {
+    fn sample_ends(&self, of_path: Spectrum, radiance: Spectrum) {
         if let Some(sample) = self.samples.borrow_mut().last_mut() {
-            sample.radiance = radiance;
+            (sample.of_path, sample.radiance) = (of_path, radiance);
         }
     }
 }

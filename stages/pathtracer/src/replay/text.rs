@@ -87,6 +87,13 @@ pub fn sample(scene: &Scene, film: FilmSize, index: usize, record: &SampleRecord
         record.sensor.y * f64::from(film.h),
         numbers(record.radiance.to_array())
     );
+    if record.of_path != record.radiance {
+        let _ = writeln!(
+            text,
+            "  with the lamps as other camera rays see them; along this path: {}",
+            numbers(record.of_path.to_array())
+        );
+    }
     for (i, of) in record.rays.iter().enumerate() {
         let indent = "  ".repeat(of.depth as usize + 1);
         let _ = writeln!(text, "{indent}{}", ray(scene, of));

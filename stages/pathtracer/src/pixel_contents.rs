@@ -1,12 +1,13 @@
-//! Pixels whose rays cannot hit anything, for adaptive sampling.
+//! What the pixels of a picture can show, by the projections of primitives.
 
 use kit::camera::half_tan;
-use kit::{Camera, FilmSize, LitScene, Mat3, Primitive, Vec2, Vec3};
+use kit::{Camera, FilmSize, LitScene, Mat3, Material, PrimId, Primitive, Spectrum, Vec2, Vec3};
 
-/// The pixels of a film that provably see only a black background.
+/// Which pixels of a film can show a primitive, and which a lamp.
 ///
-/// Black samples never end the sampling of a pixel, because its light may not have been hit yet.
-/// Where no primitive is projected onto the pixel, there is nothing to hit: one batch is enough.
+/// Black samples never end the adaptive sampling of a pixel, because its light may not have been
+/// hit yet. Where no primitive is projected onto the pixel, there is nothing to hit: one batch is
+/// enough. And only where a lamp is projected can its edge be.
 ///
 /// Every primitive is projected by corners: a triangle by its vertices, a sphere by those of its
 /// bounding box. All of its points then lie in the bounding rectangle of the projected corners,
@@ -14,40 +15,93 @@ use kit::{Camera, FilmSize, LitScene, Mat3, Primitive, Vec2, Vec3};
 /// projected corners where all corners are in front of the camera. The answer depends on the scene
 /// and the camera only, not on a tree, so every tree takes the same samples.
 #[derive(Clone, Debug, Default)]
-pub struct EmptyPixels {
+pub struct PixelContents {
     /// Pixels in a row.
     width: usize,
-    /// For each pixel, row by row from the bottom left, whether a primitive may be seen in it.
-    /// Without entries nothing is known, and no pixel counts as empty.
-    is_covered: Vec<bool>,
+    primitives: Coverage,
+    lamps: Option<Coverage>,
 }
 
-impl EmptyPixels {
-    /// The empty pixels of a film whose rays start at `camera`. None are known where the background
-    /// can have radiance, or a primitive is not wholly in front of the camera.
-    pub(crate) fn new(lit: &LitScene, camera: &Camera, film: FilmSize) -> EmptyPixels {
-        let unknown = EmptyPixels::default();
-        if lit.has_background() {
-            return unknown;
-        }
-        let projection = Projection::of(camera);
-        let mut cover = Cover::new(film);
-        for primitive in lit.scene.primitives() {
-            let Some(rectangle) = projection.bounds(&primitive) else {
-                return unknown;
-            };
-            cover.add(rectangle);
-        }
-        EmptyPixels {
+/// The pixels that some primitives may be seen in.
+#[derive(Clone, Debug, Default)]
+enum Coverage {
+    /// Perhaps all.
+    #[default]
+    Unknown,
+    /// Row by row from the bottom left.
+    Known(Vec<bool>),
+}
+
+impl PixelContents {
+    /// What the pixels of a film can show whose rays start at `camera`: for `primitives` which are
+    /// empty, for `lamps` which show a lamp. No pixel is known to be empty where the background can
+    /// have radiance, or a primitive is not wholly in front of the camera.
+    pub(crate) fn new(
+        lit: &LitScene,
+        camera: &Camera,
+        film: FilmSize,
+        [primitives, lamps]: [bool; 2],
+    ) -> PixelContents {
+        let scene = &lit.scene;
+        let emits = |material: &Material| material.emission() != Spectrum::BLACK;
+        let has_lamps = || scene.materials.iter().any(|m| emits(&m.material));
+        PixelContents {
             width: film.w as usize,
-            is_covered: cover.finish(),
+            primitives: if primitives && !lit.has_background() {
+                Coverage::of(scene.primitives(), camera, film)
+            } else {
+                Coverage::Unknown
+            },
+            lamps: (lamps && has_lamps()).then(|| {
+                let ids = (0..).map(PrimId);
+                let lamps = scene
+                    .primitives()
+                    .zip(ids)
+                    .filter(|&(_, id)| emits(scene.material_of(id)));
+                Coverage::of(lamps.map(|(lamp, _)| lamp), camera, film)
+            }),
         }
     }
 
     /// Whether no ray of the pixel `(x, y)` can hit anything.
-    pub fn contains(&self, (x, y): (u32, u32)) -> bool {
-        let index = y as usize * self.width + x as usize;
-        self.is_covered.get(index) == Some(&false)
+    pub fn is_empty(&self, pixel: (u32, u32)) -> bool {
+        !self.primitives.may_contain(self.index(pixel))
+    }
+
+    /// Whether a ray of the pixel `(x, y)` may hit a lamp. Never if this was not asked for.
+    pub fn may_show_lamp(&self, pixel: (u32, u32)) -> bool {
+        let lamps = self.lamps.as_ref();
+        lamps.is_some_and(|lamps| lamps.may_contain(self.index(pixel)))
+    }
+
+    fn index(&self, (x, y): (u32, u32)) -> usize {
+        y as usize * self.width + x as usize
+    }
+}
+
+impl Coverage {
+    fn of<'a>(
+        primitives: impl Iterator<Item = Primitive<'a>>,
+        camera: &Camera,
+        film: FilmSize,
+    ) -> Coverage {
+        let projection = Projection::of(camera);
+        let mut cover = Cover::new(film);
+        for primitive in primitives {
+            let Some(rectangle) = projection.bounds(&primitive) else {
+                return Coverage::Unknown;
+            };
+            cover.add(rectangle);
+        }
+        Coverage::Known(cover.finish())
+    }
+
+    /// Whether the pixel with this index may be one of them.
+    fn may_contain(&self, index: usize) -> bool {
+        match self {
+            Coverage::Unknown => true,
+            Coverage::Known(pixels) => pixels.get(index) != Some(&false),
+        }
     }
 }
 

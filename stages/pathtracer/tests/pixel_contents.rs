@@ -90,8 +90,12 @@ fn no_ray_of_an_empty_pixel_hits_anything() {
         let job = job(camera(pos, Vec3::ZERO));
         let accel = Accel::build(AccelKind::Brute, &lit.scene);
         let picture = Picture::Lit(lit);
-        let empty = picture.empty_pixels(&job, &settings());
-        for (x, y) in FILM.whole().pixels().filter(|&pixel| empty.contains(pixel)) {
+        let contents = picture.pixel_contents(&job, &settings());
+        for (x, y) in FILM
+            .whole()
+            .pixels()
+            .filter(|&pixel| contents.is_empty(pixel))
+        {
             empty_pixels += 1;
             let corners = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (1.0, 1.0), (0.5, 0.5)];
             for (dx, dy) in corners {
@@ -114,7 +118,7 @@ fn no_ray_of_an_empty_pixel_hits_anything() {
 fn empty_pixels_take_one_batch_with_every_tree() {
     let lit = scene(3);
     let job = job(camera(Vec3::new(1.0, 2.0, 8.0), Vec3::ZERO));
-    let empty = Picture::Lit(lit.clone()).empty_pixels(&job, &settings());
+    let contents = Picture::Lit(lit.clone()).pixel_contents(&job, &settings());
     let samples = |kind| {
         let accel = Accel::build(kind, &lit.scene);
         let stop = AtomicBool::new(false);
@@ -134,7 +138,7 @@ fn empty_pixels_take_one_batch_with_every_tree() {
     for pixel in FILM.whole().pixels() {
         for picture in &pictures {
             let estimate = picture.film.get(pixel.0, pixel.1);
-            if empty.contains(pixel) {
+            if contents.is_empty(pixel) {
                 assert_eq!(estimate.samples, BATCH, "{pixel:?}");
             } else if estimate.radiance == Spectrum::BLACK {
                 // It is near a primitive, and black is not enough.
@@ -150,8 +154,8 @@ fn empty_pixels_take_one_batch_with_every_tree() {
 fn nothing_is_empty_where_rays_start_elsewhere_or_the_background_shines() {
     let camera = camera(Vec3::new(1.0, 2.0, 8.0), Vec3::ZERO);
     let is_any = |lit: LitScene, camera, settings: LightSettings| {
-        let empty = Picture::Lit(lit).empty_pixels(&job(camera), &settings);
-        FILM.whole().pixels().any(|pixel| empty.contains(pixel))
+        let contents = Picture::Lit(lit).pixel_contents(&job(camera), &settings);
+        FILM.whole().pixels().any(|pixel| contents.is_empty(pixel))
     };
     assert!(is_any(scene(3), camera, settings()));
     let mut with_lens = settings();

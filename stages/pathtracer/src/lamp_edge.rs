@@ -1,0 +1,135 @@
+//! The light of the lamps that the camera sees, in the pixels that the edge of a lamp crosses.
+//!
+//! A lamp is many times brighter than what it lights. Where its edge crosses a pixel, a sample hits
+//! either the lamp or what is beside it, so the few pixels along the edges of the lamps have a large
+//! share of the error of a whole picture: half of it in a room with one lamp. A camera ray alone
+//! takes little time. In these pixels each sample therefore takes the lamps' own light as the mean
+//! of several camera rays, in place of the one that its path starts with. The mean of the picture
+//! stays the same.
+
+use crate::integrator::PathIntegrator;
+use crate::pixel_contents::PixelContents;
+use crate::tracer::RayTracer;
+use crate::{Counters, Job};
+use direct::zero_bounce_radiance;
+use kit::sampler::{Pattern, Sampling};
+use kit::shading_normal::towards_viewer;
+use kit::{PixelSampler, Ray, Spectrum, Vec2};
+use raygen::generate_ray;
+
+/// A pixel that the edge of a lamp crosses.
+pub(crate) struct LampEdge<'a> {
+    job: &'a Job,
+    pixel: (u32, u32),
+    /// Camera rays for each sample.
+    rays: u32,
+}
+
+/// The random numbers of these rays are not those of the paths.
+const SEED: u64 = 0x6c61_6d70_6564_6765;
+
+/// The rays that look for an edge in a pixel, besides those through its corners. In each direction
+/// one of them is in each sixteenth of the pixel.
+const PROBES: u32 = 16;
+
+impl<T: RayTracer> PathIntegrator<'_, T> {
+    /// `None` if no edge of a lamp is found in the pixel: the rays through its corners and through
+    /// some points find the same light. A long straight edge has corners on both sides. The samples
+    /// have no influence: without bias, the mean may not depend on what they find.
+    pub(crate) fn lamp_edge<'a>(
+        &self,
+        job: &'a Job,
+        contents: &PixelContents,
+        pixel: (u32, u32),
+    ) -> Option<LampEdge<'a>> {
+        // A single sample goes through the centre of its pixel.
+        if job.samples < 2 || !contents.may_show_lamp(pixel) {
+            return None;
+        }
+        let edge = LampEdge {
+            job,
+            pixel,
+            rays: self.settings.lamp_rays,
+        };
+        // These rays belong to no sample: they are not counted.
+        let light = |place| self.lamp_light(&edge.ray(place), &mut Counters::default());
+        let mut sampler = edge.sampler(Pattern::Sobol, !SEED, 0);
+        let probes = (0..PROBES).map(|_| sampler.get_sample());
+        let mut places = [Vec2::X, Vec2::Y, Vec2::ONE].into_iter().chain(probes);
+        let first = light(Vec2::ZERO);
+        places.any(|place| light(place) != first).then_some(edge)
+    }
+
+    /// The light of the lamp that `ray`, a camera ray, hits; black if it hits none.
+    fn lamp_light(&self, ray: &Ray, counters: &mut Counters) -> Spectrum {
+        counters.rays += 1;
+        let Some(hit) = self.tracer.closest_unrecorded(ray, counters) else {
+            return Spectrum::BLACK;
+        };
+        let hit = towards_viewer(self.lit, hit, ray.d);
+        zero_bounce_radiance(&self.lit.surface(&hit), -ray.d)
+    }
+}
+
+impl LampEdge<'_> {
+    fn sampler(&self, pattern: Pattern, seed: u64, first_sample: u32) -> PixelSampler {
+        let (x, y) = self.pixel;
+        let sampling = Sampling {
+            pattern,
+            seed,
+            first_sample,
+        };
+        PixelSampler::new(x, y, sampling)
+    }
+
+    /// The camera ray through the point `place` in the pixel, in [0, 1]².
+    fn ray(&self, place: Vec2) -> Ray {
+        let (x, y) = self.pixel;
+        let corner = Vec2::new(f64::from(x), f64::from(y));
+        let film = self.job.film;
+        let size = Vec2::new(f64::from(film.w), f64::from(film.h));
+        generate_ray(&self.job.camera, (corner + place) / size)
+    }
+
+    /// `radiance`, that of sample number `sample` along `ray`, with the light of the lamps as the
+    /// mean of several rays.
+    pub(crate) fn smooth<T: RayTracer>(
+        &self,
+        integrator: &PathIntegrator<'_, T>,
+        sample: u32,
+        ray: &Ray,
+        radiance: Spectrum,
+    ) -> Spectrum {
+        let Sampling { pattern, seed, .. } = self.job.sampling;
+        let pattern = match pattern {
+            Pattern::Independent => Pattern::Independent,
+            Pattern::Stratified { samples } => Pattern::Stratified {
+                samples: samples.saturating_mul(self.rays),
+            },
+            Pattern::Sobol | Pattern::Sobol4 => Pattern::Sobol,
+        };
+        let mut sampler = self.sampler(pattern, seed ^ SEED, sample.wrapping_mul(self.rays));
+        integrator.counting(|counters| {
+            let mut sum = Spectrum::BLACK;
+            for _ in 0..self.rays {
+                sum += integrator.lamp_light(&self.ray(sampler.get_sample()), counters);
+            }
+            radiance - integrator.lamp_light(ray, counters) + sum / f64::from(self.rays)
+        })
+    }
+
+    /// The same for the next samples of the pixel in its row, whose positions `sampler` draws.
+    pub(crate) fn smooth_all<T: RayTracer>(
+        &self,
+        integrator: &PathIntegrator<'_, T>,
+        sampler: &PixelSampler,
+        samples: &mut [Spectrum],
+    ) {
+        let mut sampler = sampler.clone();
+        for radiance in samples {
+            let ray = self.ray(sampler.get_sample());
+            let sample = sampler.samples_started() - 1;
+            *radiance = self.smooth(integrator, sample, &ray, *radiance);
+        }
+    }
+}

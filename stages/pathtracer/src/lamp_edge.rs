@@ -43,7 +43,7 @@ impl<T: RayTracer> PathIntegrator<'_, T> {
         pixel: (u32, u32),
     ) -> Option<LampEdge<'a>> {
         // A single sample goes through the centre of its pixel.
-        if job.samples < 2 || !contents.may_show_lamp(pixel) {
+        if job.samples < 2 {
             return None;
         }
         let edge = LampEdge {
@@ -53,11 +53,14 @@ impl<T: RayTracer> PathIntegrator<'_, T> {
         };
         // These rays belong to no sample: they are not counted.
         let light = |place| self.lamp_light(&edge.ray(place), &mut Counters::default());
-        let mut sampler = edge.sampler(Pattern::Sobol, !SEED, 0);
-        let probes = (0..PROBES).map(|_| sampler.get_sample());
-        let mut places = [Vec2::X, Vec2::Y, Vec2::ONE].into_iter().chain(probes);
-        let first = light(Vec2::ZERO);
-        places.any(|place| light(place) != first).then_some(edge)
+        let find = || {
+            let mut sampler = edge.sampler(Pattern::Sobol, !SEED, 0);
+            let probes = (0..PROBES).map(|_| sampler.get_sample());
+            let mut places = [Vec2::X, Vec2::Y, Vec2::ONE].into_iter().chain(probes);
+            let first = light(Vec2::ZERO);
+            places.any(|place| light(place) != first)
+        };
+        contents.has_lamp_edge(pixel, find).then_some(edge)
     }
 
     /// The light of the lamp that `ray`, a camera ray, hits; black if it hits none.

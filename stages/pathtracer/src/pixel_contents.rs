@@ -2,6 +2,7 @@
 
 use kit::camera::half_tan;
 use kit::{Camera, FilmSize, LitScene, Mat3, Material, PrimId, Primitive, Spectrum, Vec2, Vec3};
+use std::sync::OnceLock;
 
 /// Which pixels of a film can show a primitive, and which a lamp.
 ///
@@ -20,6 +21,8 @@ pub struct PixelContents {
     width: usize,
     primitives: Coverage,
     lamps: Option<Coverage>,
+    /// Where a lamp may be seen: whether its edge is, once somebody has looked.
+    lamp_edges: Vec<OnceLock<bool>>,
 }
 
 /// The pixels that some primitives may be seen in.
@@ -44,7 +47,8 @@ impl PixelContents {
     ) -> PixelContents {
         let scene = &lit.scene;
         let emits = |material: &Material| material.emission() != Spectrum::BLACK;
-        let has_lamps = || scene.materials.iter().any(|m| emits(&m.material));
+        let wants_lamps = lamps && scene.materials.iter().any(|m| emits(&m.material));
+        let pixels = film.whole().area() as usize;
         PixelContents {
             width: film.w as usize,
             primitives: if primitives && !lit.has_background() {
@@ -52,7 +56,7 @@ impl PixelContents {
             } else {
                 Coverage::Unknown
             },
-            lamps: (lamps && has_lamps()).then(|| {
+            lamps: wants_lamps.then(|| {
                 let ids = (0..).map(PrimId);
                 let lamps = scene
                     .primitives()
@@ -60,6 +64,7 @@ impl PixelContents {
                     .filter(|&(_, id)| emits(scene.material_of(id)));
                 Coverage::of(lamps.map(|(lamp, _)| lamp), camera, film)
             }),
+            lamp_edges: vec![OnceLock::new(); if wants_lamps { pixels } else { 0 }],
         }
     }
 
@@ -68,10 +73,13 @@ impl PixelContents {
         !self.primitives.may_contain(self.index(pixel))
     }
 
-    /// Whether a ray of the pixel `(x, y)` may hit a lamp. Never if this was not asked for.
-    pub fn may_show_lamp(&self, pixel: (u32, u32)) -> bool {
+    /// Whether the edge of a lamp is in the pixel `(x, y)`. `find` looks for it, once, if a ray of
+    /// the pixel may hit a lamp. Never if lamps were not asked for.
+    pub(crate) fn has_lamp_edge(&self, pixel: (u32, u32), find: impl FnOnce() -> bool) -> bool {
+        let index = self.index(pixel);
         let lamps = self.lamps.as_ref();
-        lamps.is_some_and(|lamps| lamps.may_contain(self.index(pixel)))
+        lamps.is_some_and(|lamps| lamps.may_contain(index))
+            && *self.lamp_edges[index].get_or_init(find)
     }
 
     fn index(&self, (x, y): (u32, u32)) -> usize {
@@ -88,10 +96,11 @@ impl Coverage {
         let projection = Projection::of(camera);
         let mut cover = Cover::new(film);
         for primitive in primitives {
-            let Some(rectangle) = projection.bounds(&primitive) else {
-                return Coverage::Unknown;
-            };
-            cover.add(rectangle);
+            match projection.bounds(&primitive) {
+                Bounds::Behind => {}
+                Bounds::On(rectangle) => cover.add(rectangle),
+                Bounds::Unknown => return Coverage::Unknown,
+            }
         }
         Coverage::Known(cover.finish())
     }
@@ -105,8 +114,19 @@ impl Coverage {
     }
 }
 
+/// Where a primitive is projected.
+enum Bounds {
+    /// In this rectangle on the film.
+    On([Vec2; 2]),
+    /// All of it is behind the camera.
+    Behind,
+    /// It is beside the camera: partly in front of it, or almost.
+    Unknown,
+}
+
 /// The smallest cosine between the viewing direction and the direction to a point that counts as in
-/// front of the camera: below it rounding moves the projection by more than a pixel.
+/// front of the camera, or against it behind: below it rounding moves the projection by more than a
+/// pixel.
 const LEAST_COSINE: f64 = 1e-6;
 
 /// Projects points in world space onto the film, whose corners are (0, 0) and (1, 1): the inverse
@@ -127,37 +147,46 @@ impl Projection {
         }
     }
 
-    /// Where the film shows `point`; `None` if the point is not in front of the camera.
-    fn point(&self, point: Vec3) -> Option<Vec2> {
+    /// Where the film shows `point`, and the side of the camera: 1 if the point is in front, -1 if
+    /// it is behind, else 0.
+    fn point(&self, point: Vec3) -> (Vec2, i32) {
         let p = self.world_to_camera * (point - self.pos);
-        let is_in_front = -p.z > LEAST_COSINE * p.length();
         let on_film = 0.5 + 0.5 * Vec2::new(p.x, p.y) / -p.z / self.tangents;
-        (is_in_front && on_film.is_finite()).then_some(on_film)
+        let least = LEAST_COSINE * p.length();
+        let is_in_front = -p.z > least && on_film.is_finite();
+        (on_film, i32::from(is_in_front) - i32::from(p.z > least))
     }
 
-    /// The bounding rectangle of a primitive on the film; `None` if a corner of the primitive is
-    /// not in front of the camera.
-    fn bounds(&self, primitive: &Primitive<'_>) -> Option<[Vec2; 2]> {
-        let mut rectangle = [Vec2::INFINITY, Vec2::NEG_INFINITY];
-        let mut add = |corner: Vec3| {
-            let point = self.point(corner)?;
-            rectangle = [rectangle[0].min(point), rectangle[1].max(point)];
-            Some(())
-        };
-        match primitive {
-            Primitive::Triangle(triangle) => [triangle.p0, triangle.p1, triangle.p2]
-                .into_iter()
-                .try_for_each(add)?,
+    /// The bounding rectangle of a primitive on the film.
+    fn bounds(&self, primitive: &Primitive<'_>) -> Bounds {
+        let mut corners = [Vec3::ZERO; 8];
+        let corners = match primitive {
+            Primitive::Triangle(t) => {
+                corners[..3].copy_from_slice(&[t.p0, t.p1, t.p2]);
+                &corners[..3]
+            }
             Primitive::Sphere(_) => {
                 let bounds = primitive.bounds();
                 let either = [bounds.min, bounds.max];
-                for corner in 0..8_usize {
+                corners = std::array::from_fn(|corner| {
                     let [x, y, z] = [0, 1, 2].map(|axis| either[corner >> axis & 1][axis]);
-                    add(Vec3::new(x, y, z))?;
-                }
+                    Vec3::new(x, y, z)
+                });
+                &corners[..]
             }
+        };
+        let mut rectangle = [Vec2::INFINITY, Vec2::NEG_INFINITY];
+        let mut sides = 0;
+        for &corner in corners {
+            let (point, side) = self.point(corner);
+            rectangle = [rectangle[0].min(point), rectangle[1].max(point)];
+            sides += side;
         }
-        Some(rectangle)
+        match sides.unsigned_abs() as usize == corners.len() {
+            true if sides > 0 => Bounds::On(rectangle),
+            true => Bounds::Behind,
+            false => Bounds::Unknown,
+        }
     }
 }
 

@@ -1,9 +1,10 @@
 //! Files that were restored: cargo compiles a crate again if a file is newer than the last build,
 //! so it does not see a copy that comes back with its old time (`mv`, `cp -p`, `tar`, `rsync`).
 
+use crate::course::sources;
 use base::fnv;
-use std::collections::{BTreeMap, BTreeSet};
-use std::fs;
+use std::collections::BTreeMap;
+use std::fs::{self, Metadata};
 use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 
@@ -16,35 +17,50 @@ const STAMPS: &str = "first-light-stamps.txt";
 /// The stamps of all crates before a build.
 pub(super) struct Stamps {
     file: PathBuf,
-    of_crates: BTreeMap<String, String>,
+    of_crates: BTreeMap<String, Stamp>,
+}
+
+/// The files of a crate.
+struct Stamp {
+    /// A hash of their paths, lengths and times.
+    of_files: String,
+    /// When each was changed: by its own time, and by the system's, which a copy cannot have from
+    /// elsewhere. Not every system has the second.
+    changes: Vec<(SystemTime, Option<SystemTime>)>,
 }
 
 impl Stamps {
-    /// Computes the stamps of the workspace `root`. Makes cargo compile each crate whose stamp
-    /// is not the stored one: removes what cargo knows of it in `compiled`, the folder of a profile
-    /// in the target folder. A crate that was compiled after the stamps were stored stays: cargo
-    /// saw the times of its files then.
+    /// Computes the stamps of the workspace `root`. Makes cargo compile each crate that it would
+    /// take for current though a file came back with its old time: removes what cargo knows of it
+    /// in `compiled`, the folder of a profile in the target folder.
+    ///
+    /// The system tells when a file came there: then those compiled earlier are removed. Where it
+    /// does not, those are whose stamp is not the stored one, if they were compiled before that
+    /// was stored: cargo has seen the times of the others.
     pub(super) fn before_build(root: &Path, compiled: &Path) -> Stamps {
         let stamps = Stamps {
             file: compiled.join(STAMPS),
             of_crates: stamps_of(root),
         };
-        let Some(stored_at) = time_of(&stamps.file) else {
-            return stamps;
-        };
+        let stored_at = time_of(&stamps.file);
         let stored = fs::read_to_string(&stamps.file).unwrap_or_default();
-        let others: BTreeSet<&str> = stored
+        let stored: BTreeMap<&str, &str> = stored
             .lines()
             .filter_map(|line| line.split_once(' '))
-            .filter(|(name, stamp)| stamps.of_crates.get(*name).is_none_or(|now| now != stamp))
-            .map(|(name, _)| name)
             .collect();
         for known in inside(&compiled.join(".fingerprint")) {
             // Cargo's names are those of crates and 16 hexadecimal digits.
             let name = known.file_name().unwrap_or_default().to_string_lossy();
-            let of_crate = name.rsplit_once('-').map(|(of_crate, _)| of_crate);
-            let is_other = of_crate.is_some_and(|of_crate| others.contains(of_crate));
-            if is_other && compiled_at(&known).any(|time| time <= stored_at) {
+            let of_crate = name.rsplit_once('-').map_or("", |(of_crate, _)| of_crate);
+            let Some(stamp) = stamps.of_crates.get(of_crate) else {
+                continue;
+            };
+            let is_other = stored.get(of_crate).is_some_and(|s| *s != stamp.of_files);
+            let is_stale = |part: Metadata| {
+                let is_older = |at: SystemTime| part.modified().is_ok_and(|time| time <= at);
+                is_other && stored_at.is_some_and(is_older) || stamp.came_back_after(&part)
+            };
+            if compiled_parts(&known).any(is_stale) {
                 let _ = fs::remove_dir_all(&known);
             }
         }
@@ -57,24 +73,69 @@ impl Stamps {
         let lines = self
             .of_crates
             .iter()
-            .map(|(name, stamp)| format!("{name} {stamp}\n"));
+            .map(|(name, stamp)| format!("{name} {}\n", stamp.of_files));
         let _ = fs::write(&self.file, lines.collect::<String>());
     }
+}
+
+impl Stamp {
+    /// The stamp of the crate in a folder of the workspace `root`.
+    fn of(folder: &Path, root: &Path) -> Stamp {
+        let mut files = sources::all_below(&folder.join("src")).unwrap_or_default();
+        files.push(folder.join("Cargo.toml"));
+        let mut stamp = fnv::START;
+        let mut changes = Vec::new();
+        for file in files {
+            let Ok(about) = file.metadata() else { continue };
+            let (below, time) = (file.strip_prefix(root), about.modified().ok());
+            let text = format!("{below:?} {} {time:?}", about.len());
+            stamp = text.bytes().fold(stamp, fnv::add);
+            changes.extend(time.map(|time| (time, came_at(&about))));
+        }
+        Stamp {
+            of_files: format!("{stamp:016x}"),
+            changes,
+        }
+    }
+
+    /// Whether a file came there after the part `compiled`, with a time before it.
+    fn came_back_after(&self, compiled: &Metadata) -> bool {
+        let (Ok(compiled_at), Some(done_at)) = (compiled.modified(), came_at(compiled)) else {
+            return false;
+        };
+        let mut changes = self.changes.iter();
+        changes.any(|(time, came)| *time <= compiled_at && came.is_some_and(|at| at > done_at))
+    }
+}
+
+/// When the system last changed what it knows of a file, if it says so.
+#[cfg(unix)]
+fn came_at(about: &Metadata) -> Option<SystemTime> {
+    use std::os::unix::fs::MetadataExt;
+    use std::time::Duration;
+    let (seconds, nanoseconds) = (about.ctime().try_into().ok()?, about.ctime_nsec() as u32);
+    SystemTime::UNIX_EPOCH.checked_add(Duration::new(seconds, nanoseconds))
+}
+
+#[cfg(not(unix))]
+fn came_at(_: &Metadata) -> Option<SystemTime> {
+    None
 }
 
 fn time_of(path: &Path) -> Option<SystemTime> {
     path.metadata().and_then(|about| about.modified()).ok()
 }
 
-/// When the parts of a crate were compiled: cargo has a file `dep-…` for each.
-fn compiled_at(known: &Path) -> impl Iterator<Item = SystemTime> + use<> {
+/// The files `dep-…` that cargo has for each compiled part of a crate: their time is that at which
+/// it began to compile.
+fn compiled_parts(known: &Path) -> impl Iterator<Item = Metadata> + use<> {
     let is_of_part = |path: &PathBuf| {
         let name = path.file_name().unwrap_or_default();
         name.to_string_lossy().starts_with("dep-")
     };
     inside(known)
         .filter(is_of_part)
-        .filter_map(|path| time_of(&path))
+        .filter_map(|path| path.metadata().ok())
 }
 
 /// What is in a folder; nothing if it cannot be read.
@@ -84,34 +145,14 @@ fn inside(folder: &Path) -> impl Iterator<Item = PathBuf> + use<> {
 }
 
 /// The stamps of all crates, by their names.
-fn stamps_of(root: &Path) -> BTreeMap<String, String> {
+fn stamps_of(root: &Path) -> BTreeMap<String, Stamp> {
     let folders = FOLDERS.iter().flat_map(|folder| inside(&root.join(folder)));
     let crates = folders.filter(|path| path.join("Cargo.toml").is_file());
     let stamp = |path: PathBuf| {
-        let mut files = Vec::new();
-        add(path.join("Cargo.toml"), root, &mut files);
-        add(path.join("src"), root, &mut files);
-        files.sort();
-        let stamp = files.concat().bytes().fold(fnv::START, fnv::add);
         let name = path.file_name().unwrap_or_default().to_string_lossy();
-        (name.into_owned(), format!("{stamp:016x}"))
+        (name.into_owned(), Stamp::of(&path, root))
     };
     crates.map(stamp).collect()
-}
-
-/// Adds a file below `root`, or those of a folder: path, length and time, as text.
-fn add(path: PathBuf, root: &Path, files: &mut Vec<String>) {
-    let Ok(about) = path.metadata() else { return };
-    if about.is_dir() {
-        inside(&path).for_each(|file| add(file, root, files));
-    } else {
-        let below = path.strip_prefix(root);
-        files.push(format!(
-            "{below:?} {} {:?}",
-            about.len(),
-            about.modified().ok()
-        ));
-    }
 }
 
 #[cfg(test)]
@@ -123,14 +164,16 @@ mod tests {
     fn a_crate_whose_file_came_back_with_its_old_time_is_compiled_again() {
         let folder = tempfile::tempdir().unwrap();
         let [root, compiled] = ["course", "release"].map(|name| folder.path().join(name));
-        // The system's clock may stand still for milliseconds: times are set.
+        // The system's clock may stand still for milliseconds: times are set, to later than when
+        // the files come there.
+        let later = SystemTime::now() + Duration::from_secs(3600);
         let write = |path: &str, text: &str, time: u64| {
             let path = folder.path().join(path);
             fs::create_dir_all(path.parent().unwrap()).unwrap();
             fs::write(&path, text).unwrap();
             let file = fs::File::options().append(true).open(&path).unwrap();
-            let time = SystemTime::UNIX_EPOCH + Duration::from_secs(time);
-            file.set_modified(time).unwrap();
+            file.set_modified(later + Duration::from_secs(time))
+                .unwrap();
         };
         let compile = |name: &str, time: u64| {
             let known = format!("release/.fingerprint/{name}-0123456789abcdef");
@@ -163,5 +206,44 @@ mod tests {
         fs::rename(&kept, &source).unwrap();
         Stamps::before_build(&root, &compiled);
         assert!(!known("bvh") && known("kit"));
+    }
+
+    /// Nobody stored a stamp of what was compiled last: another command compiled it, or the build
+    /// ended in an error.
+    #[cfg(unix)]
+    #[test]
+    fn a_file_that_came_after_its_crate_was_compiled_is_seen_without_stamps() {
+        let folder = tempfile::tempdir().unwrap();
+        let src = folder.path().join("stages/bvh/src");
+        let known = folder
+            .path()
+            .join("release/.fingerprint/bvh-0123456789abcdef");
+        for new in [&src, &known] {
+            fs::create_dir_all(new).unwrap();
+        }
+        let ago = |hours: u64| SystemTime::now() - Duration::from_secs(3600 * hours);
+        let write = |path: PathBuf, time: SystemTime| {
+            fs::write(&path, "").unwrap();
+            let file = fs::File::options().append(true).open(&path).unwrap();
+            file.set_modified(time).unwrap();
+        };
+        write(folder.path().join("stages/bvh/Cargo.toml"), ago(0));
+        let is_kept = || {
+            Stamps::before_build(folder.path(), &folder.path().join("release"));
+            known.exists()
+        };
+        // Came before the crate was compiled; then what an editor keeps beside it.
+        write(src.join("lib.rs"), ago(3));
+        write(known.join("dep-lib-bvh"), ago(0) + Duration::from_secs(60));
+        write(src.join(".lib.rs.swp"), ago(3));
+        assert!(is_kept());
+        // Newer than what was compiled: cargo sees it.
+        write(src.join("lib.rs"), ago(0));
+        write(known.join("dep-lib-bvh"), ago(1));
+        assert!(is_kept());
+        // The system's clock advances by steps.
+        std::thread::sleep(Duration::from_millis(30));
+        write(src.join("lib.rs"), ago(2));
+        assert!(!is_kept());
     }
 }

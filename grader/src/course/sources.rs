@@ -39,15 +39,28 @@ pub fn paths(root: &Path, stage: &str) -> Result<Vec<PathBuf>, GraderError> {
 
 /// The Rust files below `folder`, sorted by path.
 pub fn below(folder: &Path) -> Result<Vec<PathBuf>, GraderError> {
+    let mut files = all_below(folder)?;
+    files.retain(|path| path.extension().is_some_and(|extension| extension == "rs"));
+    Ok(files)
+}
+
+/// All files below `folder`, sorted by path. Left out are those whose names start with a dot (of
+/// editors and systems), what is no file, and links to folders, which may lead anywhere; `folder`
+/// itself may be one.
+pub(crate) fn all_below(folder: &Path) -> Result<Vec<PathBuf>, GraderError> {
     let mut files = Vec::new();
     let mut folders = vec![folder.to_path_buf()];
     while let Some(folder) = folders.pop() {
         let failed = |e| GraderError::file("read", &folder, e);
         for entry in std::fs::read_dir(&folder).map_err(failed)? {
-            let path = entry.map_err(failed)?.path();
-            if path.is_dir() {
+            let entry = entry.map_err(failed)?;
+            if entry.file_name().as_encoded_bytes().starts_with(b".") {
+                continue;
+            }
+            let path = entry.path();
+            if entry.file_type().map_err(failed)?.is_dir() {
                 folders.push(path);
-            } else if path.extension().is_some_and(|extension| extension == "rs") {
+            } else if path.is_file() {
                 files.push(path);
             }
         }
@@ -215,6 +228,28 @@ mod tests {
             path: "stages/intersect/src/triangle.rs".into(),
             text: text.into(),
         }
+    }
+
+    /// Emacs locks a file with a link to nothing; a link may lead to a folder above.
+    #[cfg(unix)]
+    #[test]
+    fn files_of_editors_and_links_to_folders_are_no_sources() {
+        let folder = tempfile::tempdir().unwrap();
+        let src = folder.path();
+        let link = std::os::unix::fs::symlink::<&str, PathBuf>;
+        std::fs::create_dir(src.join("shapes")).unwrap();
+        for file in ["lib.rs", "shapes/sphere.rs", ".lib.rs.swp", "notes.txt"] {
+            std::fs::write(src.join(file), "").unwrap();
+        }
+        link("nobody@nowhere", src.join(".#lib.rs")).unwrap();
+        link("nothing", src.join("gone.rs")).unwrap();
+        link("shapes/sphere.rs", src.join("ball.rs")).unwrap();
+        for name in ["a", "b", "shapes/up"] {
+            link("..", src.join(name)).unwrap();
+        }
+        let found = below(src).unwrap();
+        let expected = ["ball.rs", "lib.rs", "shapes/sphere.rs"].map(|file| src.join(file));
+        assert_eq!(found, expected);
     }
 
     #[test]

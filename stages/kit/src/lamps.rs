@@ -10,16 +10,18 @@ pub struct Lamps {
     lamps: Vec<Lamp>,
 }
 
+/// One of many lamps.
 #[derive(Clone, Debug, PartialEq)]
-struct Lamp {
+pub struct Lamp {
     emitter: Emitter,
-    center: Vec3,
+    /// The middle of its bounding box.
+    pub center: Vec3,
     /// Of the smallest sphere about the centre that holds the lamp, squared.
-    radius2: f64,
+    pub radius2: f64,
     /// The front normal, if all of the lamp lies in one plane.
-    front: Option<Vec3>,
+    pub front: Option<Vec3>,
     /// The largest channel of its radiance, times its area.
-    power: f64,
+    pub power: f64,
 }
 
 /// How far a flat lamp may be from a plane, relative to its radius, and its normals from each
@@ -35,9 +37,14 @@ impl Lamps {
         }
     }
 
+    /// The lamps.
+    pub fn lamps(&self) -> &[Lamp] {
+        &self.lamps
+    }
+
     /// Samples one of the lamps from `p`, as [`Emitter::sample`] does. The density includes the
     /// choice of the lamp.
-    pub(crate) fn sample(&self, p: Vec3, u: Vec2) -> Option<LightSample> {
+    pub fn sample(&self, p: Vec3, u: Vec2) -> Option<LightSample> {
         let sum: f64 = self.lamps.iter().map(|lamp| lamp.weight(p)).sum();
         if sum.is_finite() {
             return self.choose(p, u, sum, |lamp| lamp.weight(p));
@@ -61,9 +68,7 @@ impl Lamps {
             let weight = weight_of(lamp);
             if rest < weight {
                 // What is left of the number is uniform again.
-                let sample = lamp.emitter.sample(p, Vec2::new(rest / weight, u.y))?;
-                let pdf = sample.pdf * (weight / total);
-                return (pdf > 0.0).then_some(LightSample { pdf, ..sample });
+                return lamp.sample(p, Vec2::new(rest / weight, u.y), weight / total);
             }
             rest -= weight;
         }
@@ -111,9 +116,16 @@ impl Lamp {
         })
     }
 
+    /// Samples the lamp, which was chosen with a probability of `share`, from `p`.
+    pub fn sample(&self, p: Vec3, u: Vec2, share: f64) -> Option<LightSample> {
+        let sample = self.emitter.sample(p, u)?;
+        let pdf = sample.pdf * share;
+        (pdf > 0.0).then_some(LightSample { pdf, ..sample })
+    }
+
     /// About what the lamp can send to `p`. Positive wherever it sends light, but for rounding.
     #[inline]
-    fn weight(&self, p: Vec3) -> f64 {
+    pub fn weight(&self, p: Vec3) -> f64 {
         let d = p - self.center;
         let distance2 = d.length_squared();
         let at_front = self.power / distance2.max(self.radius2);

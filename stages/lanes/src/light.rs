@@ -3,8 +3,8 @@
 
 use crate::real::{Mask, Real};
 use crate::vec3::Vec3;
-use kit::EmittingMesh;
 use kit::warp::UNIFORM_HEMISPHERE_PDF;
+use kit::{EmittingMesh, Lamp};
 
 /// A sample of a light.
 ///
@@ -85,6 +85,22 @@ pub fn sample_sky<R: Real>(radiance: kit::Vec3, u: R, (sin, cos): (R, R)) -> Lig
         distance: u.constant(f64::INFINITY),
         pdf: u.constant(UNIFORM_HEMISPHERE_PDF),
         radiance: Vec3::constant(u, radiance),
+    }
+}
+
+/// About what `lamp` can send to the points `p`, as [`Lamp::weight`].
+#[inline(always)]
+pub fn lamp_weight<R: Real>(lamp: &Lamp, p: Vec3<R>) -> R {
+    let like = p.x;
+    let d = p - Vec3::constant(like, lamp.center);
+    let distance2 = d.dot(d);
+    let at_front = like.constant(lamp.power) / distance2.max(like.constant(lamp.radius2));
+    match lamp.front {
+        Some(front) => {
+            let height = d.dot(Vec3::constant(like, front)).max(like.constant(0.0));
+            at_front * (height / distance2.max(like.constant(f64::MIN_POSITIVE)).sqrt())
+        }
+        None => at_front,
     }
 }
 

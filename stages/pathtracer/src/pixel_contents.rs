@@ -97,7 +97,7 @@ impl Coverage {
         let mut cover = Cover::new(film);
         for primitive in primitives {
             match projection.bounds(&primitive) {
-                Bounds::Behind => {}
+                Bounds::Hidden => {}
                 Bounds::On(rectangle) => cover.add(rectangle),
                 Bounds::Unknown => return Coverage::Unknown,
             }
@@ -118,15 +118,14 @@ impl Coverage {
 enum Bounds {
     /// In this rectangle on the film.
     On([Vec2; 2]),
-    /// All of it is behind the camera.
-    Behind,
-    /// It is beside the camera: partly in front of it, or almost.
+    /// No camera ray reaches it: it is behind the camera, or nearer than rays start.
+    Hidden,
+    /// A corner is too far beside the camera to say.
     Unknown,
 }
 
 /// The smallest cosine between the viewing direction and the direction to a point that counts as in
-/// front of the camera, or against it behind: below it rounding moves the projection by more than a
-/// pixel.
+/// front of the camera: below it rounding moves the projection by more than a pixel.
 const LEAST_COSINE: f64 = 1e-6;
 
 /// Projects points in world space onto the film, whose corners are (0, 0) and (1, 1): the inverse
@@ -136,34 +135,31 @@ struct Projection {
     world_to_camera: Mat3,
     /// Tangents of half of the fields of view.
     tangents: Vec2,
+    /// No ray starts nearer to the plane of the camera, and there rounding moves no point beyond
+    /// it; 0 if rays start at the camera.
+    least_depth: f64,
 }
 
 impl Projection {
     fn of(camera: &Camera) -> Projection {
+        let tangents = Vec2::new(half_tan(camera.h_fov), half_tan(camera.v_fov));
         Projection {
             pos: camera.pos,
             world_to_camera: camera.c2w.inverse(),
-            tangents: Vec2::new(half_tan(camera.h_fov), half_tan(camera.v_fov)),
+            tangents,
+            least_depth: 0.5 * camera.n_clip / (1.0 + tangents.length_squared()).sqrt(),
         }
     }
 
-    /// Where the film shows `point`, and the side of the camera: 1 if the point is in front, -1 if
-    /// it is behind, else 0.
-    fn point(&self, point: Vec3) -> (Vec2, i32) {
-        let p = self.world_to_camera * (point - self.pos);
-        let on_film = 0.5 + 0.5 * Vec2::new(p.x, p.y) / -p.z / self.tangents;
-        let least = LEAST_COSINE * p.length();
-        let is_in_front = -p.z > least && on_film.is_finite();
-        (on_film, i32::from(is_in_front) - i32::from(p.z > least))
-    }
-
-    /// The bounding rectangle of a primitive on the film.
+    /// The bounding rectangle of a primitive on the film. A primitive that is partly hidden is cut
+    /// off at the least depth: what is left lies within the corners before it and the points at it
+    /// between these and the corners behind it.
     fn bounds(&self, primitive: &Primitive<'_>) -> Bounds {
         let mut corners = [Vec3::ZERO; 8];
-        let corners = match primitive {
+        let count = match primitive {
             Primitive::Triangle(t) => {
                 corners[..3].copy_from_slice(&[t.p0, t.p1, t.p2]);
-                &corners[..3]
+                3
             }
             Primitive::Sphere(_) => {
                 let bounds = primitive.bounds();
@@ -172,20 +168,47 @@ impl Projection {
                     let [x, y, z] = [0, 1, 2].map(|axis| either[corner >> axis & 1][axis]);
                     Vec3::new(x, y, z)
                 });
-                &corners[..]
+                8
             }
         };
-        let mut rectangle = [Vec2::INFINITY, Vec2::NEG_INFINITY];
-        let mut sides = 0;
-        for &corner in corners {
-            let (point, side) = self.point(corner);
-            rectangle = [rectangle[0].min(point), rectangle[1].max(point)];
-            sides += side;
+        let corners = corners.map(|corner| self.world_to_camera * (corner - self.pos));
+        let (mut seen, mut hidden) = ([Vec3::ZERO; 8], [Vec3::ZERO; 8]);
+        let (mut seen_count, mut hidden_count) = (0, 0);
+        for &p in &corners[..count] {
+            let least = LEAST_COSINE * p.length();
+            if -p.z > least && -p.z >= self.least_depth {
+                seen[seen_count] = p;
+                seen_count += 1;
+            } else if -p.z < -least || -p.z < self.least_depth {
+                hidden[hidden_count] = p;
+                hidden_count += 1;
+            } else {
+                return Bounds::Unknown;
+            }
         }
-        match sides.unsigned_abs() as usize == corners.len() {
-            true if sides > 0 => Bounds::On(rectangle),
-            true => Bounds::Behind,
-            false => Bounds::Unknown,
+        let (seen, hidden) = (&seen[..seen_count], &hidden[..hidden_count]);
+        if seen.is_empty() {
+            return Bounds::Hidden;
+        }
+        let mut rectangle = [Vec2::INFINITY, Vec2::NEG_INFINITY];
+        let mut add = |p: Vec3| {
+            let point = 0.5 + 0.5 * Vec2::new(p.x, p.y) / -p.z / self.tangents;
+            rectangle = [rectangle[0].min(point), rectangle[1].max(point)];
+            point.is_finite()
+        };
+        let at_least = |p: Vec3, q: Vec3| {
+            let part = (-p.z - self.least_depth) / (q.z - p.z);
+            (p + (q - p) * part).with_z(-self.least_depth)
+        };
+        let between = || {
+            seen.iter()
+                .flat_map(|&p| hidden.iter().map(move |&q| (p, q)))
+        };
+        let all = seen.iter().all(|&p| add(p)) && between().all(|(p, q)| add(at_least(p, q)));
+        if all {
+            Bounds::On(rectangle)
+        } else {
+            Bounds::Unknown
         }
     }
 }

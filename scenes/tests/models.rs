@@ -664,6 +664,16 @@ fn obj_faces_may_refer_to_what_only_their_exporter_had() {
         let title = format!("faces refer to {what} that are not in the file");
         assert!(said.iter().any(|line| line.contains(&title)), "{said:?}");
     }
+    // Those of the faces, as the warning says, also beside smooth ones.
+    let beside = "v 0 0 0\nv 1 0 0\nv 1 0 1\nv 1 1 0\nf 1 2 4\nf 1//9 2//9 3//9\n";
+    let scene = loaded(&[("a.obj", beside.as_bytes())]).scene;
+    let [smooth, face] = &scene.triangles[..] else {
+        panic!("two triangles")
+    };
+    assert_eq!(
+        [smooth.n0, face.n0, face.n1, face.n2],
+        [Vec3::Z, Vec3::NEG_Y, Vec3::NEG_Y, Vec3::NEG_Y]
+    );
 }
 
 #[test]

@@ -654,6 +654,33 @@ fn obj_normals_are_smooth_within_a_group() {
     assert!(!roof("") && roof("o other\n"));
 }
 
+/// A square and a curved cloth with faces of both sides on the same vertices: the normals of the
+/// sides cancel, so each side has its own.
+#[test]
+fn faces_of_both_sides_have_normals_of_their_own() {
+    let cloth = |size: u32| {
+        let at = |i: u32, j: u32| 1 + i * (size + 1) + j;
+        let (mut vertices, mut faces) = (String::new(), String::new());
+        for (i, j) in (0..=size).flat_map(|i| (0..=size).map(move |j| (i, j))) {
+            let [x, y] = [i, j].map(|k| f64::from(k) / f64::from(size));
+            vertices += &format!("v {x} {y} {}\n", 0.4 * x * x * y);
+            if i < size && j < size {
+                let [a, b, c, d] = [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)];
+                faces += &format!("f {a} {b} {c} {d}\nf {d} {c} {b} {a}\n");
+            }
+        }
+        loaded(&[("a.obj", (vertices + &faces).as_bytes())]).scene
+    };
+    for size in [1, 10] {
+        for t in &cloth(size).triangles {
+            let face = (t.p1 - t.p0).cross(t.p2 - t.p0).normalize();
+            for n in [t.n0, t.n1, t.n2] {
+                assert!(n.dot(face) > 0.9, "{size} {t:?}");
+            }
+        }
+    }
+}
+
 #[test]
 fn obj_faces_may_refer_to_what_only_their_exporter_had() {
     let file = "v 0 0 0\nv 1 0 0\nv 1 1 0\nvn 0 0 1\nf 1/1/2 2/2/1 3/3/1\n";

@@ -91,10 +91,9 @@ impl<'a> MeshReader<'a> {
                 let Some(face) = face_normal(p0, p1, p2) else {
                     return false;
                 };
-                // A normal that cancels out or is zero in the file is replaced by the geometric
-                // normal.
+                // A normal that is zero in the file is replaced by the geometric normal.
                 let normals = (reader.normals_of(corners))
-                    .unwrap_or_else(|| self.smooth.at(corner_positions))
+                    .unwrap_or_else(|| self.smooth.at(positions, corner_positions, face))
                     .map(|n| n.try_normalize().unwrap_or(face));
                 is_smoothed |= !corners.has_normals && looks_round(face, normals);
                 triangles.push(Triangle::smooth([p0, p1, p2], normals));

@@ -211,7 +211,9 @@ impl<'f> Builder<'f> {
             let given = corners.map(|c| c.normal.and_then(|i| mesh.normals.get(i as usize)));
             let normals = match given {
                 [Some(a), Some(b), Some(c)] => [*a, *b, *c],
-                _ if mesh.is_smooth && corners[0].normal.is_none() => self.smooth.at(positions),
+                _ if mesh.is_smooth && corners[0].normal.is_none() => {
+                    self.smooth.at(&mesh.positions, positions, face)
+                }
                 _ => [face; 3],
             };
             let normals = normals.map(|n| n.try_normalize().unwrap_or(face));

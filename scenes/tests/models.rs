@@ -515,6 +515,8 @@ fn obj_files_in_other_dialects_are_the_same_scene() {
         OBJ.replace('\n', "\r").into(),
         OBJ.replace("f 1 2 5", "f 1 \\\n2 5").into(),
         OBJ.replace("f 1 2 5", "f 1 \\\r\n2 5").into(),
+        // A comment is not continued.
+        OBJ.replace("f 1 2 5", "# C:\\models\\\nf 1 2 5").into(),
         OBJ.replace("usemtl red", "usemtl\tred").into(),
         OBJ.replace("v 1 0 0\n", "v 1 0 0 # the second\n").into(),
         OBJ.replace("a.mtl", ".\\a.mtl").into(),
@@ -530,7 +532,10 @@ fn obj_files_in_other_dialects_are_the_same_scene() {
     );
     assert_eq!(unnamed, expected);
     assert_eq!(
-        scene_of(OBJ.as_bytes(), &MTL.replace("Ks 0.5 0.5 0.5", "Ks 0.5")),
+        scene_of(
+            OBJ.as_bytes(),
+            &MTL.replace("Ks 0.5 0.5 0.5", "# C:\\\nKs 0.5")
+        ),
         expected
     );
     let optional = scene_of(
@@ -606,7 +611,7 @@ fn rare_lines_of_obj_are_read_or_named() {
         ),
         ("v 1 2", "line 17 is not valid: expected three numbers"),
     ] {
-        let obj = format!("{OBJ}# a \\\n comment\n{line}\n");
+        let obj = format!("{OBJ}vt 0 \\\n 1 # a \\\n{line}\n");
         let error = load(&[("a.obj", obj.as_bytes())]).unwrap_err().to_string();
         assert!(error.contains(message), "{line}: {error}");
     }

@@ -257,8 +257,25 @@ pub(super) fn decoded(bytes: &[u8]) -> Cow<'_, str> {
         return text;
     }
     let text = text.trim_start_matches('\u{feff}').replace("\r\n", "\n");
-    // A line that is continued on the next stays one, of the same number.
-    text.replace('\r', "\n").replace("\\\n", " \u{b}").into()
+    // A line that is continued on the next stays one, of the same number. A comment is not.
+    let text = text.replace('\r', "\n");
+    let is_statement = |start: &str| {
+        let line = start.rsplit('\n').next().unwrap_or_default();
+        without_comment(line) == line
+    };
+    let joined =
+        (text.split_inclusive("\\\n")).flat_map(|piece| match piece.strip_suffix("\\\n") {
+            Some(start) if is_statement(start) => [start, " \u{b}"],
+            _ => [piece, ""],
+        });
+    joined.collect::<String>().into()
+}
+
+/// A line up to its comment.
+fn without_comment(line: &str) -> &str {
+    let mut marks = line.match_indices('#').map(|(at, _)| at);
+    let comment = marks.find(|at| *at == 0 || line[..*at].ends_with(char::is_whitespace));
+    &line[..comment.unwrap_or(line.len())]
 }
 
 /// The statements of an OBJ or MTL file: line, first word and the rest, without comments.
@@ -267,11 +284,7 @@ pub(super) fn statements(text: &str) -> impl Iterator<Item = (usize, &str, &str)
     text.lines().enumerate().filter_map(move |(i, line)| {
         let number = i + 1 + continued;
         continued += line.matches('\u{b}').count();
-        let comment = line
-            .match_indices('#')
-            .map(|(at, _)| at)
-            .find(|at| *at == 0 || line[..*at].ends_with(char::is_whitespace));
-        let (word, rest) = split(line[..comment.unwrap_or(line.len())].trim());
+        let (word, rest) = split(without_comment(line).trim());
         (!word.is_empty()).then_some((number, word, rest))
     })
 }

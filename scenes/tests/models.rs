@@ -648,15 +648,27 @@ fn obj_faces_without_normals_are_flat_after_s_off() {
     }
 }
 
-/// Two faces with a common edge are smooth in one group only.
+/// Two faces with a common edge are smooth in one group only, which may come back.
 #[test]
 fn obj_normals_are_smooth_within_a_group() {
     let roof = |group: &str| {
-        let file = format!("v 0 0 0\nv 0 1 0\nv 1 0 1\nv -1 0 1\nf 1 3 2\n{group}f 1 2 4\n");
+        let start = "v 0 0 0\nv 0 1 0\nv 1 0 1\nv -1 0 1\ng roof\nusemtl red\nf 1 3 2";
+        let file = format!("{start}\n{group}f 1 2 4\n");
         let scene = loaded(&[("a.obj", file.as_bytes())]).scene;
         scene.triangles.iter().all(|t| t.n0 == t.n1 && t.n1 == t.n2)
     };
-    assert!(!roof("") && roof("o other\n"));
+    for apart in ["o other\n", "usemtl blue\n", "g other\nusemtl red\n"] {
+        assert!(roof(apart), "{apart}");
+    }
+    for same in [
+        "",
+        "usemtl red\n",
+        "g roof\n",
+        "g other\nf 1 2 3\ng roof\n",
+        "s off\ns 1\n",
+    ] {
+        assert!(!roof(same), "{same}");
+    }
 }
 
 /// A square and a curved cloth with faces of both sides on the same vertices: the normals of the

@@ -28,25 +28,15 @@ struct Group<'t> {
     polygons: Vec<(usize, usize)>,
 }
 
-impl<'t> Group<'t> {
-    /// What follows in force, without polygons.
-    fn emptied(&self) -> Group<'t> {
-        Group {
-            name: self.name,
-            material: self.material,
-            is_flat: self.is_flat,
-            ..Group::default()
-        }
-    }
-}
-
 /// Reads an OBJ file. `folder` is that of its materials.
 pub(super) fn read(name: &str, folder: &Path, bytes: &[u8]) -> Result<Loaded, SceneError> {
     let mut builder = Builder::new(name);
     let text = decoded(bytes);
     let mut data = MeshData::default();
     let (mut materials, mut libraries) = (HashMap::new(), HashSet::new());
-    let mut groups = vec![Group::default()];
+    // Of each name, material and smoothness the index in the list of groups.
+    let mut known = HashMap::from([(("", None, false), 0)]);
+    let (mut groups, mut current) = (vec![Group::default()], 0);
     for (line, word, value) in statements(&text) {
         let invalid = |builder: &Builder<'_>, expected: &str| {
             let title = format!("line {line} is not valid: expected {expected}");
@@ -73,7 +63,7 @@ pub(super) fn read(name: &str, folder: &Path, bytes: &[u8]) -> Result<Loaded, Sc
                 _ => return Err(invalid(&builder, "one number, or more")),
             },
             "f" | "fo" => {
-                let group = groups.last_mut().expect("there is always one");
+                let group = &mut groups[current];
                 let before = group.corners.len();
                 for corner in value.split_whitespace() {
                     let expected = "vertices such as 1, 1/2, 1//3 or 1/2/3, none of them 0 or above 4294967295";
@@ -91,17 +81,27 @@ pub(super) fn read(name: &str, folder: &Path, bytes: &[u8]) -> Result<Loaded, Sc
                 group.polygons.push((line, size));
             }
             "o" | "g" | "usemtl" | "s" => {
-                let last = groups.last().expect("there is always one");
-                let mut group = last.emptied();
+                let Group {
+                    mut name,
+                    mut material,
+                    mut is_flat,
+                    ..
+                } = groups[current];
                 match word {
-                    "usemtl" => group.material = Some(value),
-                    "s" => group.is_flat = matches!(value, "off" | "0"),
-                    _ => group.name = value,
+                    "usemtl" => material = Some(value),
+                    "s" => is_flat = matches!(value, "off" | "0"),
+                    _ => name = value,
                 }
                 // Edges are smooth within a group only.
-                if word != "s" || group.is_flat != last.is_flat {
-                    groups.push(group);
-                }
+                current = *known.entry((name, material, is_flat)).or_insert_with(|| {
+                    groups.push(Group {
+                        name,
+                        material,
+                        is_flat,
+                        ..Group::default()
+                    });
+                    groups.len() - 1
+                });
             }
             "mtllib" => {
                 if libraries.insert(value) {

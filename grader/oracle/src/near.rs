@@ -93,13 +93,17 @@ pub fn may_touch(shape: &Primitive<'_>, ray: &Ray, kernel: KernelClass) -> bool 
     }
 }
 
-/// A sphere around a box.
+/// A sphere around a box, whose faces may be rounded.
 fn ball_around(bounds: &Aabb) -> Sphere {
     let center = (bounds.min + bounds.max) / 2.0;
     // From the rounded centre: far from the world's origin it may be as far off as the shape is
-    // large.
+    // large. There the box of a sphere may be a point.
     let radius = (bounds.max - center).max(center - bounds.min).length();
-    Sphere { center, radius }
+    let rounding = f64::EPSILON * bounds.min.abs().max(bounds.max.abs()).element_sum();
+    Sphere {
+        center,
+        radius: radius + rounding,
+    }
 }
 
 /// Whether the line of `ray` intersects the sphere, enlarged.
@@ -107,10 +111,11 @@ fn touches(&Sphere { center, radius }: &Sphere, ray: &Ray) -> bool {
     let to_center = center - ray.o;
     // The sum of the coordinates is at least the distance.
     let reach = radius + LOOSE * (radius + to_center.abs().element_sum());
-    let nearest = to_center.dot(ray.d) / ray.d.length_squared();
-    let off2 = (to_center - nearest * ray.d).length_squared();
-    // If a product overflows, the oracle decides.
-    off2.is_nan() || off2 <= reach * reach
+    let (d2, reach2) = (ray.d.length_squared(), reach * reach);
+    let off2 = (to_center - to_center.dot(ray.d) / d2 * ray.d).length_squared();
+    // If a square overflows or underflows, the oracle decides.
+    let is_sure = [d2, reach2, off2].iter().all(|square| square.is_normal());
+    !is_sure || off2 <= reach2
 }
 
 #[cfg(test)]
@@ -167,6 +172,8 @@ mod tests {
                 let touches = hits || answers.robust != Answers::MISS;
                 let may = may_touch(&shape, &ray, KernelClass::Robust);
                 assert!(may || !touches, "{shape:?} {ray:?}");
+                let may_textbook = may_touch(&shape, &ray, KernelClass::Textbook);
+                assert!(may_textbook || !hits, "{shape:?} {ray:?}");
                 touching += usize::from(touches);
                 dropped += usize::from(!may);
             }
@@ -216,6 +223,43 @@ mod tests {
                 "{distance}: {}",
                 found.len()
             );
+        }
+    }
+
+    /// Squares of the direction that overflow or underflow, and a sphere whose box has no size.
+    #[test]
+    fn hits_whose_squares_or_boxes_are_out_of_range_are_kept() {
+        let ball = |center, radius| Sphere { center, radius };
+        let tri = Triangle::flat(Vec3::ZERO, Vec3::X, Vec3::Y);
+        let (target, o) = (Vec3::new(0.25, 0.25, 0.0), Vec3::new(5.25, 5.25, 5.0));
+        let mut cases = Vec::new();
+        for length in [2e154, 1e154, 1.0, 1e-154, 1e-163] {
+            let ray = Ray::new(o, (target - o) * length);
+            assert!(triangle(&tri, &ray).hits(), "{length}");
+            assert!(
+                may_touch(&Primitive::Triangle(&tri), &ray, KernelClass::Textbook),
+                "{length}"
+            );
+            cases.push((ball(target, 1.0), ray));
+        }
+        let far = Vec3::splat(3e10);
+        let o = Vec3::new(30_000_000_000.000_004, 3e10, 3e10);
+        cases.push((ball(far, 1.9e-6), Ray::new(o, Vec3::new(-1.0, 0.3, 0.0))));
+        for radius in [0.9, 1.0] {
+            let center = Vec3::splat(1e16);
+            let ray = Ray::new(center + 2.0 * Vec3::X, Vec3::new(-1.0, 0.3, 0.0));
+            cases.push((ball(center, radius), ray));
+        }
+        for (ball, ray) in &cases {
+            assert!(sphere(ball, ray).hits(), "{ball:?} {ray:?}");
+            let shapes = Shapes::new([Primitive::Sphere(ball)]);
+            for kernel in [KernelClass::Textbook, KernelClass::Robust] {
+                assert_eq!(
+                    shapes.near(ray, kernel).len(),
+                    1,
+                    "{kernel:?} {ball:?} {ray:?}"
+                );
+            }
         }
     }
 

@@ -176,7 +176,7 @@ impl Rendered {
 
     /// The noise of the picture: the root mean square of the standard errors of the pixels'
     /// luminances, relative to the mean luminance, over the pixels with at least two samples.
-    /// `None` without such a pixel, 0 for a black picture. An upper bound for Sobol samples.
+    /// `None` without such a pixel, 0 for a black picture. An upper bound unless samples are independent.
     pub fn relative_error(&self) -> Option<f64> {
         let mut mean = Tally::default();
         let mut squared = Tally::default();

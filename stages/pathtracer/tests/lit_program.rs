@@ -294,17 +294,20 @@ fn time_and_error_limits_end_a_picture() {
     let folder = folder();
     let noise = |output: &str| -> f64 {
         let line = output.lines().find(|line| line.starts_with("Noise"));
-        let share = line
-            .expect("a line with the noise")
-            .split_whitespace()
-            .nth(1);
-        share.expect("a number").parse().expect("a number")
+        let words = line.expect("a line with the noise").split_whitespace();
+        let mut numbers = words.filter_map(|word| word.parse().ok());
+        numbers.next().expect("a number")
     };
     let (rough, _) = pathtracer(folder.path(), "-f a.png -r 20 20 -s 4 lit.dae");
     let flags = "-f a.png -r 20 20 -s 4 --error 0.03 lit.dae";
     let (fine, _) = pathtracer(folder.path(), flags);
     assert!(noise(&rough) > 3.0 && noise(&fine) <= 3.0, "{rough}{fine}");
     pathtracer(folder.path(), "-f a.png -r 8 8 --time 0.01 lit.dae");
+    // What the variance of the samples tells is more than the noise, unless they are independent.
+    assert!(rough.contains("Noise       at most "), "{rough}");
+    let flags = "-f a.png -r 20 20 -s 4 --sampler independent lit.dae";
+    let (independent, _) = pathtracer(folder.path(), flags);
+    assert!(!independent.contains("at most"), "{independent}");
 }
 
 #[test]

@@ -146,7 +146,7 @@ fn seconds(output: &str) -> Option<f64> {
     time.strip_suffix(" s")?.parse().ok()
 }
 
-/// Parses the line `Noise       1.23 % of the mean in a pixel, 16.0 samples each`.
+/// Parses the line `Noise       at most 1.23 % of the mean in a pixel, 16.0 samples each`.
 fn samples(output: &str) -> Option<f64> {
     let line = output.lines().rfind(|line| line.starts_with("Noise "))?;
     let (_, samples) = line.strip_suffix(" samples each")?.rsplit_once(' ')?;
@@ -167,7 +167,7 @@ mod tests {
     fn times_and_samples_are_parsed_from_the_output() {
         let output = "Rendering   of mine\nScene       a.dae: 2 primitives, loaded in 0.0004 s\n\
                     Rendering   48 x 36 pixels, -s 16 -t 1: 0.0123 s\n\
-                    Noise       1.23 % of the mean in a pixel, 272.5 samples each\n";
+                    Noise       at most 1.23 % of the mean in a pixel, 272.5 samples each\n";
         assert_eq!(seconds(output), Some(0.0123));
         assert_eq!(samples(output), Some(272.5));
         assert_eq!(seconds("no line"), None);

@@ -150,7 +150,7 @@ pub struct Args {
     #[arg(long, value_name = "SECONDS", value_parser = positive, conflicts_with = "adaptive")]
     pub time: Option<f64>,
 
-    /// Render passes of -s samples (16 if that is 1) until the mean noise of the pixels is at most
+    /// Render passes of -s samples (16 if that is 1) until the noise, as it is printed, is at most
     /// this fraction of the mean luminance, such as 0.02; with --time until either limit is reached
     #[arg(long, value_name = "TARGET", value_parser = positive, conflicts_with = "adaptive")]
     pub error: Option<f64>,

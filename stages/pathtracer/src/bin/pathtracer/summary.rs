@@ -1,6 +1,7 @@
 //! The lines that the program prints, with the numbers of the assignment's program.
 
 use kit::effects::Effect;
+use kit::sampler::Pattern;
 use kit::{Bvh, Scene};
 use pathtracer::{Accel, Counters, Job, Rendered};
 use std::path::Path;
@@ -60,8 +61,13 @@ pub(crate) fn rendering(job: &Job, rendered: &Rendered, threads: usize, time: Du
         each(prim_tests),
     );
     if let Some(noise) = rendered.relative_error() {
+        // The samples of other patterns are spread more evenly than their variance tells.
+        let bound = match job.sampling.pattern {
+            Pattern::Independent => "",
+            _ => "at most ",
+        };
         text += &format!(
-            "\nNoise       {:.2} % of the mean in a pixel, {:.1} samples each",
+            "\nNoise       {bound}{:.2} % of the mean in a pixel, {:.1} samples each",
             100.0 * noise,
             rendered.samples() as f64 / rendered.rendered_pixels().max(1) as f64
         );

@@ -26,6 +26,22 @@ fn pathtracer(folder: &Path, args: &str) -> (String, String) {
     (out, notes)
 }
 
+/// A lamp without a mesh has a surface of two triangles, of which normals show nothing.
+#[test]
+fn the_summary_counts_the_primitives_that_are_rendered() {
+    let folder = folder();
+    for (flags, count) in [("", 4), ("--shade normals", 2)] {
+        let flags = format!("-f a.png -r 4 4 --accel bvh {flags} lit.dae");
+        let (output, _) = pathtracer(folder.path(), &flags);
+        for line in [
+            format!("dae: {count} primitives"),
+            format!("over {count} primitives"),
+        ] {
+            assert!(output.contains(&line), "{output}");
+        }
+    }
+}
+
 /// Large enough for several blocks of each format.
 #[test]
 fn the_same_command_writes_the_same_bytes() {

@@ -50,7 +50,6 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
     let start = Instant::now();
     let scene = view::load_scene(args)?;
     let loading = start.elapsed();
-    outln!("{}", summary::scene(&args.scene, &scene, loading));
     let (camera, film) = view::camera_and_film(args, &scene)?;
     let cell = args.cell_of(film)?;
     let outputs = Outputs::create(args, path)?;
@@ -65,6 +64,8 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
     }
     let environment = view::load_environment(args)?;
     let picture = view::picture(args, &light, scene, environment);
+    // With the surfaces of lamps that are not in the file.
+    outln!("{}", summary::scene(&args.scene, picture.scene(), loading));
     match &picture {
         Picture::Normals(_) => note_unused_by_normals(args),
         Picture::Lit(lit) => {

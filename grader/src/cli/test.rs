@@ -140,9 +140,13 @@ fn format_results(course: &Course, results: &[(&Task, ExampleState)]) -> String 
             .count();
         if of_part().count() > 0 {
             text += &format!(
-                "Part {}: {passing} of {} pass\n",
+                "Part {}: {passing} of {}\n",
                 part.number,
-                plural(of_part().count(), "worked example", "worked examples")
+                plural(
+                    of_part().count(),
+                    "worked example passes",
+                    "worked examples pass"
+                )
             );
         }
     }
@@ -171,5 +175,7 @@ mod tests {
             text.ends_with("Part 1: 1 of 4 worked examples pass\n"),
             "{text}"
         );
+        let text = format_results(&course, &results[..1]);
+        assert!(text.ends_with("1 of 1 worked example passes\n"), "{text}");
     }
 }

@@ -315,12 +315,12 @@ impl BuildRoot<'_> {
     }
 }
 
-/// Returns an error if a crate failed that is not in the workspace: the settings of cargo or the
-/// toolchain are at fault.
+/// Returns an error if a crate failed that is not of the workspace: the settings of cargo or the
+/// toolchain are at fault. A worked example is a program of its stage.
 fn ensure_libraries_compile(root: &Path, errors: &CompileErrors) -> Result<(), GraderError> {
     let is_own = |name: &String| {
         let mut folders = ["stages", "grader"].into_iter();
-        folders.any(|folder| root.join(folder).join(name).is_dir())
+        name == WORKED_EXAMPLE || folders.any(|folder| root.join(folder).join(name).is_dir())
     };
     match errors.failed_crates.iter().find(|name| !is_own(name)) {
         None => Ok(()),
@@ -559,6 +559,15 @@ mod tests {
         let args: Vec<_> = command.get_args().collect();
         let is_named = |name| args.windows(2).any(|pair| pair == ["--package", name]);
         assert!(is_named("book") && is_named("grader"), "{args:?}");
+    }
+
+    /// A changed signature shows only where the worked example calls the function.
+    #[test]
+    fn an_error_in_a_worked_example_is_no_fault_of_the_machine() {
+        let mut errors = CompileErrors::default();
+        let says = "this function takes 3 arguments but 2 arguments were supplied";
+        errors.add(WORKED_EXAMPLE, says.into(), true);
+        assert_eq!(ensure_libraries_compile(Path::new("."), &errors), Ok(()));
     }
 
     /// The compiler does not say where it met a first file that is no text.

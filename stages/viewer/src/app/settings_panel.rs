@@ -11,6 +11,7 @@ use crate::session::{HeatKind, Session};
 use crate::settings::Change;
 use crate::task::StageFailure;
 use egui::{ComboBox, DragValue, Key, ProgressBar, RichText, Ui};
+use kit::sampler::Pattern;
 use pathtracer::DirectSampling;
 use pathtracer::args::{AccelName, SamplerName};
 use pathtracer::tone::{Tone, ToneCurve};
@@ -293,7 +294,8 @@ pub(super) fn progress(ui: &mut Ui, session: &mut Session, commands: &mut Vec<Co
             rows.push(("first picture", format!("{:.2} s", first.as_secs_f64())));
         }
     }
-    if let Some(rendered) = render.render().map(|render| render.rendered()) {
+    if let Some(progress) = render.render() {
+        let rendered = progress.rendered();
         let rays = rendered.counters.rays;
         let rate = rays as f64 / seconds.max(1e-9) / 1e6;
         rows.push((
@@ -304,7 +306,12 @@ pub(super) fn progress(ui: &mut Ui, session: &mut Session, commands: &mut Vec<Co
             },
         ));
         if let Some(error) = rendered.relative_error() {
-            rows.push(("noise", format!("{:.2} %", 100.0 * error)));
+            // More evenly spread samples have less noise than their variance tells.
+            let bound = match progress.job().sampling.pattern {
+                Pattern::Independent => "",
+                _ => "at most ",
+            };
+            rows.push(("noise", format!("{bound}{:.2} %", 100.0 * error)));
         }
     }
     facts(ui, "render", &rows);

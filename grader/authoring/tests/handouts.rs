@@ -219,8 +219,9 @@ fn a_handout_contains_the_students_files_and_no_others() {
 /// slips in boxes by signs and by early returns, with what they answer. 22,000 are slips in areas,
 /// dot products, shears and matrices. 9,000 are files that come back with their old times,
 /// libraries that do not compile, and parts of pictures that know their whole scene. 7,500 are
-/// large meshes that are read, and exact answers that are computed, in less time.
-const LARGEST: usize = 8_252_000;
+/// large meshes that are read, and exact answers that are computed, in less time. 19,000 are the
+/// edges of lamps, files that came back after another build, and readers of odd meshes.
+const LARGEST: usize = 8_271_000;
 
 #[test]
 fn the_list_of_given_files_says_what_decides_points() {
@@ -508,7 +509,7 @@ fn the_error_for_an_unknown_part_lists_the_parts() {
 }
 
 /// The largest size of a handout with its rendered book, in bytes.
-const LARGEST_WITH_BOOK: usize = 8_568_000;
+const LARGEST_WITH_BOOK: usize = 8_588_000;
 
 /// The handout of part 1 with the rendered book of this checkout.
 #[test]

@@ -43,8 +43,8 @@ impl Stamps {
             of_crates: stamps_of(root),
         };
         let stored_at = time_of(&stamps.file);
-        let stored = fs::read_to_string(&stamps.file).unwrap_or_default();
-        let stored: BTreeMap<&str, &str> = stored
+        let text = fs::read_to_string(&stamps.file).unwrap_or_default();
+        let stored: BTreeMap<&str, &str> = text
             .lines()
             .filter_map(|line| line.split_once(' '))
             .collect();

@@ -89,8 +89,9 @@ fn no_pixel_changes_but_those_at_edges() {
     };
     let exact = luminances(&exact);
     let materials = room.0.scene.materials.iter();
-    let of_lamp = materials.map(|named| named.material.emission().luminance());
-    let of_lamp = of_lamp.fold(0.0, f64::max);
+    let of_lamp = materials
+        .map(|named| named.material.emission().luminance())
+        .fold(0.0, f64::max);
     let mut changed = 0;
     for ((one, eight), exact) in luminances(&one).iter().zip(luminances(&eight)).zip(exact) {
         if *one != eight {

@@ -94,12 +94,12 @@ impl LampEdge<'_> {
         generate_ray(&self.job.camera, (corner + place) / size)
     }
 
-    /// `radiance`, that of sample number `sample` along `ray`, with the light of the lamps as the
-    /// mean of several rays.
+    /// `radiance`, that of the last of `started` samples, along `ray`, with the light of the lamps
+    /// as the mean of several rays.
     pub(crate) fn smooth<T: RayTracer>(
         &self,
         integrator: &PathIntegrator<'_, T>,
-        sample: u32,
+        started: u32,
         ray: &Ray,
         radiance: Spectrum,
     ) -> Spectrum {
@@ -111,7 +111,8 @@ impl LampEdge<'_> {
             },
             Pattern::Sobol | Pattern::Sobol4 => Pattern::Sobol,
         };
-        let mut sampler = self.sampler(pattern, seed ^ SEED, sample.wrapping_mul(self.rays));
+        let first = started.wrapping_sub(1).wrapping_mul(self.rays);
+        let mut sampler = self.sampler(pattern, seed ^ SEED, first);
         integrator.counting(|counters| {
             let mut sum = Spectrum::BLACK;
             for _ in 0..self.rays {
@@ -131,8 +132,7 @@ impl LampEdge<'_> {
         let mut sampler = sampler.clone();
         for radiance in samples {
             let ray = self.ray(sampler.get_sample());
-            let sample = sampler.samples_started() - 1;
-            *radiance = self.smooth(integrator, sample, &ray, *radiance);
+            *radiance = self.smooth(integrator, sampler.samples_started(), &ray, *radiance);
         }
     }
 }

@@ -193,7 +193,7 @@ impl<T: RayTracer> PathIntegrator<'_, T> {
             let ray = this.through_lens(&job.camera, ray, sampler);
             let radiance = this.radiance(&ray, sampler);
             let smoothed = match &edge {
-                Some(edge) => edge.smooth(this, sampler.samples_started() - 1, &ray, radiance),
+                Some(edge) => edge.smooth(this, sampler.samples_started(), &ray, radiance),
                 None => radiance,
             };
             this.tracer.sample_ends(radiance, smoothed);

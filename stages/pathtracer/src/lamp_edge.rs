@@ -2,7 +2,7 @@
 //!
 //! A lamp is many times brighter than what it lights. Where its edge crosses a pixel, a sample hits
 //! either the lamp or what is beside it, so the few pixels along the edges of the lamps have a large
-//! share of the error of a whole picture: half of it in a room with one lamp. A camera ray alone
+//! share of the error of a whole picture, half of it in many rooms with a lamp. A camera ray alone
 //! takes little time. In these pixels each sample therefore takes the lamps' own light as the mean
 //! of several camera rays, in place of the one that its path starts with. The mean of the picture
 //! stays the same.

@@ -238,7 +238,7 @@ mod tests {
         let src = folder.path();
         let link = std::os::unix::fs::symlink::<&str, PathBuf>;
         std::fs::create_dir(src.join("shapes")).unwrap();
-        for file in ["lib.rs", "shapes/sphere.rs", ".lib.rs.swp", "notes.txt"] {
+        for file in ["lib.rs", "shapes/sphere.rs", "._lib.rs", "notes.txt"] {
             std::fs::write(src.join(file), "").unwrap();
         }
         link("nobody@nowhere", src.join(".#lib.rs")).unwrap();

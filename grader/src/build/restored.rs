@@ -34,15 +34,16 @@ impl Stamps {
     /// take for current though a file came back with its old time: removes what cargo knows of it
     /// in `compiled`, the folder of a profile in the target folder.
     ///
-    /// The system tells when a file came there: then those compiled earlier are removed. Where it
-    /// does not, those are whose stamp is not the stored one, if they were compiled before that
-    /// was stored: cargo has seen the times of the others.
+    /// Such a crate was compiled before the system says that the file came there. Not every system
+    /// says so: a crate is compiled, too, if its stamp is not the stored one and nothing compiled
+    /// it since that was stored. Cargo has seen the times of what was compiled since.
     pub(super) fn before_build(root: &Path, compiled: &Path) -> Stamps {
         let stamps = Stamps {
             file: compiled.join(STAMPS),
             of_crates: stamps_of(root),
         };
-        let stored_at = time_of(&stamps.file);
+        let about = stamps.file.metadata();
+        let stored_at = about.and_then(|about| about.modified()).ok();
         let text = fs::read_to_string(&stamps.file).unwrap_or_default();
         let stored: BTreeMap<&str, &str> = text
             .lines()
@@ -122,12 +123,8 @@ fn came_at(_: &Metadata) -> Option<SystemTime> {
     None
 }
 
-fn time_of(path: &Path) -> Option<SystemTime> {
-    path.metadata().and_then(|about| about.modified()).ok()
-}
-
-/// The files `dep-…` that cargo has for each compiled part of a crate: their time is that at which
-/// it began to compile.
+/// The files `dep-…` that cargo has for each compiled part of a crate: their time is that at
+/// which it began to compile.
 fn compiled_parts(known: &Path) -> impl Iterator<Item = Metadata> + use<> {
     let is_of_part = |path: &PathBuf| {
         let name = path.file_name().unwrap_or_default();

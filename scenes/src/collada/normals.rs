@@ -31,8 +31,8 @@ pub(crate) fn looks_round(face: Vec3, normals: [Vec3; 3]) -> bool {
 /// A sum cancels if along a triangle's normal it has less than this fraction of what the triangle
 /// itself adds. With neighbours that turn by at most a right angle it has all of that. Where the
 /// same vertices have faces of both sides, what remains is no direction: roundings of 1e-16, or a
-/// fifth across the normal where the polygons of the sides have different diagonals. On a cone of 32
-/// triangles the sum is larger unless the apex is narrower than 8 degrees.
+/// fifth across the normal where the polygons of the sides have different diagonals. On a cone of
+/// 32 triangles the sum is larger unless the apex is narrower than 8 degrees.
 const LEAST_SUM: f64 = 0.125;
 
 /// Vertex normals: the area-weighted mean of the normals of all adjacent triangles (H. Gouraud,
@@ -59,8 +59,8 @@ impl SmoothNormals {
         }
     }
 
-    /// The normals at the vertices of a triangle that was added, not normalised. Its own, `face`, is
-    /// in place of a sum that its neighbours cancel: see [`LEAST_SUM`].
+    /// The normals at the vertices of a triangle that was added, not normalised. Its own, `face`,
+    /// is in place of a sum that its neighbours cancel: see [`LEAST_SUM`].
     pub(crate) fn at(&self, positions: &[Vec3], corners: [usize; 3], face: Vec3) -> [Vec3; 3] {
         let sums = corners.map(|corner| self.sums.get(corner).copied().unwrap_or(Vec3::ZERO));
         let [p0, p1, p2] = corners.map(|i| positions[i]);

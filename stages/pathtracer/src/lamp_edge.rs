@@ -1,15 +1,15 @@
 //! The light of the lamps that the camera sees, in the pixels that the edge of a lamp crosses.
 //!
 //! A lamp is many times brighter than what it lights. Where its edge crosses a pixel, a sample hits
-//! either the lamp or what is beside it, so the few pixels along the edges of the lamps have a large
-//! share of the error of a whole picture, half of it in many rooms with a lamp. A camera ray alone
-//! takes little time. In these pixels each sample therefore takes the lamps' own light as the mean
-//! of several camera rays, in place of the one that its path starts with. The mean of the picture
-//! stays the same.
+//! either the lamp or what is beside it, so the few pixels along the edges of the lamps have a
+//! large share of the error of a whole picture, half of it in many rooms with a lamp. A camera ray
+//! alone takes little time. In these pixels each sample therefore takes the lamps' own light as the
+//! mean of several camera rays, in place of the one that its path starts with. The mean of the
+//! picture stays the same.
 
 use crate::integrator::PathIntegrator;
 use crate::pixel_contents::PixelContents;
-use crate::tracer::RayTracer;
+use crate::tracer::{RayRole, RayTracer};
 use crate::{Counters, Job};
 use direct::zero_bounce_radiance;
 use kit::sampler::{Pattern, Sampling};
@@ -66,7 +66,11 @@ impl<T: RayTracer> PathIntegrator<'_, T> {
     /// The light of the lamp that `ray`, a camera ray, hits; black if it hits none.
     fn lamp_light(&self, ray: &Ray, counters: &mut Counters) -> Spectrum {
         counters.rays += 1;
-        let Some(hit) = self.tracer.closest_unrecorded(ray, counters) else {
+        let Some(hit) = self
+            .tracer
+            .unrecorded()
+            .closest(RayRole::Camera, ray, None, counters)
+        else {
             return Spectrum::BLACK;
         };
         let hit = towards_viewer(self.lit, hit, ray.d);

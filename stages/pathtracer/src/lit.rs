@@ -103,8 +103,7 @@ impl LightSettings {
         if self.lens.radius > 0.0 {
             return PixelContents::default();
         }
-        let wanted = [self.adaptive.is_some(), self.lamp_rays > 1];
-        PixelContents::new(lit, &job.camera, job.film, wanted)
+        PixelContents::new(lit, job, [self.adaptive.is_some(), self.lamp_rays > 1])
     }
 }
 
@@ -137,10 +136,10 @@ pub fn render_lit(
     rendered
 }
 
-/// Renders some tiles of the picture of [`render_lit`], with the same pixels. `contents` must be the
-/// [`Picture::pixel_contents`](crate::Picture::pixel_contents) of `job`. `finish` is called with each
-/// tile and returns what to keep of it. A tile that is in progress when `stop` is set has black
-/// pixels without samples.
+/// Renders some tiles of the picture of [`render_lit`], with the same pixels. `contents` must be
+/// the [`Picture::pixel_contents`](crate::Picture::pixel_contents) of `job`. `finish` is called
+/// with each tile and returns what to keep of it. A tile that is in progress when `stop` is set has
+/// black pixels without samples.
 #[allow(
     clippy::too_many_arguments,
     reason = "those of `render_lit`, what its pixels can show, and the tiles"

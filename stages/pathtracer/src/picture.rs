@@ -44,7 +44,7 @@ impl Picture {
         }
     }
 
-    /// The empty pixels of `job`: none of a picture of normals, which is not sampled adaptively.
+    /// What the pixels of `job` can show. Nothing is known, nor asked, of a picture of normals.
     pub fn pixel_contents(&self, job: &Job, settings: &LightSettings) -> PixelContents {
         match self {
             Picture::Normals(_) => PixelContents::default(),

@@ -1,5 +1,6 @@
 //! What the pixels of a picture can show, by the projections of primitives.
 
+use crate::Job;
 use kit::camera::half_tan;
 use kit::{Camera, FilmSize, LitScene, Mat3, Material, PrimId, Primitive, Spectrum, Vec2, Vec3};
 use std::sync::OnceLock;
@@ -13,15 +14,15 @@ use std::sync::OnceLock;
 /// Every primitive is projected by corners: a triangle by its vertices, a sphere by those of its
 /// bounding box. All of its points then lie in the bounding rectangle of the projected corners,
 /// because they lie in the convex hull of the corners, whose projection is the convex hull of the
-/// projected corners where all corners are in front of the camera. The answer depends on the scene
-/// and the camera only, not on a tree, so every tree takes the same samples.
+/// projected corners where all corners are in front of the camera. Others are cut off. The answer
+/// depends on the scene and the camera only, not on a tree, so every tree takes the same samples.
 #[derive(Clone, Debug, Default)]
 pub struct PixelContents {
     /// Pixels in a row.
     width: usize,
     primitives: Coverage,
-    lamps: Option<Coverage>,
-    /// Where a lamp may be seen: whether its edge is, once somebody has looked.
+    /// Whether the edge of a lamp is in each pixel, once that is known. Without entries if nobody
+    /// asks or there is no lamp.
     lamp_edges: Vec<OnceLock<bool>>,
 }
 
@@ -36,36 +37,29 @@ enum Coverage {
 }
 
 impl PixelContents {
-    /// What the pixels of a film can show whose rays start at `camera`: for `primitives` which are
-    /// empty, for `lamps` which show a lamp. No pixel is known to be empty where the background can
-    /// have radiance, or a primitive is not wholly in front of the camera.
-    pub(crate) fn new(
-        lit: &LitScene,
-        camera: &Camera,
-        film: FilmSize,
-        [primitives, lamps]: [bool; 2],
-    ) -> PixelContents {
-        let scene = &lit.scene;
-        let emits = |material: &Material| material.emission() != Spectrum::BLACK;
-        let wants_lamps = lamps && scene.materials.iter().any(|m| emits(&m.material));
-        let pixels = film.whole().area() as usize;
-        PixelContents {
+    /// What the pixels of `job` can show: if asked, which are `empty` and which may show `lamps`.
+    /// None is known to be empty where the background can have radiance.
+    pub(crate) fn new(lit: &LitScene, job: &Job, [empty, lamps]: [bool; 2]) -> PixelContents {
+        let (scene, camera, film) = (&lit.scene, &job.camera, job.film);
+        let mut contents = PixelContents {
             width: film.w as usize,
-            primitives: if primitives && !lit.has_background() {
-                Coverage::of(scene.primitives(), camera, film)
-            } else {
-                Coverage::Unknown
-            },
-            lamps: wants_lamps.then(|| {
-                let ids = (0..).map(PrimId);
-                let lamps = scene
-                    .primitives()
-                    .zip(ids)
-                    .filter(|&(_, id)| emits(scene.material_of(id)));
-                Coverage::of(lamps.map(|(lamp, _)| lamp), camera, film)
-            }),
-            lamp_edges: vec![OnceLock::new(); if wants_lamps { pixels } else { 0 }],
+            ..PixelContents::default()
+        };
+        if empty && !lit.has_background() {
+            contents.primitives = Coverage::of(scene.primitives(), camera, film);
         }
+        let emits = |material: &Material| material.emission() != Spectrum::BLACK;
+        if lamps && scene.materials.iter().any(|m| emits(&m.material)) {
+            let numbered = (0..).map(PrimId).zip(scene.primitives());
+            let lamps = numbered.filter(|&(id, _)| emits(scene.material_of(id)));
+            let covered = Coverage::of(lamps.map(|(_, lamp)| lamp), camera, film);
+            let edge = |index| match covered.may_contain(index) {
+                true => OnceLock::new(),
+                false => false.into(),
+            };
+            contents.lamp_edges = (0..film.whole().area() as usize).map(edge).collect();
+        }
+        contents
     }
 
     /// Whether no ray of the pixel `(x, y)` can hit anything.
@@ -74,12 +68,10 @@ impl PixelContents {
     }
 
     /// Whether the edge of a lamp is in the pixel `(x, y)`. `find` looks for it, once, if a ray of
-    /// the pixel may hit a lamp. Never if lamps were not asked for.
+    /// the pixel may hit a lamp.
     pub(crate) fn has_lamp_edge(&self, pixel: (u32, u32), find: impl FnOnce() -> bool) -> bool {
-        let index = self.index(pixel);
-        let lamps = self.lamps.as_ref();
-        lamps.is_some_and(|lamps| lamps.may_contain(index))
-            && *self.lamp_edges[index].get_or_init(find)
+        let edge = self.lamp_edges.get(self.index(pixel));
+        edge.is_some_and(|edge| *edge.get_or_init(find))
     }
 
     fn index(&self, (x, y): (u32, u32)) -> usize {
@@ -172,40 +164,31 @@ impl Projection {
             }
         };
         let corners = corners.map(|corner| self.world_to_camera * (corner - self.pos));
-        let (mut seen, mut hidden) = ([Vec3::ZERO; 8], [Vec3::ZERO; 8]);
-        let (mut seen_count, mut hidden_count) = (0, 0);
-        for &p in &corners[..count] {
-            let least = LEAST_COSINE * p.length();
-            if -p.z > least && -p.z >= self.least_depth {
-                seen[seen_count] = p;
-                seen_count += 1;
-            } else if -p.z < -least || -p.z < self.least_depth {
-                hidden[hidden_count] = p;
-                hidden_count += 1;
-            } else {
-                return Bounds::Unknown;
-            }
-        }
-        let (seen, hidden) = (&seen[..seen_count], &hidden[..hidden_count]);
-        if seen.is_empty() {
+        let corners = &corners[..count];
+        let least = |p: &Vec3| LEAST_COSINE * p.length();
+        let is_seen = |p: &&Vec3| -p.z > least(p) && -p.z >= self.least_depth;
+        let is_hidden = |p: &&Vec3| -p.z < -least(p) || -p.z < self.least_depth;
+        let hidden_count = corners.iter().filter(is_hidden).count();
+        if hidden_count == count {
             return Bounds::Hidden;
         }
         let mut rectangle = [Vec2::INFINITY, Vec2::NEG_INFINITY];
+        let mut is_finite = true;
         let mut add = |p: Vec3| {
             let point = 0.5 + 0.5 * Vec2::new(p.x, p.y) / -p.z / self.tangents;
             rectangle = [rectangle[0].min(point), rectangle[1].max(point)];
-            point.is_finite()
+            is_finite &= point.is_finite();
         };
-        let at_least = |p: Vec3, q: Vec3| {
-            let part = (-p.z - self.least_depth) / (q.z - p.z);
-            (p + (q - p) * part).with_z(-self.least_depth)
-        };
-        let between = || {
-            seen.iter()
-                .flat_map(|&p| hidden.iter().map(move |&q| (p, q)))
-        };
-        let all = seen.iter().all(|&p| add(p)) && between().all(|(p, q)| add(at_least(p, q)));
-        if all {
+        let mut seen_count = 0;
+        for &p in corners.iter().filter(is_seen) {
+            seen_count += 1;
+            add(p);
+            for &q in corners.iter().filter(is_hidden).take(hidden_count) {
+                let part = (-p.z - self.least_depth) / (q.z - p.z);
+                add((p + (q - p) * part).with_z(-self.least_depth));
+            }
+        }
+        if is_finite && seen_count + hidden_count == count {
             Bounds::On(rectangle)
         } else {
             Bounds::Unknown

@@ -4,7 +4,7 @@ use crate::Counters;
 use crate::exact_sum::PixelSum;
 use kit::effects::EffectCounts;
 use kit::film::Cell;
-use kit::sampler::Sampling;
+use kit::sampler::{Pattern, Sampling};
 use kit::{Camera, Film, FilmSize, PixelEstimate, Tally};
 
 /// What to render.
@@ -176,7 +176,8 @@ impl Rendered {
 
     /// The noise of the picture: the root mean square of the standard errors of the pixels'
     /// luminances, relative to the mean luminance, over the pixels with at least two samples.
-    /// `None` without such a pixel, 0 for a black picture. An upper bound unless samples are independent.
+    /// `None` without such a pixel, 0 for a black picture. An upper bound unless the samples are
+    /// independent.
     pub fn relative_error(&self) -> Option<f64> {
         let mut mean = Tally::default();
         let mut squared = Tally::default();
@@ -191,6 +192,17 @@ impl Rendered {
                 0.0
             }
         })
+    }
+
+    /// [`Rendered::relative_error`] of samples with this `pattern`, in words and in percent.
+    pub fn noise(&self, pattern: Pattern) -> Option<String> {
+        // The samples of other patterns are spread more evenly than their variance tells.
+        let bound = match pattern {
+            Pattern::Independent => "",
+            _ => "at most ",
+        };
+        let error = self.relative_error()?;
+        Some(format!("{bound}{:.2} %", 100.0 * error))
     }
 }
 

@@ -44,8 +44,8 @@ pub(crate) trait RayTracer {
         counters: &mut Counters,
     ) -> Option<Hit>;
 
-    /// The closest hit of a camera ray that is not part of a path, and never recorded.
-    fn closest_unrecorded(&self, ray: &Ray, counters: &mut Counters) -> Option<Hit>;
+    /// The same for rays that are not part of a path: it records nothing.
+    fn unrecorded(&self) -> SceneTracer<'_>;
 
     /// Whether any primitive other than `skip` is hit in the range of `ray`, a shadow ray.
     fn occluded(&self, ray: &Ray, skip: Option<PrimId>, counters: &mut Counters) -> bool;
@@ -93,9 +93,8 @@ impl RayTracer for SceneTracer<'_> {
     }
 
     #[inline]
-    fn closest_unrecorded(&self, ray: &Ray, counters: &mut Counters) -> Option<Hit> {
-        self.accel
-            .closest(self.scene, &mut { *ray }, None, counters)
+    fn unrecorded(&self) -> SceneTracer<'_> {
+        *self
     }
 
     #[inline]

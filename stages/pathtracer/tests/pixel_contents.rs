@@ -87,7 +87,12 @@ fn no_ray_of_an_empty_pixel_hits_anything() {
     for seed in 0..20 {
         let lit = scene(seed);
         let pos = Vec3::new(1.0, 2.0, 7.0 + 0.1 * seed as f64);
-        let job = job(camera(pos, Vec3::ZERO));
+        let mut camera = camera(pos, Vec3::ZERO);
+        if seed % 2 == 1 {
+            // Within the scene: primitives that are partly behind the camera are cut off.
+            (camera.pos, camera.n_clip) = (0.1 * pos, 0.1);
+        }
+        let job = job(camera);
         let accel = Accel::build(AccelKind::Brute, &lit.scene);
         let picture = Picture::Lit(lit);
         let contents = picture.pixel_contents(&job, &settings());

@@ -13,7 +13,7 @@ use kit::sampler::{Pattern, Sampling};
 const DEFAULT_SIZE: FilmSize = FilmSize { w: 480, h: 360 };
 
 /// The largest number of pixels, so that a typing error does not use up all memory: 136 bytes each,
-/// and with `-a` twice as many.
+/// 8 more if there are lamps, and with `-a` twice as many.
 const MAX_PIXELS: u64 = 100_000_000;
 
 impl Args {

@@ -2,7 +2,7 @@
 
 use super::MAX_RECORDED_SAMPLES;
 use super::record::{Outcome, PrimAnswer, RayRecord, Roulette, SampleRecord, Test, Visit};
-use crate::tracer::{RayRole, RayTracer};
+use crate::tracer::{RayRole, RayTracer, SceneTracer};
 use crate::{Accel, Counters, SceneWorld};
 use kit::{Aabb, Bvh, Hit, Interval, NodeKind, PrimId, Ray, Scene, Spectrum, Vec2, World};
 use std::cell::RefCell;
@@ -92,9 +92,11 @@ impl RayTracer for &Recorder<'_> {
         hit
     }
 
-    fn closest_unrecorded(&self, ray: &Ray, counters: &mut Counters) -> Option<Hit> {
-        self.accel
-            .closest(self.scene, &mut { *ray }, None, counters)
+    fn unrecorded(&self) -> SceneTracer<'_> {
+        SceneTracer {
+            scene: self.scene,
+            accel: self.accel,
+        }
     }
 
     fn occluded(&self, ray: &Ray, skip: Option<PrimId>, counters: &mut Counters) -> bool {

@@ -11,7 +11,6 @@ use crate::session::{HeatKind, Session};
 use crate::settings::Change;
 use crate::task::StageFailure;
 use egui::{ComboBox, DragValue, Key, ProgressBar, RichText, Ui};
-use kit::sampler::Pattern;
 use pathtracer::DirectSampling;
 use pathtracer::args::{AccelName, SamplerName};
 use pathtracer::tone::{Tone, ToneCurve};
@@ -305,13 +304,8 @@ pub(super) fn progress(ui: &mut Ui, session: &mut Session, commands: &mut Vec<Co
                 false => rays.to_string(),
             },
         ));
-        if let Some(error) = rendered.relative_error() {
-            // More evenly spread samples have less noise than their variance tells.
-            let bound = match progress.job().sampling.pattern {
-                Pattern::Independent => "",
-                _ => "at most ",
-            };
-            rows.push(("noise", format!("{bound}{:.2} %", 100.0 * error)));
+        if let Some(noise) = rendered.noise(progress.job().sampling.pattern) {
+            rows.push(("noise", noise));
         }
     }
     facts(ui, "render", &rows);

@@ -1,7 +1,6 @@
 //! The lines that the program prints, with the numbers of the assignment's program.
 
 use kit::effects::Effect;
-use kit::sampler::Pattern;
 use kit::{Bvh, Scene};
 use pathtracer::{Accel, Counters, Job, Rendered};
 use std::path::Path;
@@ -60,15 +59,9 @@ pub(crate) fn rendering(job: &Job, rendered: &Rendered, threads: usize, time: Du
         each(box_tests),
         each(prim_tests),
     );
-    if let Some(noise) = rendered.relative_error() {
-        // The samples of other patterns are spread more evenly than their variance tells.
-        let bound = match job.sampling.pattern {
-            Pattern::Independent => "",
-            _ => "at most ",
-        };
+    if let Some(noise) = rendered.noise(job.sampling.pattern) {
         text += &format!(
-            "\nNoise       {bound}{:.2} % of the mean in a pixel, {:.1} samples each",
-            100.0 * noise,
+            "\nNoise       {noise} of the mean in a pixel, {:.1} samples each",
             rendered.samples() as f64 / rendered.rendered_pixels().max(1) as f64
         );
     }

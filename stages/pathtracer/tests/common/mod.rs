@@ -9,15 +9,17 @@ pub(crate) fn own_scenes() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/dae")
 }
 
-/// The scene files in `folders`, sorted. There has to be at least one.
+/// The scene files in `folders`, those of the first folder first, each folder's sorted: wherever the
+/// folders lie, in the same order. There has to be at least one.
 pub(crate) fn scene_files(folders: &[PathBuf]) -> Vec<PathBuf> {
-    let mut files: Vec<PathBuf> = folders
-        .iter()
-        .flat_map(|folder| fs::read_dir(folder).expect("a folder of scenes"))
-        .map(|file| file.expect("a file").path())
-        .filter(|file| file.extension().is_some_and(|end| end == "dae"))
-        .collect();
-    files.sort();
+    let mut files = Vec::new();
+    for folder in folders {
+        let first = files.len();
+        let entries = fs::read_dir(folder).expect("a folder of scenes");
+        let paths = entries.map(|entry| entry.expect("a file").path());
+        files.extend(paths.filter(|path| path.extension().is_some_and(|end| end == "dae")));
+        files[first..].sort();
+    }
     assert!(!files.is_empty(), "no scenes in {folders:?}");
     files
 }

@@ -31,28 +31,31 @@ const PIECES: &[&str] = &[
     "<extra><technique profile=\"CGL\"><sphere><radius>1</radius></sphere></technique></extra>",
 ];
 
-/// The original files: name and text.
+/// The original files: name and text. Ours come first, each folder's sorted: a seed damages the
+/// same file wherever the folders lie.
 fn corpus() -> Vec<(String, String)> {
     let own = Path::new(env!("CARGO_MANIFEST_DIR")).join("dae");
     let course = std::env::var_os("FIRSTLIGHT_SCENES").map(PathBuf::from);
     if course.is_none() {
         println!("using only our own scenes: set FIRSTLIGHT_SCENES to use the course's files");
     }
-    let mut paths: Vec<PathBuf> = [Some(own), course]
-        .into_iter()
-        .flatten()
-        .flat_map(|folder| std::fs::read_dir(folder).unwrap())
-        .map(|file| file.unwrap().path())
-        .filter(|path| path.extension().is_some_and(|ending| ending == "dae"))
-        .collect();
-    paths.sort();
+    let files_of = |folder: PathBuf| {
+        let files = std::fs::read_dir(folder).unwrap();
+        let paths = files.map(|file| file.unwrap().path());
+        let mut scenes: Vec<PathBuf> = paths
+            .filter(|path| path.extension().is_some_and(|ending| ending == "dae"))
+            .collect();
+        scenes.sort();
+        scenes
+    };
     let read = |path: PathBuf| {
         (
             path.display().to_string(),
             std::fs::read_to_string(path).unwrap(),
         )
     };
-    paths.into_iter().map(read).collect()
+    let folders = [Some(own), course].into_iter().flatten();
+    folders.flat_map(files_of).map(read).collect()
 }
 
 /// Random choices from a seed.

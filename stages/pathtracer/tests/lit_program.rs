@@ -1,6 +1,6 @@
 //! The `pathtracer` program, for scenes with light.
 
-use crate::common::{folder_of, run, square};
+use crate::common::{folder_of, own_scenes, run, square};
 use exr::prelude::{ReadChannels, ReadLayers};
 use std::fs;
 use std::path::Path;
@@ -121,10 +121,8 @@ fn scenes_with_light_are_lit_by_default() {
 #[test]
 fn the_defaults_reduce_noise() {
     let folder = folder();
-    let scene = concat!(
-        env!("CARGO_MANIFEST_DIR"),
-        "/../../scenes/dae/cornell_spheres.dae"
-    );
+    let scene = "cornell_spheres.dae";
+    fs::copy(own_scenes().join(scene), folder.path().join(scene)).expect("a copy");
     let bytes = |flags: &str| {
         let flags = format!("-f a.exr -r 24 18 -s 16 -m 12 {flags} {scene}");
         pathtracer(folder.path(), &flags);

@@ -134,10 +134,10 @@ fn build(root: &Path, job: &Path, jobs: &[StageJob]) -> BTreeMap<String, PathBuf
     // ten times as long to compile.
     let manifest = format!(
         "[workspace]\nresolver = \"3\"\nmembers = [{}]\n\n[workspace.package]\nversion = \"0.1.0\"\nedition = \"2024\"\n\n\
-         [workspace.dependencies]\nkit = {{ path = {:?} }}\n\n[profile.dev]\ndebug = false\n\n\
+         [workspace.dependencies]\nkit = {{ path = {} }}\n\n[profile.dev]\ndebug = false\n\n\
          [profile.dev.package.kit]\nopt-level = 1\n",
         members.join(", "),
-        root.join("stages/kit")
+        toml::Value::from(root.join("stages/kit").display().to_string())
     );
     write(&job.join("Cargo.toml"), &manifest);
     std::fs::copy(root.join("Cargo.lock"), job.join("Cargo.lock")).expect("it can be copied");

@@ -122,7 +122,7 @@ fn read(output: &mut impl BufRead) -> Option<Value> {
 }
 
 fn uri(path: &Path) -> String {
-    format!("file://{}", path.display())
+    grader::book::address(path)
 }
 
 /// The diagnostics of a message about `file`.

@@ -152,8 +152,9 @@ fn for_instructors() -> Command {
 mod tests {
     use super::*;
 
-    fn text(mut command: Command) -> String {
-        command.render_help().to_string()
+    /// As wide as a terminal that is not the one of the tests.
+    fn text(command: Command) -> String {
+        command.term_width(100).render_help().to_string()
     }
 
     #[test]

@@ -237,6 +237,9 @@ fn tree(package: &[&str], format: &str) -> BTreeSet<String> {
         .args([
             "tree",
             "--offline",
+            // In CI, `CARGO_TERM_COLOR` may say otherwise.
+            "--color",
+            "never",
             "--prefix",
             "none",
             "--edges",

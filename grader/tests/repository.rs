@@ -19,6 +19,8 @@ fn the_hook_takes_a_subject_with_a_scope_and_at_most_72_characters() {
         let output = std::process::Command::new(root().join(".ci/hooks/commit-msg"))
             .arg(message.path())
             .current_dir(root())
+            // Of a language that the machine does not have, the shell warns.
+            .env("LC_ALL", "C")
             .output()
             .expect("the hook runs");
         let stderr = String::from_utf8_lossy(&output.stderr).into_owned();

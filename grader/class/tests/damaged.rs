@@ -4,6 +4,7 @@
 //! `cargo test` tries some thousand; the ignored tests go on for `FIRSTLIGHT_FUZZ_SECONDS` each.
 
 use crate::fake_class::{Behaviour, FakeClass};
+use crate::git;
 use class::by_hand::ByHand;
 use class::collect::Options;
 use class::out::Out;
@@ -16,7 +17,6 @@ use class::roster::Roster;
 use damage::{Naming, Random, damage, damage_json, seeds, seeds_for_a_while};
 use std::io::{Cursor, Write};
 use std::path::Path;
-use std::process::Command;
 
 const STAGES: [&str; 2] = ["raygen", "intersect"];
 
@@ -124,12 +124,7 @@ fn damaged_archives_for_a_while() {
 }
 
 fn git(folder: &Path, arguments: &[&str]) {
-    let status = Command::new("git")
-        .args(["-c", "user.name=s", "-c", "user.email=s@example"])
-        .args(arguments)
-        .current_dir(folder)
-        .env("GIT_CONFIG_GLOBAL", "/dev/null")
-        .status();
+    let status = git::command(folder).args(arguments).status();
     assert!(status.expect("git runs").success(), "{arguments:?}");
 }
 

@@ -1,10 +1,10 @@
 //! The forms in which submissions arrive, and those that are refused.
 
+use crate::git;
 use class::reading::Unreadable;
 use class::reading::intake::{self, Revision};
 use std::io::{Cursor, Write};
 use std::path::{Path, PathBuf};
-use std::process::Command;
 use zip::ZipWriter;
 use zip::write::SimpleFileOptions;
 
@@ -231,19 +231,9 @@ fn bombs_are_refused_and_forgotten_files_are_not() {
 
 /// Runs git in `folder` as a student whose clock says `time`.
 fn git(folder: &Path, time: &str, arguments: &[&str]) {
-    let output = Command::new("git")
-        .args([
-            "-c",
-            "user.name=s",
-            "-c",
-            "user.email=s@example",
-            "-c",
-            "init.defaultBranch=main",
-        ])
+    let output = git::command(folder)
         .args(arguments)
-        .current_dir(folder)
         .envs([("GIT_COMMITTER_DATE", time), ("GIT_AUTHOR_DATE", time)])
-        .env("GIT_CONFIG_GLOBAL", "/dev/null")
         .output()
         .expect("git runs");
     assert!(
@@ -253,12 +243,12 @@ fn git(folder: &Path, time: &str, arguments: &[&str]) {
     );
 }
 
-/// A clone with a commit on the 19th and one on the 21st of November 2026, and other files beside.
+/// A clone with a commit on the 19th and one on the 21st of November 2016, and other files beside.
 fn clone(folder: &Path) {
     git(folder, "", &["init", "-q"]);
     for (text, time) in [
-        ("in time", "2026-11-19T10:00:00Z"),
-        ("late", "2026-11-21T10:00:00Z"),
+        ("in time", "2016-11-19T10:00:00Z"),
+        ("late", "2016-11-21T10:00:00Z"),
     ] {
         write(folder, &[(LIB, text.as_bytes())]);
         git(folder, time, &["add", "-A"]);
@@ -285,13 +275,13 @@ fn a_clone_says_when_it_was_committed() {
     let late = read("main");
     assert_eq!(
         (late.author, late.committer),
-        (1_795_255_200, 1_795_255_200)
+        (1_479_722_400, 1_479_722_400)
     );
     assert_eq!(late.doubt, None);
     // Its committer set the clock back, to before the deadline.
     git(
         folder.path(),
-        "2026-11-18T10:00:00Z",
+        "2016-11-18T10:00:00Z",
         &["commit", "-qam", "forged"],
     );
     let doubt = read("main").doubt.expect("it cannot be");
@@ -314,7 +304,7 @@ fn a_clone_says_when_it_was_committed() {
 
     let other = tempfile::tempdir().expect("a folder");
     write(other.path(), &[(LIB, b"text")]);
-    let revision = Revision::before("2026-11-20").expect("a time");
+    let revision = Revision::before("2016-11-20").expect("a time");
     match intake::open(other.path(), &STAGES, Some(&revision)) {
         Err(Unreadable::NoClone(why)) => assert!(why.contains("no git clone"), "{why}"),
         other => panic!("{other:?}"),
@@ -342,10 +332,10 @@ fn the_commit_that_counts_is_read() {
     write(folder.path(), &[(LIB, b"late\r")]);
     assert_eq!([notes(None), notes(late())], ["", ""]);
     assert_eq!(
-        text(before("2026-11-20T00:00:00Z")),
+        text(before("2016-11-20T00:00:00Z")),
         Ok("in time".to_string())
     );
-    assert_eq!(text(before("2026-11-22T00:00:00Z")), Ok("late".to_string()));
+    assert_eq!(text(before("2016-11-22T00:00:00Z")), Ok("late".to_string()));
     assert_eq!(
         text(Some(Revision::Commit("late-one".into()))),
         Ok("late".to_string())
@@ -356,8 +346,8 @@ fn the_commit_that_counts_is_read() {
     );
     for (revision, expected) in [
         (
-            before("2026-11-18T00:00:00Z"),
-            "has no commit before 2026-11-18T00:00:00Z: its first commit is later",
+            before("2016-11-18T00:00:00Z"),
+            "has no commit before 2016-11-18T00:00:00Z: its first commit is later",
         ),
         (
             Some(Revision::Commit("--help".into())),

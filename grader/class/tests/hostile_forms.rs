@@ -2,6 +2,7 @@
 //! with a sentence, and none is followed out of its folder.
 
 use crate::forms::{LIB, gzip, tar, write, zip};
+use crate::git;
 use class::reading::Unreadable;
 use class::reading::intake::{self, Revision};
 use std::io::Write;
@@ -143,11 +144,8 @@ fn hostile_archives_are_read_without_harm_or_refused() {
 
 /// Runs git, and returns what it prints.
 fn git(folder: &Path, arguments: &[&str], input: &[u8]) -> String {
-    let mut child = Command::new("git")
-        .args(["-c", "user.name=s", "-c", "user.email=s@example"])
+    let mut child = git::command(folder)
         .args(arguments)
-        .current_dir(folder)
-        .env("GIT_CONFIG_GLOBAL", "/dev/null")
         .stdin(Stdio::piped())
         .stdout(Stdio::piped())
         .spawn()

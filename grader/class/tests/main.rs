@@ -4,6 +4,7 @@ mod alike;
 mod damaged;
 mod fake_class;
 mod forms;
+mod git;
 mod hostile_forms;
 mod likeness;
 mod reading;

@@ -1,6 +1,7 @@
 //! What was handed in is read in a process with limits: whatever happens to that process is one row,
 //! and the others are read.
 
+use crate::git;
 use base::Workspace;
 use class::plan::{Plan, Settings, State};
 use class::reading::Reader;
@@ -36,18 +37,9 @@ fn write(path: &Path, contents: &[u8]) {
     std::fs::write(path, contents).expect("a file");
 }
 
-/// Runs a program in `folder` with an input, and returns what it prints.
-fn output(folder: &Path, program: &str, arguments: &[&str], input: &str) -> String {
-    let mut child = Command::new(program)
-        .args(
-            ["-c", "user.name=s", "-c", "user.email=s@example"]
-                .iter()
-                .filter(|_| program == "git"),
-        )
-        .args(arguments)
-        .current_dir(folder)
-        .env("GIT_CONFIG_GLOBAL", "/dev/null")
-        .envs(["GIT_COMMITTER_DATE", "GIT_AUTHOR_DATE"].map(|name| (name, "2026-11-01T10:00:00Z")))
+/// Runs a command with an input, and returns what it prints.
+fn output(command: &mut Command, input: &str) -> String {
+    let mut child = command
         .stdin(Stdio::piped())
         .stdout(Stdio::piped())
         .spawn()
@@ -56,7 +48,7 @@ fn output(folder: &Path, program: &str, arguments: &[&str], input: &str) -> Stri
     stdin.write_all(input.as_bytes()).expect("it reads");
     drop(stdin);
     let output = child.wait_with_output().expect("it ends");
-    assert!(output.status.success(), "{program} {arguments:?}");
+    assert!(output.status.success(), "{command:?}");
     String::from_utf8(output.stdout)
         .expect("UTF-8")
         .trim()
@@ -64,7 +56,9 @@ fn output(folder: &Path, program: &str, arguments: &[&str], input: &str) -> Stri
 }
 
 fn git(folder: &Path, arguments: &[&str], input: &str) -> String {
-    output(folder, "git", arguments, input)
+    let dates =
+        ["GIT_COMMITTER_DATE", "GIT_AUTHOR_DATE"].map(|name| (name, "2016-11-01T10:00:00Z"));
+    output(git::command(folder).args(arguments).envs(dates), input)
 }
 
 /// The program `class` with another `git` before it: `lists` is what that one does where it is to list
@@ -133,7 +127,8 @@ fn deep_folders(folder: &Path) {
     let src = folder.join("stages/intersect/src");
     write(&src.join("lib.rs"), b"");
     let script = "i=0; while [ $i -lt 1900 ]; do mkdir f && cd -P f || exit 1; i=$((i+1)); done";
-    output(&src, "sh", &["-c", script], "");
+    let mut shell = Command::new("sh");
+    output(shell.args(["-c", script]).current_dir(src), "");
 }
 
 /// A class with one submission of each kind, and those that are as they should be.
@@ -229,7 +224,7 @@ fn assert_said(said: &BTreeMap<String, String>, expected: &[(&str, &str)]) {
 fn clones_are_read(containment: Containment) {
     let folder = tempfile::tempdir().expect("a folder");
     class(folder.path());
-    let said = read(folder.path(), containment, Some("2026-11-20"));
+    let said = read(folder.path(), containment, Some("2016-11-20"));
     assert_said(
         &said,
         &[
@@ -281,7 +276,7 @@ fn git_is_read_within_limits() {
             &program,
             &class,
             Containment::None,
-            Some("2026-11-20"),
+            Some("2016-11-20"),
             limits,
         );
         assert_said(&said, &[("anna", expected), ("zoe", expected)]);

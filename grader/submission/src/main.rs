@@ -3,7 +3,7 @@
 mod course_systems;
 
 use base::program::{self, Exit};
-use base::{GraderError, Workspace, out, outln};
+use base::{GraderError, Workspace, out, outln, shell_word};
 use clap::ArgMatches;
 use grader::cli::Format;
 use grader::cli::course_systems::is_requested;
@@ -91,7 +91,7 @@ fn moved(matches: &ArgMatches, folder: &Path) -> GraderError {
     let part = part.map_or_else(String::new, |number| format!(" --part {number}"));
     GraderError::new(format!(
         "a class is graded by a command of its own: run `grader class {} --out OUT{part}`",
-        folder.display()
+        shell_word(folder)
     ))
 }
 

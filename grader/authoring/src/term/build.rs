@@ -3,7 +3,7 @@
 use super::COPY;
 use super::apply::{Written, apply};
 use super::settings::Changes;
-use base::{GraderError, VERSION, Workspace, term};
+use base::{GraderError, VERSION, Workspace, shell_word, term};
 use files::file_tree::{self, Files};
 use std::collections::BTreeSet;
 use std::fmt::Write;
@@ -81,7 +81,7 @@ pub fn build(first_light: &Workspace, folder: &Path) -> Result<(), GraderError> 
             "{} asks for First Light {wanted}, and this is {VERSION}. Get that version with ./get-first-light, or take this \
              one with `cargo grader course update {}`",
             folder.join("course.toml").display(),
-            folder.display()
+            shell_word(folder)
         )));
     }
     Applied::new(originals(first_light)?, &changes)?.write(&folder.join(COPY))?;

@@ -1,7 +1,7 @@
 //! Writes a class as JPlag reads it: a folder for each student, and the text that all were given.
 //! JPlag (Karlsruhe Institute of Technology) compares syntax trees and has its own viewer.
 
-use base::{GraderError, write_whole};
+use base::{GraderError, shell_word, write_whole};
 use files::file_tree::Files;
 use std::path::Path;
 
@@ -18,6 +18,6 @@ pub fn write(folder: &Path, stage: &str, files: &Files) -> Result<(), GraderErro
 
 /// The command that compares them.
 pub fn command(folder: &Path) -> String {
-    let folder = folder.display();
-    format!("java -jar jplag.jar -l rust --base-code {folder}/given {folder}/submissions")
+    let [given, submissions] = ["given", "submissions"].map(|name| shell_word(folder.join(name)));
+    format!("java -jar jplag.jar -l rust --base-code {given} {submissions}")
 }

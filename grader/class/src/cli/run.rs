@@ -12,7 +12,7 @@ use crate::reading::intake::Revision;
 use crate::reading::{Reader, process};
 use crate::{pool, regrade, tables, unit};
 use base::program::Exit;
-use base::{GraderError, Workspace, errln, out, outln, write_whole};
+use base::{GraderError, Workspace, errln, out, outln, shell_word, write_whole};
 use clap::ArgMatches;
 use grader::course::Course;
 use grader::grade::GradeRequest;
@@ -120,7 +120,7 @@ pub fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
             outln!(
                 "{} units of this shard graded, {left} failed. When all shards are done, run `grader class --collect --out {}`",
                 jobs.len() - left,
-                out.path().display()
+                shell_word(out.path())
             );
             match left {
                 0 => Ok(Exit::Passed),

@@ -5,7 +5,7 @@ use super::column::{COLUMNS, speed};
 use super::outcome::value;
 use super::row::{self, Cell, KEYS, Row};
 use super::truth;
-use base::GraderError;
+use base::{GraderError, shell_word};
 use std::ffi::OsStr;
 use std::fs;
 use std::io;
@@ -72,7 +72,7 @@ pub fn judge(cases: &Path, answers: &Path) -> Result<Vec<Row>, GraderError> {
     let truths: Vec<Answers> = each_truth.collect::<io::Result<_>>().map_err(|e| {
         GraderError::new(format!(
             "{e}; `cargo grader cost world --cases {}` writes the cases of this version",
-            cases.display()
+            shell_word(cases)
         ))
     })?;
     let rows = folders

@@ -2,7 +2,7 @@
 
 use super::part_number;
 use base::program::Exit;
-use base::{GraderError, Workspace, errln, out, outln};
+use base::{GraderError, Workspace, errln, out, outln, shell_word};
 use clap::{Arg, ArgMatches, Command, value_parser};
 use grader::book;
 use grader::cli::picture::in_terminal;
@@ -76,7 +76,7 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
             screen::to_write(Some(place))
         );
     }
-    outln!("Next:  cd {} && cargo grader", out.display());
+    outln!("Next:  cd {} && cargo grader", shell_word(out));
     Ok(Exit::Passed)
 }
 

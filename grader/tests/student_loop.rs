@@ -48,6 +48,8 @@ fn grader(course: &Path, arguments: &[&str]) -> Command {
         .args(arguments)
         // A worker that is not optimised is slower, but built in half the time.
         .env("CARGO_PROFILE_RELEASE_OPT_LEVEL", "0")
+        // As CI sets it: warnings stay warnings.
+        .env("RUSTFLAGS", "-D warnings")
         .env_remove("COLUMNS")
         .env_remove("CLICOLOR_FORCE");
     grader

@@ -441,7 +441,7 @@ fn release_build(root: &Path, package: &str, colours: bool) -> Command {
 }
 
 /// Cargo in the workspace `root`. Warnings in a student's code are no errors.
-fn cargo_in(root: &Path) -> Command {
+pub(crate) fn cargo_in(root: &Path) -> Command {
     let mut command = Command::new(child_processes::cargo());
     command.current_dir(root);
     if let Ok(flags) = std::env::var("RUSTFLAGS") {

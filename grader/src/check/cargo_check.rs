@@ -1,12 +1,13 @@
 //! Runs `cargo check` for the stages. Its messages go to the editor unchanged.
 
 use super::rustc_message::CrateName;
+use crate::build::cargo_in;
 use base::{GraderError, child_processes, err, outln};
 use serde_json::Value;
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::{BufRead, BufReader};
 use std::path::Path;
-use std::process::{Command, Stdio};
+use std::process::Stdio;
 
 /// What `cargo check` found.
 #[derive(Clone, Debug, Default)]
@@ -36,9 +37,8 @@ pub fn run(
     reader: Reader,
     colours: bool,
 ) -> Result<Checked, GraderError> {
-    let mut command = Command::new(child_processes::cargo());
+    let mut command = cargo_in(root);
     command
-        .current_dir(root)
         .args(["check", "--all-targets", "--keep-going", "--message-format"])
         .arg(match colours {
             true => "json-diagnostic-rendered-ansi",

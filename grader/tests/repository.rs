@@ -9,6 +9,9 @@ use std::path::{Path, PathBuf};
 #[cfg(unix)]
 #[test]
 fn the_hook_takes_a_subject_with_a_scope_and_at_most_72_characters() {
+    if !root().join(".git").exists() {
+        return; // It asks git for the names of crates.
+    }
     let message = tempfile::NamedTempFile::new().expect("a file");
     let accepts = |subject: &str| {
         std::fs::write(

@@ -49,19 +49,39 @@ impl Lines {
     }
 }
 
-/// The files that git has or would add, and that end in one of `endings`.
+/// The files that git has or would add, and that end in one of `endings`. An archive of the course
+/// has no repository: then all files but what is built, and so where git does not list them.
 pub(crate) fn files(endings: &[&str]) -> Vec<PathBuf> {
     let output = Command::new("git")
         .args(["ls-files", "--cached", "--others", "--exclude-standard"])
         .current_dir(root())
         .output();
-    let stdout = output.expect("git lists the files").stdout;
+    let stdout = output.map(|output| output.stdout).unwrap_or_default();
     let paths = String::from_utf8(stdout).expect("paths are text");
-    let sorted: BTreeSet<&str> = paths.lines().collect();
-    let wanted = |path: &&str| endings.iter().any(|end| path.ends_with(end));
-    let found = sorted.into_iter().filter(wanted).map(PathBuf::from);
+    let mut all: BTreeSet<PathBuf> = paths.lines().map(PathBuf::from).collect();
+    if all.is_empty() {
+        add_files(Path::new(""), &mut all);
+    }
+    let wanted = |path: &PathBuf| {
+        let path = path.to_string_lossy();
+        endings.iter().any(|end| path.ends_with(end))
+    };
     // What is removed and not yet committed is listed, too.
-    found.filter(|path| root().join(path).is_file()).collect()
+    all.retain(|path| wanted(path) && root().join(path).is_file());
+    all.into_iter().collect()
+}
+
+/// Adds the files in `folder` of the course and below.
+fn add_files(folder: &Path, files: &mut BTreeSet<PathBuf>) {
+    for entry in fs::read_dir(root().join(folder)).expect("a folder") {
+        let entry = entry.expect("an entry");
+        let path = folder.join(entry.file_name());
+        match entry.file_type().expect("a file") {
+            kind if !kind.is_dir() => drop(files.insert(path)),
+            _ if path == Path::new("target") || path == Path::new(".git") => {}
+            _ => add_files(&path, files),
+        }
+    }
 }
 
 pub(crate) fn read(path: &Path) -> String {

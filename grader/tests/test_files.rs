@@ -1,11 +1,12 @@
 //! No test is left out: cargo runs what it finds by itself only where a manifest does not name its
 //! targets.
 
+use crate::sizes::files;
+use crate::student_loop::root;
 use cargo_metadata::{MetadataCommand, Package, TargetKind};
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::Command;
 
 fn packages() -> Vec<Package> {
     let metadata = MetadataCommand::new().no_deps().exec();
@@ -14,6 +15,16 @@ fn packages() -> Vec<Package> {
 
 fn read(path: &Path) -> String {
     fs::read_to_string(path).unwrap_or_else(|e| panic!("{}: {e}", path.display()))
+}
+
+/// The Rust files in the folder of the file `path` and below.
+fn files_beside(path: &Path) -> Vec<PathBuf> {
+    let [path, root] = [path, &root()].map(|path| path.canonicalize().expect("it exists"));
+    let folder = path.parent().expect("a folder");
+    let all = files(&[".rs"]).into_iter().map(|file| root.join(file));
+    let beside: Vec<PathBuf> = all.filter(|file| file.starts_with(folder)).collect();
+    assert!(beside.contains(&path), "{} is not listed", path.display());
+    beside
 }
 
 /// The modules that the file `path` names.
@@ -66,14 +77,10 @@ fn a_library_that_is_not_tested_has_no_unit_tests() {
     for package in packages() {
         let libraries = package.targets.iter().filter(|t| t.is_lib() && !t.test);
         for library in libraries {
-            let folder = library.src_path.parent().expect("a folder");
-            let command = ["grep", "--quiet", "#\\[test\\]", "--", "."];
-            let found = Command::new("git")
-                .args(command)
-                .current_dir(folder)
-                .status();
-            let code = found.expect("git runs").code();
-            assert_eq!(code, Some(1), "{folder} has a test that never runs");
+            for file in files_beside(library.src_path.as_std_path()) {
+                let has_test = read(&file).contains("#[test]");
+                assert!(!has_test, "{} has a test that never runs", file.display());
+            }
         }
     }
 }
@@ -84,14 +91,8 @@ fn a_library_whose_examples_are_not_tested_has_none() {
     for package in packages() {
         let libraries = package.targets.iter().filter(|t| t.is_lib() && !t.doctest);
         for library in libraries {
-            let folder = library.src_path.parent().expect("a folder");
-            let files = Command::new("git")
-                .args(["ls-files", "*.rs"])
-                .current_dir(folder)
-                .output();
-            let files = String::from_utf8(files.expect("git runs").stdout).expect("it is UTF-8");
-            for file in files.lines() {
-                let text = read(folder.join(file).as_std_path());
+            for file in files_beside(library.src_path.as_std_path()) {
+                let text = read(&file);
                 let comments = text.lines().map(str::trim_start).filter_map(|line| {
                     line.strip_prefix("///")
                         .or_else(|| line.strip_prefix("//!"))
@@ -99,8 +100,10 @@ fn a_library_whose_examples_are_not_tested_has_none() {
                 let fences = comments.filter_map(|line| line.trim_start().strip_prefix("```"));
                 for language in fences.step_by(2) {
                     assert_eq!(
-                        language, "text",
-                        "{folder}/{file} has an example that never runs"
+                        language,
+                        "text",
+                        "{} has an example that never runs",
+                        file.display()
                     );
                 }
             }

@@ -49,16 +49,22 @@ impl Lines {
     }
 }
 
-/// The files that git has or would add, and that end in one of `endings`. An archive of the course
-/// has no repository: then all files but what is built, and so where git does not list them.
-pub(crate) fn files(endings: &[&str]) -> Vec<PathBuf> {
+/// The files that git has or would add; none in an archive of the course, which has no repository,
+/// and where git refuses a repository of somebody else.
+pub(crate) fn files_of_git() -> BTreeSet<PathBuf> {
     let output = Command::new("git")
         .args(["ls-files", "--cached", "--others", "--exclude-standard"])
         .current_dir(root())
         .output();
     let stdout = output.map(|output| output.stdout).unwrap_or_default();
     let paths = String::from_utf8(stdout).expect("paths are text");
-    let mut all: BTreeSet<PathBuf> = paths.lines().map(PathBuf::from).collect();
+    paths.lines().map(PathBuf::from).collect()
+}
+
+/// The files that git has or would add, and that end in one of `endings`. Where git lists none, of
+/// all files but those that are built.
+pub(crate) fn files(endings: &[&str]) -> Vec<PathBuf> {
+    let mut all = files_of_git();
     if all.is_empty() {
         add_files(Path::new(""), &mut all);
     }

@@ -66,6 +66,7 @@ impl<T: RayTracer> PathIntegrator<'_, T> {
     /// The light of the lamp that `ray`, a camera ray, hits; black if it hits none.
     fn lamp_light(&self, ray: &Ray, counters: &mut Counters) -> Spectrum {
         counters.rays += 1;
+        counters.lamp_rays += 1;
         let Some(hit) = self
             .tracer
             .unrecorded()

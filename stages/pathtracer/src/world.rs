@@ -11,6 +11,8 @@ use std::ops::{Add, AddAssign, Sub};
 pub struct Counters {
     /// Rays traced.
     pub rays: u64,
+    /// Those of them that find the light of lamps at their edges, beside those of the paths.
+    pub lamp_rays: u64,
     /// Ray/box tests.
     pub box_tests: u64,
     /// Ray/primitive tests.
@@ -22,6 +24,7 @@ impl Add for Counters {
     fn add(self, other: Counters) -> Counters {
         Counters {
             rays: self.rays + other.rays,
+            lamp_rays: self.lamp_rays + other.lamp_rays,
             box_tests: self.box_tests + other.box_tests,
             prim_tests: self.prim_tests + other.prim_tests,
         }
@@ -34,6 +37,7 @@ impl Sub for Counters {
     fn sub(self, before: Counters) -> Counters {
         Counters {
             rays: self.rays - before.rays,
+            lamp_rays: self.lamp_rays - before.lamp_rays,
             box_tests: self.box_tests - before.box_tests,
             prim_tests: self.prim_tests - before.prim_tests,
         }

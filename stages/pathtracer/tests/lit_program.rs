@@ -134,6 +134,10 @@ fn the_defaults_reduce_noise() {
     for old in ["--sampler sobol", "--roulette 1", "--lamp-rays 1"] {
         assert!(default != bytes(old), "{old}");
     }
+    let direct = format!("-f a.exr -r 24 18 -s 16 -m 1 --stats {scene}");
+    let (output, _) = pathtracer(folder.path(), &direct);
+    assert!(output.contains(" 0 bounce rays, "), "{output}");
+    assert!(!output.contains(" 0 at edges"), "{output}");
 }
 
 #[test]

@@ -106,7 +106,7 @@ pub struct Args {
     pub roulette: u32,
 
     /// Camera rays by which each sample finds the lamps' own light in a pixel at the edge of a
-    /// lamp: with 1 these edges are noisier. Without effect if there is a lens
+    /// lamp: with 1 these edges are noisier. Without effect with -s 1, or if there is a lens
     #[arg(long, value_name = "INT", default_value_t = DEFAULT_LAMP_RAYS, value_parser = samples)]
     pub lamp_rays: u32,
 

@@ -44,6 +44,7 @@ pub(crate) fn rendering(job: &Job, rendered: &Rendered, threads: usize, time: Du
         rays,
         box_tests,
         prim_tests,
+        ..
     } = rendered.counters;
     let each = |tests: u64| tests as f64 / rays.max(1) as f64;
     let mut text = format!(
@@ -80,20 +81,23 @@ pub(crate) fn stats(
     time: Duration,
 ) -> String {
     let each_second = |n: u64| n as f64 / time.as_secs_f64().max(1e-9) / 1e6;
-    let (rays, samples) = (rendered.counters.rays, rendered.samples());
+    let Counters {
+        rays, lamp_rays, ..
+    } = rendered.counters;
+    let samples = rendered.samples();
     let direct = rendered.effects.of(Effect::DirectLight);
     let total = (loading + building + time).as_secs_f64().max(1e-9);
     let share = |part: Duration| 100.0 * part.as_secs_f64() / total;
     format!(
         "Time        {:.1} % loading, {:.1} % building, {:.1} % rendering\n\
          Rates       {:.3} million samples per second, {:.2} million rays per second\n\
-         Rays        {samples} camera rays, {direct} light rays, {} bounce rays",
+         Rays        {samples} camera rays, {direct} light rays, {} bounce rays, {lamp_rays} at edges of lamps",
         share(loading),
         share(building),
         share(time),
         each_second(samples),
         each_second(rays),
-        rays.saturating_sub(samples + direct),
+        rays.saturating_sub(samples + direct + lamp_rays),
     )
 }
 

@@ -12,7 +12,7 @@ use crate::pixel_contents::PixelContents;
 use crate::tracer::{RayRole, RayTracer};
 use crate::{Counters, Job};
 use direct::zero_bounce_radiance;
-use kit::sampler::{Pattern, Sampling};
+use kit::sampler::{Pattern, Sampling, mix};
 use kit::shading_normal::towards_viewer;
 use kit::{PixelSampler, Ray, Spectrum, Vec2};
 use raygen::generate_ray;
@@ -32,9 +32,22 @@ const SEED: u64 = 0x6c61_6d70_6564_6765;
 /// one of them is in each sixteenth of the pixel.
 const PROBES: u32 = 16;
 
+/// The name of black.
+const NO_LIGHT: u32 = 0;
+
+/// A number for a light: two lights very seldom have the same.
+fn name_of(light: Spectrum) -> u32 {
+    if light == Spectrum::BLACK {
+        return NO_LIGHT;
+    }
+    let channels = light.to_array().into_iter();
+    channels.fold(0, |name, channel| mix(name ^ channel.to_bits())) as u32 | 1
+}
+
 impl<T: RayTracer> PathIntegrator<'_, T> {
     /// `None` if no edge of a lamp is found in the pixel: the rays through its corners and through
-    /// some points find the same light. A long straight edge has corners on both sides. The samples
+    /// some points find the same light. A long straight edge has corners on both sides. Inside of a
+    /// lamp the corners are enough: those of the pixels around it find the lamp, too. The samples
     /// have no influence: without bias, the mean may not depend on what they find.
     pub(crate) fn lamp_edge<'a>(
         &self,
@@ -52,13 +65,25 @@ impl<T: RayTracer> PathIntegrator<'_, T> {
             rays: self.settings.lamp_rays,
         };
         // These rays belong to no sample: they are not counted.
-        let light = |place| self.lamp_light(&edge.ray(place), &mut Counters::default());
+        let light = |ray| name_of(self.lamp_light(&ray, &mut Counters::default()));
+        let corner = |[right, up]: [u32; 2]| {
+            let x = (pixel.0 + right).saturating_sub(1).min(job.film.w);
+            let y = (pixel.1 + up).saturating_sub(1).min(job.film.h);
+            let place = Vec2::new(f64::from(x), f64::from(y));
+            contents.light_at_corner((x, y), || light(edge.ray_at(place)))
+        };
         let find = || {
+            let first = corner([1, 1]);
+            let differs = |at| corner(at) != first;
+            if [[2, 1], [1, 2], [2, 2]].into_iter().any(differs) {
+                return true;
+            }
+            let may_be_between = first == NO_LIGHT && contents.has_small_lamp(pixel);
+            if !may_be_between && !(0..16).map(|i| [i % 4, i / 4]).any(differs) {
+                return false;
+            }
             let mut sampler = edge.sampler(Pattern::Sobol, !SEED, 0);
-            let probes = (0..PROBES).map(|_| sampler.get_sample());
-            let mut places = [Vec2::X, Vec2::Y, Vec2::ONE].into_iter().chain(probes);
-            let first = light(Vec2::ZERO);
-            places.any(|place| light(place) != first)
+            (0..PROBES).any(|_| light(edge.ray(sampler.get_sample())) != first)
         };
         contents.has_lamp_edge(pixel, find).then_some(edge)
     }
@@ -93,10 +118,14 @@ impl LampEdge<'_> {
     /// The camera ray through the point `place` in the pixel, in [0, 1]².
     fn ray(&self, place: Vec2) -> Ray {
         let (x, y) = self.pixel;
-        let corner = Vec2::new(f64::from(x), f64::from(y));
+        self.ray_at(Vec2::new(f64::from(x), f64::from(y)) + place)
+    }
+
+    /// The camera ray through the point `place` on the film, in pixels.
+    fn ray_at(&self, place: Vec2) -> Ray {
         let film = self.job.film;
         let size = Vec2::new(f64::from(film.w), f64::from(film.h));
-        generate_ray(&self.job.camera, (corner + place) / size)
+        generate_ray(&self.job.camera, place / size)
     }
 
     /// `radiance`, that of the last of `started` samples, along `ray`, with the light of the lamps

@@ -24,6 +24,10 @@ pub struct PixelContents {
     /// Whether the edge of a lamp is in each pixel, once that is known. Without entries if nobody
     /// asks or there is no lamp.
     lamp_edges: Vec<OnceLock<bool>>,
+    /// Where a lamp may be too small to be seen at a corner of a pixel.
+    small_lamps: Coverage,
+    /// The light that a lamp sends to each corner of them, once that is known.
+    corners: Vec<OnceLock<u32>>,
 }
 
 /// The pixels that some primitives may be seen in.
@@ -52,12 +56,22 @@ impl PixelContents {
         if lamps && scene.materials.iter().any(|m| emits(&m.material)) {
             let numbered = (0..).map(PrimId).zip(scene.primitives());
             let lamps = numbered.filter(|&(id, _)| emits(scene.material_of(id)));
-            let covered = Coverage::of(lamps.map(|(_, lamp)| lamp), camera, film);
+            let seen = lamps
+                .map(|(_, lamp)| lamp)
+                .filter(|lamp| faces(lamp, camera.pos));
+            let seen: Vec<Primitive<'_>> = seen.collect();
+            let covered = Coverage::of(seen.iter().copied(), camera, film);
+            let projection = Projection::of(camera);
+            let size = Vec2::new(film.w.into(), film.h.into());
+            let is_small = |lamp: &Primitive<'_>| projection.width(lamp, size) < SMALL;
+            contents.small_lamps = Coverage::of(seen.into_iter().filter(is_small), camera, film);
             let edge = |index| match covered.may_contain(index) {
                 true => OnceLock::new(),
                 false => false.into(),
             };
             contents.lamp_edges = (0..film.whole().area() as usize).map(edge).collect();
+            let corners = (film.w as usize + 1) * (film.h as usize + 1);
+            contents.corners = vec![OnceLock::new(); corners];
         }
         contents
     }
@@ -74,8 +88,26 @@ impl PixelContents {
         edge.is_some_and(|edge| *edge.get_or_init(find))
     }
 
+    /// Whether a lamp may be in the pixel `(x, y)` that is too small for the corners around it.
+    pub(crate) fn has_small_lamp(&self, pixel: (u32, u32)) -> bool {
+        self.small_lamps.may_contain(self.index(pixel))
+    }
+
+    /// The light at the corner `(x, y)` of pixels with an edge. `find` looks for it, once.
+    pub(crate) fn light_at_corner(&self, (x, y): (u32, u32), find: impl FnOnce() -> u32) -> u32 {
+        *self.corners[y as usize * (self.width + 1) + x as usize].get_or_init(find)
+    }
+
     fn index(&self, (x, y): (u32, u32)) -> usize {
         y as usize * self.width + x as usize
+    }
+}
+
+/// Whether the outer side of a primitive, which emits light, can be seen from `point`.
+fn faces(primitive: &Primitive<'_>, point: Vec3) -> bool {
+    match primitive {
+        Primitive::Triangle(t) => (t.p1 - t.p0).cross(t.p2 - t.p0).dot(point - t.p0) > 0.0,
+        Primitive::Sphere(s) => s.center.distance(point) > s.radius,
     }
 }
 
@@ -120,6 +152,10 @@ enum Bounds {
 /// front of the camera: below it rounding moves the projection by more than a pixel.
 const LEAST_COSINE: f64 = 1e-6;
 
+/// A lamp that is at least this wide on the film, in pixels, hardly hides between the corners of a
+/// pixel and of those around it.
+const SMALL: f64 = 3.0;
+
 /// Projects points in world space onto the film, whose corners are (0, 0) and (1, 1): the inverse
 /// of [`generate_ray`](raygen::generate_ray).
 struct Projection {
@@ -141,6 +177,24 @@ impl Projection {
             tangents,
             least_depth: 0.5 * camera.n_clip / (1.0 + tangents.length_squared()).sqrt(),
         }
+    }
+
+    /// How wide a triangle is on a film of this `size`, in pixels, where it is narrow; of a sphere
+    /// its radius. Infinity if a part is behind the camera.
+    fn width(&self, primitive: &Primitive<'_>, size: Vec2) -> f64 {
+        let to_camera = |p: Vec3| self.world_to_camera * (p - self.pos);
+        let points = match primitive {
+            Primitive::Triangle(t) => [t.p0, t.p1, t.p2].map(to_camera),
+            Primitive::Sphere(s) => {
+                [Vec3::X, Vec3::Y, -Vec3::X].map(|axis| to_camera(s.center) + s.radius * axis)
+            }
+        };
+        if points.iter().any(|p| -p.z < self.least_depth) {
+            return f64::INFINITY;
+        }
+        let [a, b, c] = points.map(|p| 0.5 * p.truncate() / -p.z / self.tangents * size);
+        let longest = (b - a).length().max((c - b).length()).max((a - c).length());
+        (b - a).perp_dot(c - a).abs() / longest
     }
 
     /// The bounding rectangle of a primitive on the film. A primitive that is partly hidden is cut
@@ -250,6 +304,7 @@ impl Cover {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use kit::{Sphere, Triangle};
 
     #[test]
     fn covered_pixels_are_those_of_the_rectangles_and_around_them() {
@@ -266,5 +321,42 @@ mod tests {
             let is_near = (4..=6).contains(&x) && (1..=3).contains(&y) || x <= 1 && y <= 1;
             assert_eq!(covered[(y * 8 + x) as usize], is_near, "({x}, {y})");
         }
+    }
+
+    /// What is looked for with many rays is a lamp between the corners of pixels.
+    #[test]
+    fn only_small_lamps_hide_between_corners_and_none_shows_its_back() {
+        let (x, y) = (Vec3::X, Vec3::Y);
+        let camera = Camera {
+            pos: 4.0 * Vec3::Z,
+            c2w: Mat3::IDENTITY,
+            h_fov: 90.0,
+            v_fov: 90.0,
+            n_clip: 0.1,
+            f_clip: 9.0,
+        };
+        let size = Vec2::splat(8.0);
+        let projection = Projection::of(&camera);
+        let sphere = |radius| Sphere {
+            center: Vec3::ZERO,
+            radius,
+        };
+        let triangle = |p1, p2| Triangle::flat(Vec3::ZERO, p1, p2);
+        let [narrow, needle] = [triangle(4.0 * x, 3.0 * y), triangle(7.0 * (x + y), 0.1 * x)];
+        let round = sphere(2.5);
+        // A pixel is as wide as 1 there.
+        for (lamp, width) in [
+            (Primitive::Triangle(&narrow), 2.4),
+            (Primitive::Triangle(&needle), 0.0707),
+            (Primitive::Sphere(&round), 2.5),
+        ] {
+            let found = projection.width(&lamp, size);
+            assert!((found - width).abs() < 1e-3 * width, "{found}");
+        }
+        let [lamp, back] = [[x, y], [y, x]].map(|[p1, p2]| Triangle::flat(Vec3::ZERO, p1, p2));
+        assert!(faces(&Primitive::Triangle(&lamp), camera.pos));
+        assert!(!faces(&Primitive::Triangle(&back), camera.pos));
+        assert!(faces(&Primitive::Sphere(&sphere(3.0)), camera.pos));
+        assert!(!faces(&Primitive::Sphere(&sphere(5.0)), camera.pos));
     }
 }

@@ -671,16 +671,18 @@ fn obj_normals_are_smooth_within_a_group() {
     }
 }
 
-/// A square and a curved cloth with faces of both sides on the same vertices: the normals of the
+/// A square, a curved cloth and one with hills and crooked squares, with faces of both sides on the same vertices: the normals of the
 /// sides cancel, so each side has its own.
 #[test]
 fn faces_of_both_sides_have_normals_of_their_own() {
-    let cloth = |size: u32| {
+    let cloth = |size: u32, hills: f64| {
         let at = |i: u32, j: u32| 1 + i * (size + 1) + j;
         let (mut vertices, mut faces) = (String::new(), String::new());
         for (i, j) in (0..=size).flat_map(|i| (0..=size).map(move |j| (i, j))) {
             let [x, y] = [i, j].map(|k| f64::from(k) / f64::from(size));
-            vertices += &format!("v {x} {y} {}\n", 0.4 * x * x * y);
+            let z = 0.4 * x * x * y + hills * (6.0 * x).sin() * (6.0 * y).cos();
+            let beside = 0.2 * hills * f64::from(7 * i + 3 * j).sin();
+            vertices += &format!("v {} {} {z}\n", x + beside, y - beside);
             if i < size && j < size {
                 let [a, b, c, d] = [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)];
                 faces += &format!("f {a} {b} {c} {d}\nf {d} {c} {b} {a}\n");
@@ -688,8 +690,8 @@ fn faces_of_both_sides_have_normals_of_their_own() {
         }
         loaded(&[("a.obj", (vertices + &faces).as_bytes())]).scene
     };
-    for size in [1, 10] {
-        for t in &cloth(size).triangles {
+    for (size, hills) in [(1, 0.0), (10, 0.0), (12, 0.1)] {
+        for t in &cloth(size, hills).triangles {
             let face = (t.p1 - t.p0).cross(t.p2 - t.p0).normalize();
             for n in [t.n0, t.n1, t.n2] {
                 assert!(n.dot(face) > 0.9, "{size} {t:?}");

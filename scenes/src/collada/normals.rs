@@ -35,6 +35,11 @@ pub(crate) fn looks_round(face: Vec3, normals: [Vec3; 3]) -> bool {
 /// 32 triangles the sum is larger unless the apex is narrower than 8 degrees.
 const LEAST_SUM: f64 = 0.125;
 
+/// It cancels, too, if it is shorter than this fraction of the sum of the lengths. On cloth with
+/// faces of both sides, whose diagonals differ, what remains points anywhere. Faces around the apex
+/// of a cone add up to more if that is wider than 29 degrees.
+const LEAST_LENGTH: f64 = 0.25;
+
 /// Vertex normals: the area-weighted mean of the normals of all adjacent triangles (H. Gouraud,
 /// "Continuous shading of curved surfaces", 1971).
 ///
@@ -42,8 +47,8 @@ const LEAST_SUM: f64 = 0.125;
 /// sums at its own vertices are set to zero again ([`SmoothNormals::forget`]).
 #[derive(Default)]
 pub(crate) struct SmoothNormals {
-    /// For each position, the sum of the weighted normals.
-    sums: Vec<Vec3>,
+    /// For each position, the sum of the weighted normals, and that of their lengths.
+    sums: Vec<(Vec3, f64)>,
 }
 
 impl SmoothNormals {
@@ -52,29 +57,35 @@ impl SmoothNormals {
         let [p0, p1, p2] = corners.map(|i| positions[i]);
         let (cross, size) = scaled_cross(p0, p1, p2);
         if self.sums.len() < positions.len() {
-            self.sums.resize(positions.len(), Vec3::ZERO);
+            self.sums.resize(positions.len(), Default::default());
         }
+        let weighted = cross * size * size;
         for corner in corners {
-            self.sums[corner] += cross * size * size;
+            let (sum, length) = &mut self.sums[corner];
+            *sum += weighted;
+            *length += weighted.length();
         }
     }
 
     /// The normals at the vertices of a triangle that was added, not normalised. Its own, `face`,
-    /// is in place of a sum that its neighbours cancel: see [`LEAST_SUM`].
+    /// is in place of a sum that its neighbours cancel: see [`LEAST_SUM`] and [`LEAST_LENGTH`].
     pub(crate) fn at(&self, positions: &[Vec3], corners: [usize; 3], face: Vec3) -> [Vec3; 3] {
-        let sums = corners.map(|corner| self.sums.get(corner).copied().unwrap_or(Vec3::ZERO));
         let [p0, p1, p2] = corners.map(|i| positions[i]);
         let least = LEAST_SUM * (p1 - p0).cross(p2 - p0).dot(face);
-        if sums.iter().all(|sum| sum.dot(face) > least) {
-            return sums;
-        }
-        sums.map(|sum| if sum.dot(face) > least { sum } else { face })
+        corners.map(|corner| match self.sums.get(corner) {
+            Some((sum, length))
+                if sum.dot(face) > least && sum.length() > LEAST_LENGTH * length =>
+            {
+                *sum
+            }
+            _ => face,
+        })
     }
 
     /// Ends the mesh of a triangle that was added.
     pub(crate) fn forget(&mut self, corners: [usize; 3]) {
         for corner in corners {
-            self.sums[corner] = Vec3::ZERO;
+            self.sums[corner] = Default::default();
         }
     }
 }

@@ -3,7 +3,7 @@
 
 use crate::course::sources;
 use base::fnv;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs::{self, Metadata};
 use std::path::{Path, PathBuf};
 use std::time::SystemTime;
@@ -24,8 +24,8 @@ pub(super) struct Stamps {
 struct Stamp {
     /// A hash of their paths, lengths and times.
     of_files: String,
-    /// When each was changed: by its own time, and by the system's, which a copy cannot have from
-    /// elsewhere. Not every system has the second.
+    /// When each was changed, and each folder of them: by its own time, and by the system's, which
+    /// a copy cannot have from elsewhere. Not every system has the second.
     changes: Vec<(SystemTime, Option<SystemTime>)>,
 }
 
@@ -85,17 +85,22 @@ impl Stamp {
         let mut files = sources::all_below(&folder.join("src")).unwrap_or_default();
         files.push(folder.join("Cargo.toml"));
         let mut stamp = fnv::START;
-        let mut changes = Vec::new();
-        for file in files {
+        for file in &files {
             let Ok(about) = file.metadata() else { continue };
             let (below, time) = (file.strip_prefix(root), about.modified().ok());
             let text = format!("{below:?} {} {time:?}", about.len());
             stamp = text.bytes().fold(stamp, fnv::add);
-            changes.extend(time.map(|time| (time, came_at(&about))));
         }
+        // A folder that is renamed brings its files along, and a link another file.
+        let within = |file| Path::ancestors(file).take_while(|path| *path != root);
+        let paths: BTreeSet<&Path> = files.iter().flat_map(|file| within(file)).collect();
+        let change = |path: &Path| {
+            let (about, link) = (path.metadata().ok()?, path.symlink_metadata().ok()?);
+            Some((about.modified().ok()?, came_at(&about).max(came_at(&link))))
+        };
         Stamp {
             of_files: format!("{stamp:016x}"),
-            changes,
+            changes: paths.into_iter().filter_map(change).collect(),
         }
     }
 
@@ -241,6 +246,42 @@ mod tests {
         // The system's clock advances by steps.
         std::thread::sleep(Duration::from_millis(30));
         write(src.join("lib.rs"), ago(2));
+        assert!(!is_kept());
+        // A folder that was renamed, and a link to another file: the files themselves stay.
+        let other = folder.path().join("other");
+        fs::create_dir(&other).unwrap();
+        write(other.join("lib.rs"), ago(3));
+        write(folder.path().join("stages/bvh/Cargo.toml"), ago(3));
+        let set_time = |path: &Path, time| {
+            let folder = fs::File::open(path).unwrap();
+            folder.set_modified(time).unwrap();
+        };
+        let compile = || {
+            std::thread::sleep(Duration::from_millis(30));
+            fs::create_dir_all(&known).unwrap();
+            write(known.join("dep-lib-bvh"), ago(2));
+            std::thread::sleep(Duration::from_millis(30));
+        };
+        for path in [&other, &folder.path().join("stages")] {
+            set_time(path, ago(3));
+        }
+        compile();
+        assert!(is_kept());
+        fs::rename(&src, folder.path().join("kept")).unwrap();
+        fs::rename(&other, &src).unwrap();
+        assert!(!is_kept());
+        fs::remove_file(src.join("lib.rs")).unwrap();
+        for (name, at) in [("a.rs", 3), ("b.rs", 4)] {
+            write(folder.path().join(name), ago(at));
+        }
+        let link = |to: &str| {
+            let _ = fs::remove_file(src.join("lib.rs"));
+            std::os::unix::fs::symlink(folder.path().join(to), src.join("lib.rs")).unwrap();
+        };
+        link("a.rs");
+        compile();
+        assert!(is_kept());
+        link("b.rs");
         assert!(!is_kept());
     }
 }

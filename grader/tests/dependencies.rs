@@ -24,6 +24,7 @@ const MAY_DEPEND_ON: &[(&str, &[&str])] = &[
     ("meshes", &["kit"]),
     ("scenes", &["kit", "meshes"]),
     ("showcase", &["base", "kit", "meshes", "bvh"]),
+    ("picture_files", &[]),
     (
         "pathtracer",
         &[
@@ -31,6 +32,7 @@ const MAY_DEPEND_ON: &[(&str, &[&str])] = &[
             "base",
             "progress",
             "kit",
+            "picture_files",
             "scenes",
             "raygen",
             "intersect",
@@ -49,6 +51,7 @@ const MAY_DEPEND_ON: &[(&str, &[&str])] = &[
             "base",
             "kit",
             "pathtracer",
+            "picture_files",
             "scenes",
             "raygen",
             "intersect",

@@ -1,9 +1,8 @@
 //! Reads environment maps.
 
-use crate::radiance_file;
-use image::ImageError;
 use kit::environment::EnvironmentError;
 use kit::{Environment, Spectrum};
+use picture_files::{Picture, Pixels};
 use std::fmt;
 use std::path::{Path, PathBuf};
 
@@ -13,7 +12,7 @@ pub enum EnvironmentFileError {
     /// The file extension is unknown.
     UnknownFormat(PathBuf),
     /// The file cannot be read, or its content does not match its extension.
-    Unreadable(PathBuf, ImageError),
+    Unreadable(PathBuf, String),
     /// Its values are no radiances.
     Invalid(PathBuf, EnvironmentError),
 }
@@ -48,17 +47,17 @@ pub fn load_environment(path: &Path) -> Result<LoadedEnvironment, EnvironmentFil
     if !["exr", "hdr"].contains(&extension.to_ascii_lowercase().as_str()) {
         return Err(EnvironmentFileError::UnknownFormat(path.to_owned()));
     }
-    let decoded = std::fs::read(path)
-        .map_err(ImageError::IoError)
-        .and_then(|bytes| radiance_file::decode(&bytes, path));
-    let (picture, note) =
-        decoded.map_err(|why| EnvironmentFileError::Unreadable(path.to_owned(), why))?;
-    let picture = picture.into_rgb32f();
-    let (width, height) = (picture.width() as usize, picture.height() as usize);
-    let texels = picture
-        .pixels()
-        .map(|p| Spectrum::from(p.0.map(f64::from)))
-        .collect();
+    let unreadable = |why| EnvironmentFileError::Unreadable(path.to_owned(), why);
+    let bytes = std::fs::read(path).map_err(|why| unreadable(why.to_string()))?;
+    let decoded = picture_files::decode(&bytes, path);
+    let Picture { size, pixels, note } = decoded.map_err(|why| unreadable(why.to_string()))?;
+    let Pixels::Linear(pixels) = pixels else {
+        let why = "it has colours of a display, no radiance, whatever its name ends in";
+        return Err(unreadable(why.to_owned()));
+    };
+    let [width, height] = size.map(|length| length as usize);
+    let texels = pixels.iter().map(|p| Spectrum::from(p.map(f64::from)));
+    let texels = texels.collect();
     let environment = Environment::new(width, height, texels)
         .map_err(|why| EnvironmentFileError::Invalid(path.to_owned(), why))?;
     Ok((

@@ -3,6 +3,7 @@
 use crate::textures::Textures;
 use crate::{Accel, Counters, Job, Rendered};
 use kit::{Hit, Material, Scene, Spectrum, Vec2, Vec3};
+use picture_files::{Channel, Values};
 use raygen::generate_ray;
 use rayon::prelude::*;
 
@@ -73,24 +74,6 @@ pub fn features(scene: &Scene, textures: &Textures, accel: &Accel, job: &Job) ->
             })
         })
         .collect()
-}
-
-/// A channel of an `.exr` file.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Channel {
-    /// Its name: `layer.channel`, as other programs expect; `R`, `G`, `B` for the picture itself.
-    pub name: &'static str,
-    /// Its values, row by row from the top left.
-    pub values: Values,
-}
-
-/// The values of a channel.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Values {
-    /// Floating-point values.
-    Float(Vec<f32>),
-    /// Numbers of primitives.
-    Id(Vec<u32>),
 }
 
 /// The channels of the picture, its features, and the variance of the luminances of each pixel's

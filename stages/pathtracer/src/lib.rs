@@ -4,10 +4,10 @@
 //! or a tree), [`normals`] and [`lit`] (from pixel to radiance), `integrator` and `packet` (scalar
 //! paths, and paths in packets of eight), [`pixel_contents`] (where there is nothing to hit),
 //! `materials` (scattering), `clamp` (fireflies), [`textures`], [`lens`] and [`environment_file`]
-//! (what flags add to a scene), `radiance_file` (picture files that are read), [`mod@darkness`]
+//! (what flags add to a scene), [`mod@darkness`]
 //! (why a picture is black), [`trial`] (whether the stages for a picture are written), [`rendered`]
-//! (a job and its result), [`layers`] (albedo, normal, depth), [`layer_file`] (any layers of a
-//! file), [`lobe`] (scattering at a point, for drawings), [`progressive`] (rendering that can be
+//! (a job and its result), [`layers`] (albedo, normal, depth),
+//! [`lobe`] (scattering at a point, for drawings), [`progressive`] (rendering that can be
 //! stopped and resumed) and [`passes`] (how many samples each pass takes), [`tone`],
 //! [`rate_picture`](mod@rate_picture), [`output`] and [`part_file`] (picture files), [`exact_sum`],
 //! [`sums_file`] and [`merge`](mod@merge) (parts of a picture), [`mitsuba`] (export for another
@@ -21,7 +21,6 @@ pub mod environment_file;
 pub mod exact_sum;
 mod integrator;
 mod lamp_edge;
-pub mod layer_file;
 pub mod layers;
 pub mod lens;
 pub mod lit;
@@ -37,7 +36,6 @@ pub mod passes;
 pub mod picture;
 pub mod pixel_contents;
 pub mod progressive;
-mod radiance_file;
 pub mod rate_picture;
 pub mod rendered;
 pub mod replay;

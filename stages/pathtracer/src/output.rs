@@ -1,20 +1,13 @@
 //! Picture files: tone-mapped PNG, EXR and HDR with linear radiance.
 
-use crate::layers::{Channel, Values};
 use crate::part_file::PartFile;
 use crate::rate_picture::{Bytes, RateScale, rate_picture};
 use crate::tone::Tone;
-use exr::image::write::WritableImage;
-use exr::image::{AnyChannel, AnyChannels, FlatSamples, Image};
-use exr::prelude::SmallVec;
-use image::Rgb;
-use image::codecs::hdr::HdrEncoder;
-use image::codecs::png::PngEncoder;
-use image::{ExtendedColorType, ImageEncoder, ImageError};
 use kit::Film;
 use kit::film::Cell;
+use picture_files::{Channel, ImageError, Values, write_exr, write_hdr, write_png};
 use std::fmt;
-use std::io::{self, BufWriter, Write};
+use std::io;
 use std::path::{Path, PathBuf};
 
 /// The formats of picture files.
@@ -111,14 +104,7 @@ impl Output {
 
     /// Writes the channels of a picture of `w` x `h` pixels as one `.exr`.
     pub fn write_channels(self, channels: Vec<Channel>, w: u32, h: u32) -> Result<(), OutputError> {
-        let channels = channels.into_iter().map(|channel| {
-            let samples = match channel.values {
-                Values::Float(values) => FlatSamples::F32(values),
-                Values::Id(values) => FlatSamples::U32(values),
-            };
-            AnyChannel::new(channel.name, samples)
-        });
-        self.encode_exr(w, h, channels.collect())
+        write_exr(self.part.file(), channels, [w, h])
             .and_then(|()| self.part.finish())
             .map_err(|why| OutputError::NotWritable(self.part.path().to_owned(), why))
     }
@@ -132,8 +118,7 @@ impl Output {
     /// Writes a picture of bytes as `.png`, whatever the name ends in.
     pub fn write_bytes(self, picture: &Bytes) -> Result<(), OutputError> {
         let Bytes { w, h, rgb } = picture;
-        let png = PngEncoder::new(BufWriter::new(self.part.file()));
-        png.write_image(rgb, *w, *h, ExtendedColorType::Rgb8)
+        write_png(self.part.file(), rgb, [*w, *h])
             .and_then(|()| Ok(self.part.finish()?))
             .map_err(|why| OutputError::Failed(self.part.path().to_owned(), why))
     }
@@ -144,42 +129,26 @@ impl Output {
         let radiance = (cell.y0..cell.y1)
             .rev()
             .flat_map(|y| (cell.x0..cell.x1).map(move |x| film.get(x, y).radiance));
-        let mut file = BufWriter::new(self.part.file());
+        let (file, size) = (self.part.file(), [w, h]);
         match self.format {
             Format::Png => {
                 let bytes: Vec<u8> = radiance.flat_map(|c| self.tone.to_bytes(c)).collect();
-                PngEncoder::new(&mut file).write_image(&bytes, w, h, ExtendedColorType::Rgb8)?;
+                write_png(file, &bytes, size)
             }
             Format::Hdr => {
-                let pixels: Vec<Rgb<f32>> = radiance
-                    .map(|c| Rgb(c.to_array().map(|c| c as f32)))
-                    .collect();
-                HdrEncoder::new(&mut file).encode(&pixels, w as usize, h as usize)?;
+                let pixels: Vec<[f32; 3]> =
+                    radiance.map(|c| c.to_array().map(|c| c as f32)).collect();
+                write_hdr(file, &pixels, size)
             }
             Format::Exr => {
-                let channels = ["R", "G", "B"].iter().enumerate().map(|(i, &name)| {
+                let channel = |(i, &name): (usize, &&'static str)| {
                     let values = radiance.clone().map(|c| c.to_array()[i] as f32);
-                    AnyChannel::new(name, FlatSamples::F32(values.collect()))
-                });
-                self.encode_exr(w, h, channels.collect())?;
+                    let values = Values::Float(values.collect());
+                    Channel { name, values }
+                };
+                let channels = ["R", "G", "B"].iter().enumerate().map(channel);
+                Ok(write_exr(file, channels.collect(), size)?)
             }
         }
-        Ok(file.flush()?)
-    }
-
-    /// Encodes the blocks in order, on one thread, so that equal pictures are equal files.
-    fn encode_exr(
-        &self,
-        w: u32,
-        h: u32,
-        channels: SmallVec<[AnyChannel<FlatSamples>; 4]>,
-    ) -> io::Result<()> {
-        let size = (w as usize, h as usize);
-        Image::from_channels(size, AnyChannels::sort(channels))
-            .write()
-            .non_parallel()
-            // The encoder seeks back to write the offsets of the blocks.
-            .to_buffered(self.part.file())
-            .map_err(|why| io::Error::other(why.to_string()))
     }
 }

@@ -1,9 +1,9 @@
 //! Loads the textures of a scene and looks them up.
 
-use crate::{radiance_file, texture_file};
-use image::{DynamicImage, ImageError};
+use crate::texture_file;
 use kit::math::pow;
 use kit::{Hit, Scene, Spectrum, Texture, Vec2};
+use picture_files::{ImageError, Picture, Pixels};
 use std::fmt;
 use std::path::{Path, PathBuf};
 
@@ -136,23 +136,21 @@ fn decode(bytes: &[u8], path: &Path) -> Result<(Texture, Option<String>), String
         ImageError::IoError(why) => why.to_string(),
         other => format!("{other} (png, jpg, bmp, tga, exr and hdr can be read)"),
     };
-    let reader = radiance_file::open(bytes, path).map_err(describe)?;
-    let (width, height) = reader.into_dimensions().map_err(describe)?;
+    let (width, height) = picture_files::dimensions(bytes, path).map_err(describe)?;
     if u64::from(width) * u64::from(height) > MAX_TEXELS {
         return Err(format!(
             "it has {width} x {height} texels, more than {MAX_TEXELS}: make it smaller"
         ));
     }
-    let (picture, note) = radiance_file::decode(bytes, path).map_err(describe)?;
-    let texture = Texture::new(width as usize, texels(&picture));
+    let Picture { pixels, note, .. } = picture_files::decode(bytes, path).map_err(describe)?;
+    let texture = Texture::new(width as usize, texels(&pixels));
     Ok((texture.ok_or("it is empty")?, note))
 }
 
-/// Linear reflectances in [0, 1], row by row from the top left. Bytes are sRGB; values of exr and
-/// hdr files are linear.
-fn texels(picture: &DynamicImage) -> Vec<Spectrum> {
-    match picture {
-        DynamicImage::ImageRgb32F(_) | DynamicImage::ImageRgba32F(_) => {
+/// Linear reflectances in [0, 1].
+fn texels(pixels: &Pixels) -> Vec<Spectrum> {
+    match pixels {
+        Pixels::Linear(pixels) => {
             let linear = |channel: f32| {
                 if channel > 0.0 {
                     f64::from(channel).min(1.0)
@@ -160,19 +158,13 @@ fn texels(picture: &DynamicImage) -> Vec<Spectrum> {
                     0.0
                 }
             };
-            let pixels = picture.to_rgb32f();
-            pixels
-                .pixels()
-                .map(|p| Spectrum::from(p.0.map(linear)))
-                .collect()
+            let texel = |p: &[f32; 3]| Spectrum::from(p.map(linear));
+            pixels.iter().map(texel).collect()
         }
-        _ => {
+        Pixels::Srgb(pixels) => {
             let linear: Vec<f64> = (0..=u8::MAX).map(from_srgb).collect();
-            let pixels = picture.to_rgb8();
-            pixels
-                .pixels()
-                .map(|p| Spectrum::from(p.0.map(|byte| linear[usize::from(byte)])))
-                .collect()
+            let texel = |p: &[u8; 3]| Spectrum::from(p.map(|byte| linear[usize::from(byte)]));
+            pixels.iter().map(texel).collect()
         }
     }
 }
@@ -207,11 +199,10 @@ mod tests {
         let folder = tempfile::tempdir().expect("a folder");
         let model = folder.path().join("a.glb");
         std::fs::write(&model, "no image").expect("a file");
-        let mut png = Vec::new();
-        let red =
-            DynamicImage::ImageRgb8(image::RgbImage::from_pixel(1, 1, image::Rgb([255, 0, 0])));
-        red.write_to(&mut std::io::Cursor::new(&mut png), image::ImageFormat::Png)
-            .expect("a PNG");
+        let red = folder.path().join("red.png");
+        let file = std::fs::File::create(&red).expect("a file");
+        picture_files::write_png(&file, &[255, 0, 0], [1, 1]).expect("a PNG");
+        let png = std::fs::read(&red).expect("a PNG");
         let name = format!("image 0 of {}", model.display());
         let mut scene = Scene::default();
         scene.textures.add_material(Some(name.clone()));

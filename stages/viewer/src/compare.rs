@@ -3,6 +3,7 @@
 use crate::picture_layer::Layer;
 use kit::{Film, FilmSize};
 use pathtracer::{SumsFile, tone};
+use picture_files::Pixels;
 use pictures::Image;
 use std::path::Path;
 
@@ -46,33 +47,20 @@ impl Reference {
             let sums = SumsFile::read(path).map_err(|why| format!("{name} {why}"))?;
             return Ok(Reference::of_film(&name.to_string(), &sums.film()));
         }
-        let picture = image::open(path).map_err(|why| format!("{}: {why}", path.display()))?;
-        let size = FilmSize {
-            w: picture.width(),
-            h: picture.height(),
-        };
-        let is_linear = matches!(
-            picture,
-            image::DynamicImage::ImageRgb32F(_) | image::DynamicImage::ImageRgba32F(_)
-        );
-        // Rows of a file start at the top.
-        let from_bottom = (0..size.h)
-            .rev()
-            .flat_map(|y| (0..size.w).map(move |x| (x, y)));
-        let linear = is_linear.then(|| {
-            let picture = picture.to_rgb32f();
-            let pixel = |(x, y)| picture.get_pixel(x, y).0.map(f64::from);
-            from_bottom.clone().map(pixel).collect::<Vec<_>>()
-        });
-        let bytes = match &linear {
-            Some(linear) => linear.iter().map(|&c| tone::to_bytes(c.into())).collect(),
-            None => {
-                let picture = picture.to_rgb8();
-                from_bottom
-                    .map(|(x, y)| picture.get_pixel(x, y).0)
-                    .collect()
+        let bytes = std::fs::read(path).map_err(|why| format!("{name}: {why}"))?;
+        let picture =
+            picture_files::decode(&bytes, path).map_err(|why| format!("{name}: {why}"))?;
+        let [w, h] = picture.size;
+        let (linear, bytes) = match picture.pixels {
+            Pixels::Linear(pixels) => {
+                let pixels = from_bottom(&pixels, w).map(|c| c.map(f64::from));
+                let linear: Vec<[f64; 3]> = pixels.collect();
+                let bytes = linear.iter().map(|&c| tone::to_bytes(c.into())).collect();
+                (Some(linear), bytes)
             }
+            Pixels::Srgb(pixels) => (None, from_bottom(&pixels, w).collect()),
         };
+        let size = FilmSize { w, h };
         Ok(Reference {
             name: path.display().to_string(),
             size,
@@ -105,6 +93,11 @@ impl Reference {
     pub fn get(&self, x: u32, y: u32) -> [u8; 3] {
         self.bytes[y as usize * self.size.w as usize + x as usize]
     }
+}
+
+/// The pixels of a file, whose rows of `w` start at the top, with the rows from the bottom.
+fn from_bottom<P: Copy>(pixels: &[P], w: u32) -> impl Iterator<Item = P> {
+    pixels.chunks(w as usize).rev().flatten().copied()
 }
 
 /// How much two pictures of one size differ.

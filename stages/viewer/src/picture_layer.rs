@@ -1,9 +1,9 @@
 //! The layers of an `.exr` file beside its picture: normals, depths, numbers of primitives.
 
 use kit::FilmSize;
-use pathtracer::layer_file::{FileLayer, read_layers};
 use pathtracer::rate_picture::viridis;
 use pathtracer::tone::Tone;
+use picture_files::{FileLayer, read_layers};
 use std::path::Path;
 
 /// A layer.

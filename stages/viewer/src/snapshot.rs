@@ -7,11 +7,8 @@ use crate::session::{Mode, Session};
 use crate::tree_walk::Side;
 use clap::ValueEnum;
 use egui::{Color32, ColorImage, Context, Pos2, RawInput, Rect, Vec2};
-use image::codecs::png::PngEncoder;
-use image::{ExtendedColorType, ImageEncoder};
 use kit::Vec2 as Point;
 use pathtracer::PartFile;
-use std::io::{BufWriter, Write};
 use std::path::Path;
 
 /// What a snapshot shows.
@@ -152,13 +149,8 @@ pub fn write(path: &Path, picture: &ColorImage) -> Result<(), String> {
         .iter()
         .flat_map(|pixel| [pixel.r(), pixel.g(), pixel.b()])
         .collect();
-    let [width, height] = picture.size.map(|size| size as u32);
     let part = PartFile::create(path).map_err(|why| failed(&why))?;
-    let mut file = BufWriter::new(part.file());
-    PngEncoder::new(&mut file)
-        .write_image(&bytes, width, height, ExtendedColorType::Rgb8)
-        .map_err(|why| failed(&why))?;
-    file.flush().map_err(|why| failed(&why))?;
-    drop(file);
+    let size = picture.size.map(|size| size as u32);
+    picture_files::write_png(part.file(), &bytes, size).map_err(|why| failed(&why))?;
     part.finish().map_err(|why| failed(&why))
 }

@@ -1,4 +1,4 @@
-//! Reads picture files: also what `image` leaves to its callers in `.hdr` and `.exr` files.
+//! Reads pictures: also what `image` leaves to its callers in `.hdr` and `.exr` files.
 
 use exr::meta::MetaData;
 use image::codecs::hdr::HdrDecoder;
@@ -6,24 +6,56 @@ use image::{DynamicImage, ImageFormat, ImageReader, ImageResult};
 use std::io::Cursor;
 use std::path::Path;
 
-/// The picture in these bytes of the file `path`, and what is to be said about it. `.hdr` and
-/// `.exr` files have linear values, those of other formats are sRGB.
+/// A picture file's content.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Picture {
+    /// Width and height.
+    pub size: [u32; 2],
+    /// The pixels row by row from the top left.
+    pub pixels: Pixels,
+    /// What is to be said about the file.
+    pub note: Option<String>,
+}
+
+/// The colours of a picture.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Pixels {
+    /// sRGB bytes.
+    Srgb(Vec<[u8; 3]>),
+    /// Linear values, of `.exr` and `.hdr` files.
+    Linear(Vec<[f32; 3]>),
+}
+
+/// The picture in these bytes of the file `path`.
 ///
 /// The values of an `.hdr` file are divided by its `EXPOSURE` and `COLORCORR`, as its format says:
 /// the results are radiances. Of an `.exr` file with several parts the first one with colours is
-/// used, which the sentence says.
-pub(crate) fn decode(bytes: &[u8], path: &Path) -> ImageResult<(DynamicImage, Option<String>)> {
+/// used, which the note says.
+pub fn decode(bytes: &[u8], path: &Path) -> ImageResult<Picture> {
     let reader = open(bytes, path)?;
-    match reader.format() {
-        Some(ImageFormat::Hdr) => Ok((decode_hdr(bytes)?, None)),
-        Some(ImageFormat::OpenExr) => Ok((reader.decode()?, several_parts(bytes))),
-        _ => Ok((reader.decode()?, None)),
-    }
+    let (picture, note) = match reader.format() {
+        Some(ImageFormat::Hdr) => (decode_hdr(bytes)?, None),
+        Some(ImageFormat::OpenExr) => (reader.decode()?, several_parts(bytes)),
+        _ => (reader.decode()?, None),
+    };
+    let size = [picture.width(), picture.height()];
+    let pixels = match picture {
+        DynamicImage::ImageRgb32F(_) | DynamicImage::ImageRgba32F(_) => {
+            Pixels::Linear(picture.into_rgb32f().pixels().map(|p| p.0).collect())
+        }
+        _ => Pixels::Srgb(picture.into_rgb8().pixels().map(|p| p.0).collect()),
+    };
+    Ok(Picture { size, pixels, note })
+}
+
+/// Width and height of that picture, without decoding it.
+pub fn dimensions(bytes: &[u8], path: &Path) -> ImageResult<(u32, u32)> {
+    open(bytes, path)?.into_dimensions()
 }
 
 /// A reader of the format that the bytes begin with, else that of the extension: `.tga` files begin
 /// with nothing of their own.
-pub(crate) fn open<'b>(bytes: &'b [u8], path: &Path) -> ImageResult<ImageReader<Cursor<&'b [u8]>>> {
+fn open<'b>(bytes: &'b [u8], path: &Path) -> ImageResult<ImageReader<Cursor<&'b [u8]>>> {
     let mut reader = ImageReader::new(Cursor::new(bytes)).with_guessed_format()?;
     if let (None, Ok(format)) = (reader.format(), ImageFormat::from_path(path)) {
         reader.set_format(format);

@@ -7,9 +7,6 @@ use picture_files::{ImageError, Picture, Pixels};
 use std::fmt;
 use std::path::{Path, PathBuf};
 
-/// The largest number of texels of one texture: with 24 bytes each, 1.6 GB.
-const MAX_TEXELS: u64 = 1 << 26;
-
 /// The textures of a scene, in the order of [`TextureMap::files`](kit::texture::TextureMap::files).
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Textures {
@@ -136,14 +133,8 @@ fn decode(bytes: &[u8], path: &Path) -> Result<(Texture, Option<String>), String
         ImageError::IoError(why) => why.to_string(),
         other => format!("{other} (png, jpg, bmp, tga, exr and hdr can be read)"),
     };
-    let (width, height) = picture_files::dimensions(bytes, path).map_err(describe)?;
-    if u64::from(width) * u64::from(height) > MAX_TEXELS {
-        return Err(format!(
-            "it has {width} x {height} texels, more than {MAX_TEXELS}: make it smaller"
-        ));
-    }
-    let Picture { pixels, note, .. } = picture_files::decode(bytes, path).map_err(describe)?;
-    let texture = Texture::new(width as usize, texels(&pixels));
+    let Picture { size, pixels, note } = picture_files::decode(bytes, path).map_err(describe)?;
+    let texture = Texture::new(size[0] as usize, texels(&pixels));
     Ok((texture.ok_or("it is empty")?, note))
 }
 

@@ -1,9 +1,9 @@
 //! Reads pictures: also what `image` leaves to its callers in `.hdr` and `.exr` files.
 
-use exr::meta::MetaData;
+use crate::exr_file;
 use image::codecs::hdr::HdrDecoder;
-use image::{DynamicImage, ImageFormat, ImageReader, ImageResult};
-use std::io::Cursor;
+use image::{DynamicImage, ImageError, ImageFormat, ImageReader, ImageResult};
+use std::io::{self, Cursor};
 use std::path::Path;
 
 /// A picture file's content.
@@ -26,31 +26,45 @@ pub enum Pixels {
     Linear(Vec<[f32; 3]>),
 }
 
-/// The picture in these bytes of the file `path`.
+/// The most pixels of a picture.
+const MAX_PIXELS: u64 = 1 << 26;
+
+/// The picture in these bytes of the file `path`, of at most 2^26 pixels.
 ///
 /// The values of an `.hdr` file are divided by its `EXPOSURE` and `COLORCORR`, as its format says:
 /// the results are radiances. Of an `.exr` file with several parts the first one with colours is
 /// used, which the note says.
 pub fn decode(bytes: &[u8], path: &Path) -> ImageResult<Picture> {
     let reader = open(bytes, path)?;
-    let (picture, note) = match reader.format() {
-        Some(ImageFormat::Hdr) => (decode_hdr(bytes)?, None),
-        Some(ImageFormat::OpenExr) => (reader.decode()?, several_parts(bytes)),
-        _ => (reader.decode()?, None),
+    let format = reader.format();
+    let is_exr = format == Some(ImageFormat::OpenExr);
+    let (w, h) = match is_exr {
+        true => exr_file::dimensions(bytes)?,
+        false => reader.into_dimensions()?,
     };
-    let size = [picture.width(), picture.height()];
-    let pixels = match picture {
-        DynamicImage::ImageRgb32F(_) | DynamicImage::ImageRgba32F(_) => {
-            Pixels::Linear(picture.into_rgb32f().pixels().map(|p| p.0).collect())
+    if u64::from(w) * u64::from(h) > MAX_PIXELS {
+        return Err(invalid(format!(
+            "it has {w} x {h} pixels, more than {MAX_PIXELS}: make it smaller"
+        )));
+    }
+    if is_exr {
+        return exr_file::decode(bytes);
+    }
+    let pixels = match format {
+        Some(ImageFormat::Hdr) => Pixels::Linear(decode_hdr(bytes)?),
+        _ => {
+            let picture = open(bytes, path)?.decode()?;
+            Pixels::Srgb(picture.into_rgb8().as_chunks().0.to_vec())
         }
-        _ => Pixels::Srgb(picture.into_rgb8().pixels().map(|p| p.0).collect()),
     };
+    let size = [w, h];
+    let note = None;
     Ok(Picture { size, pixels, note })
 }
 
-/// Width and height of that picture, without decoding it.
-pub fn dimensions(bytes: &[u8], path: &Path) -> ImageResult<(u32, u32)> {
-    open(bytes, path)?.into_dimensions()
+/// The error that a file cannot be used.
+pub(crate) fn invalid(why: impl ToString) -> ImageError {
+    ImageError::IoError(io::Error::new(io::ErrorKind::InvalidData, why.to_string()))
 }
 
 /// A reader of the format that the bytes begin with, else that of the extension: `.tga` files begin
@@ -63,40 +77,19 @@ fn open<'b>(bytes: &'b [u8], path: &Path) -> ImageResult<ImageReader<Cursor<&'b 
     Ok(reader)
 }
 
-fn decode_hdr(bytes: &[u8]) -> ImageResult<DynamicImage> {
+fn decode_hdr(bytes: &[u8]) -> ImageResult<Vec<[f32; 3]>> {
     let decoder = HdrDecoder::new(Cursor::new(bytes))?;
     let header = decoder.metadata();
     let exposure = header.exposure.unwrap_or(1.0);
     let (r, g, b) = header.color_correction.unwrap_or((1.0, 1.0, 1.0));
-    let mut picture = DynamicImage::from_decoder(decoder)?.into_rgb32f();
+    let picture = DynamicImage::from_decoder(decoder)?.into_rgb32f();
+    let mut pixels = picture.as_chunks().0.to_vec();
     if [exposure, r, g, b] != [1.0; 4] {
-        for pixel in picture.pixels_mut() {
-            for (channel, correction) in pixel.0.iter_mut().zip([r, g, b]) {
+        for pixel in &mut pixels {
+            for (channel, correction) in pixel.iter_mut().zip([r, g, b]) {
                 *channel /= exposure * correction;
             }
         }
     }
-    Ok(DynamicImage::ImageRgb32F(picture))
-}
-
-/// If an `.exr` file has several parts: which one is used.
-fn several_parts(bytes: &[u8]) -> Option<String> {
-    let headers = MetaData::read_from_buffered(bytes, false).ok()?.headers;
-    if headers.len() < 2 {
-        return None;
-    }
-    let has_colors = |header: &exr::meta::header::Header| {
-        let names = header.channels.list.iter().map(|channel| &channel.name);
-        ["R", "G", "B"]
-            .iter()
-            .all(|color| names.clone().any(|name| name.eq(color)))
-    };
-    let used = headers.iter().position(has_colors)?;
-    let layer = headers[used].own_attributes.layer_name.as_ref();
-    let name = layer.map_or(String::new(), |layer| format!(", `{layer}`"));
-    Some(format!(
-        "the file has {} parts; using the first one with R, G and B: number {}{name}",
-        headers.len(),
-        used + 1
-    ))
+    Ok(pixels)
 }

@@ -1,0 +1,173 @@
+//! Reads `.exr` files: the picture, or all layers.
+
+use crate::read::{Picture, Pixels, invalid};
+use exr::image::{FlatImage, FlatSamples};
+use exr::meta::header::Header;
+use exr::prelude::{ReadChannels, ReadLayers, read};
+use image::ImageResult;
+use std::fmt;
+use std::io::Cursor;
+use std::path::Path;
+
+/// The channels of an `.exr` file whose names start alike.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FileLayer {
+    /// What stands before the last dot of the channels' names, after the name of the file's part if
+    /// it has one; empty for the picture itself.
+    pub name: String,
+    /// Width and height.
+    pub size: [u32; 2],
+    /// What stands after the dot of each channel, and its values row by row from the top left.
+    pub channels: Vec<(String, Vec<f32>)>,
+}
+
+/// Reads all layers of a file, in their order. The error is a sentence.
+pub fn read_layers(path: &Path) -> Result<Vec<FileLayer>, String> {
+    let failed = |why: &dyn fmt::Display| format!("{}: {why}", path.display());
+    let bytes = std::fs::read(path).map_err(|why| failed(&why))?;
+    let image = parse(&bytes).map_err(|why| failed(&why))?;
+    let mut layers: Vec<FileLayer> = Vec::new();
+    for part in image.layer_data {
+        let size = [part.size.width() as u32, part.size.height() as u32];
+        let part_name = part.attributes.layer_name.as_ref();
+        let part_name = part_name.map(ToString::to_string).unwrap_or_default();
+        for channel in part.channel_data.list {
+            let whole = channel.name.to_string();
+            let (prefix, short) = whole.rsplit_once('.').unwrap_or(("", &whole));
+            let name = [part_name.as_str(), prefix]
+                .into_iter()
+                .filter(|name| !name.is_empty())
+                .collect::<Vec<_>>()
+                .join(".");
+            let values = (short.to_owned(), numbers(channel.sample_data));
+            match layers.iter_mut().find(|layer| layer.name == name) {
+                Some(layer) => layer.channels.push(values),
+                None => layers.push(FileLayer {
+                    name,
+                    size,
+                    channels: vec![values],
+                }),
+            }
+        }
+    }
+    Ok(layers)
+}
+
+/// Width and height of the picture: those of the display window.
+pub(crate) fn dimensions(bytes: &[u8]) -> ImageResult<(u32, u32)> {
+    let reader = exr::block::read(Cursor::new(bytes), false).map_err(invalid)?;
+    let (header, _) = with_colors(reader.headers())?;
+    let size = header.shared_attributes.display_window.size;
+    Ok((size.width() as u32, size.height() as u32))
+}
+
+/// The first part with colours, and which one that is if there are several. What is outside of its
+/// data window is black.
+pub(crate) fn decode(bytes: &[u8]) -> ImageResult<Picture> {
+    let reader = exr::block::read(Cursor::new(bytes), false).map_err(invalid)?;
+    let (header, number) = with_colors(reader.headers())?;
+    let note = (reader.headers().len() > 1).then(|| {
+        let layer = header.own_attributes.layer_name.as_ref();
+        let name = layer.map_or(String::new(), |layer| format!(", `{layer}`"));
+        format!(
+            "the file has {} parts; using the first one with R, G and B: number {}{name}",
+            reader.headers().len(),
+            number + 1
+        )
+    });
+    let mut image = parse(bytes).map_err(invalid)?;
+    let window = image.attributes.display_window;
+    let part = image.layer_data.swap_remove(number);
+    let [w, h] = [window.size.width(), window.size.height()];
+    let offset = part.attributes.layer_position - window.position;
+    let (left, top) = (i64::from(offset.x()), i64::from(offset.y()));
+    let mut pixels = vec![[0.0; 3]; w * h];
+    for channel in part.channel_data.list {
+        let color = ["R", "G", "B"]
+            .iter()
+            .position(|&name| channel.name.eq(name));
+        let Some(color) = color else { continue };
+        let values = numbers(channel.sample_data);
+        if values.len() != part.size.area() {
+            return Err(invalid("channels of fewer values than pixels are not read"));
+        }
+        for (row, y) in values.chunks(part.size.width()).zip(top..) {
+            for (value, x) in row.iter().zip(left..) {
+                if (0..w as i64).contains(&x) && (0..h as i64).contains(&y) {
+                    pixels[y as usize * w + x as usize][color] = *value;
+                }
+            }
+        }
+    }
+    Ok(Picture {
+        size: [w as u32, h as u32],
+        pixels: Pixels::Linear(pixels),
+        note,
+    })
+}
+
+/// The first part with colours, and its number.
+fn with_colors(headers: &[Header]) -> ImageResult<(&Header, usize)> {
+    let has_colors = |header: &Header| {
+        let names = header.channels.list.iter().map(|channel| &channel.name);
+        ["R", "G", "B"]
+            .iter()
+            .all(|color| names.clone().any(|name| name.eq(color)))
+    };
+    let number = headers.iter().position(has_colors);
+    let number = number.ok_or_else(|| invalid("it has no channels R, G and B"))?;
+    Ok((&headers[number], number))
+}
+
+fn parse(bytes: &[u8]) -> exr::error::Result<FlatImage> {
+    read()
+        .no_deep_data()
+        .largest_resolution_level()
+        .all_channels()
+        .all_layers()
+        .all_attributes()
+        .from_buffered(Cursor::new(bytes))
+}
+
+fn numbers(samples: FlatSamples) -> Vec<f32> {
+    match samples {
+        FlatSamples::F16(values) => values.into_iter().map(|value| value.to_f32()).collect(),
+        FlatSamples::F32(values) => values,
+        FlatSamples::U32(values) => values.into_iter().map(|value| value as f32).collect(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Channel, Values, write_exr};
+
+    #[test]
+    fn the_layers_that_are_written_are_read() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join("layers.exr");
+        let channel = |name, values| Channel { name, values };
+        let written = vec![
+            channel("R", Values::Float(vec![1.0, 2.0])),
+            channel("normal.X", Values::Float(vec![-0.5, 0.25])),
+            channel("normal.Y", Values::Float(vec![0.5, 0.75])),
+            channel("primitive.id", Values::Id(vec![7, 9])),
+        ];
+        let file = std::fs::File::create(&path).expect("a file");
+        write_exr(&file, written, [2, 1]).expect("a file");
+        let layers = read_layers(&path).expect("layers");
+        let names: Vec<&str> = layers.iter().map(|layer| layer.name.as_str()).collect();
+        assert_eq!(names, ["", "normal", "primitive"]);
+        assert_eq!(layers[1].size, [2, 1]);
+        let expected = [("X", [-0.5, 0.25]), ("Y", [0.5, 0.75])];
+        let expected = expected.map(|(name, values)| (name.to_owned(), values.to_vec()));
+        assert_eq!(layers[1].channels, expected);
+        assert_eq!(layers[2].channels[0].1, [7.0, 9.0]);
+    }
+
+    #[test]
+    fn a_file_that_is_none_is_named() {
+        let why = read_layers(Path::new("no_such.exr")).expect_err("no file");
+        assert!(why.contains("no_such.exr"), "{why}");
+    }
+}

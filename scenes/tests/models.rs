@@ -671,8 +671,8 @@ fn obj_normals_are_smooth_within_a_group() {
     }
 }
 
-/// A square, a curved cloth and one with hills and crooked squares, with faces of both sides on the same vertices: the normals of the
-/// sides cancel, so each side has its own.
+/// A square, a curved cloth and one with hills and crooked squares, with faces of both sides on the
+/// same vertices: the normals of the sides cancel, so each side has its own.
 #[test]
 fn faces_of_both_sides_have_normals_of_their_own() {
     let cloth = |size: u32, hills: f64| {

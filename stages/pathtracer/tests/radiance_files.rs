@@ -55,3 +55,19 @@ fn the_part_of_an_exr_file_that_is_used_is_named() {
     let expected = "the file has 3 parts; using the first one with R, G and B: number 2, `beauty`";
     assert!(note.ends_with(expected), "{note}");
 }
+
+/// Its colours are those of a display: no factor makes them radiance.
+#[test]
+fn a_picture_of_bytes_with_the_name_of_an_environment_is_refused() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("sky.hdr");
+    let file = fs::File::create(&path).expect("a file");
+    picture_files::write_png(&file, &[200; 6], [2, 1]).expect("a PNG");
+    let why = load_environment(&path)
+        .expect_err("no radiance")
+        .to_string();
+    assert!(
+        why.contains("sky.hdr") && why.contains("no radiance"),
+        "{why}"
+    );
+}

@@ -239,7 +239,6 @@ fn tree(package: &[&str], format: &str) -> BTreeSet<String> {
     let output = Command::new(env!("CARGO"))
         .args([
             "tree",
-            "--offline",
             // In CI, `CARGO_TERM_COLOR` may say otherwise.
             "--color",
             "never",

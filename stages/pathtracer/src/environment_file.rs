@@ -56,8 +56,8 @@ pub fn load_environment(path: &Path) -> Result<LoadedEnvironment, EnvironmentFil
         return Err(unreadable(why.to_owned()));
     };
     let [width, height] = size.map(|length| length as usize);
-    let texels = pixels.iter().map(|p| Spectrum::from(p.map(f64::from)));
-    let texels = texels.collect();
+    let radiance = |texel: &[f32; 3]| Spectrum::from(texel.map(f64::from));
+    let texels = pixels.iter().map(radiance).collect();
     let environment = Environment::new(width, height, texels)
         .map_err(|why| EnvironmentFileError::Invalid(path.to_owned(), why))?;
     Ok((

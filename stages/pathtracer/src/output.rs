@@ -142,8 +142,8 @@ impl Output {
             }
             Format::Exr => {
                 let channel = |(i, &name): (usize, &&'static str)| {
-                    let values = radiance.clone().map(|c| c.to_array()[i] as f32);
-                    let values = Values::Float(values.collect());
+                    let color = radiance.clone().map(|c| c.to_array()[i] as f32);
+                    let values = Values::Float(color.collect());
                     Channel { name, values }
                 };
                 let channels = ["R", "G", "B"].iter().enumerate().map(channel);

@@ -114,8 +114,8 @@ fn with_colors(headers: &[Header]) -> ImageResult<(&Header, usize)> {
             .iter()
             .all(|color| names.clone().any(|name| name.eq(color)))
     };
-    let number = headers.iter().position(has_colors);
-    let number = number.ok_or_else(|| invalid("it has no channels R, G and B"))?;
+    let first = headers.iter().position(has_colors);
+    let number = first.ok_or_else(|| invalid("it has no channels R, G and B"))?;
     Ok((&headers[number], number))
 }
 

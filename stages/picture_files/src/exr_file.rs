@@ -56,7 +56,7 @@ pub fn read_layers(path: &Path) -> Result<Vec<FileLayer>, String> {
 /// Width and height of the picture: those of the display window.
 pub(crate) fn dimensions(bytes: &[u8]) -> ImageResult<(u32, u32)> {
     let reader = exr::block::read(Cursor::new(bytes), false).map_err(invalid)?;
-    let (header, _) = with_colors(reader.headers())?;
+    let (header, ..) = with_colors(reader.headers())?;
     let size = header.shared_attributes.display_window.size;
     Ok((size.width() as u32, size.height() as u32))
 }
@@ -65,13 +65,14 @@ pub(crate) fn dimensions(bytes: &[u8]) -> ImageResult<(u32, u32)> {
 /// data window is black.
 pub(crate) fn decode(bytes: &[u8]) -> ImageResult<Picture> {
     let reader = exr::block::read(Cursor::new(bytes), false).map_err(invalid)?;
-    let (header, number) = with_colors(reader.headers())?;
+    let (header, number, colors) = with_colors(reader.headers())?;
     let note = (reader.headers().len() > 1).then(|| {
         let layer = header.own_attributes.layer_name.as_ref();
         let name = layer.map_or(String::new(), |layer| format!(", `{layer}`"));
         format!(
-            "the file has {} parts; using the first one with R, G and B: number {}{name}",
+            "the file has {} parts; using the first one with {}: number {}{name}",
             reader.headers().len(),
+            if colors == GREY { "Y" } else { "R, G and B" },
             number + 1
         )
     });
@@ -83,10 +84,13 @@ pub(crate) fn decode(bytes: &[u8]) -> ImageResult<Picture> {
     let (left, top) = (i64::from(offset.x()), i64::from(offset.y()));
     let mut pixels = vec![[0.0; 3]; w * h];
     for channel in part.channel_data.list {
-        let color = ["R", "G", "B"]
-            .iter()
-            .position(|&name| channel.name.eq(name));
+        let color = colors.iter().position(|&name| channel.name.eq(name));
         let Some(color) = color else { continue };
+        let places = if colors == GREY {
+            0..3
+        } else {
+            color..color + 1
+        };
         let values = numbers(channel.sample_data);
         if values.len() != part.size.area() {
             return Err(invalid("channels of fewer values than pixels are not read"));
@@ -94,7 +98,7 @@ pub(crate) fn decode(bytes: &[u8]) -> ImageResult<Picture> {
         for (row, y) in values.chunks(part.size.width()).zip(top..) {
             for (value, x) in row.iter().zip(left..) {
                 if (0..w as i64).contains(&x) && (0..h as i64).contains(&y) {
-                    pixels[y as usize * w + x as usize][color] = *value;
+                    pixels[y as usize * w + x as usize][places.clone()].fill(*value);
                 }
             }
         }
@@ -106,17 +110,25 @@ pub(crate) fn decode(bytes: &[u8]) -> ImageResult<Picture> {
     })
 }
 
-/// The first part with colours, and its number.
-fn with_colors(headers: &[Header]) -> ImageResult<(&Header, usize)> {
-    let has_colors = |header: &Header| {
-        let names = header.channels.list.iter().map(|channel| &channel.name);
-        ["R", "G", "B"]
-            .iter()
-            .all(|color| names.clone().any(|name| name.eq(color)))
+/// The channels of colours, and that of a grey picture.
+const COLORS: &[&str] = &["R", "G", "B"];
+const GREY: &[&str] = &["Y"];
+
+/// The first part with colours, else the first grey one, its number and its channels. A part with
+/// `RY` is not grey: its `Y` belongs to colours that are not read.
+fn with_colors(headers: &[Header]) -> ImageResult<(&Header, usize, &'static [&'static str])> {
+    let has = |header: &Header, wanted: &str| {
+        let mut channels = header.channels.list.iter();
+        channels.any(|channel| channel.name.eq(wanted))
     };
-    let first = headers.iter().position(has_colors);
-    let number = first.ok_or_else(|| invalid("it has no channels R, G and B"))?;
-    Ok((&headers[number], number))
+    let found = [COLORS, GREY].into_iter().find_map(|colors| {
+        let of_part = |header: &Header| {
+            colors.iter().all(|color| has(header, color)) && !(colors == GREY && has(header, "RY"))
+        };
+        let number = headers.iter().position(of_part)?;
+        Some((&headers[number], number, colors))
+    });
+    found.ok_or_else(|| invalid("it has no channels R, G and B, and no Y alone"))
 }
 
 fn parse(bytes: &[u8]) -> exr::error::Result<FlatImage> {
@@ -163,6 +175,32 @@ mod tests {
         let expected = expected.map(|(name, values)| (name.to_owned(), values.to_vec()));
         assert_eq!(layers[1].channels, expected);
         assert_eq!(layers[2].channels[0].1, [7.0, 9.0]);
+    }
+
+    #[test]
+    fn grey_files_are_grey() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join("grey.exr");
+        let pixels = |names: &[&'static str]| {
+            let channel = |(i, &name): (usize, &&'static str)| {
+                let values = Values::Float(vec![i as f32, 0.25]);
+                Channel { name, values }
+            };
+            let channels = names.iter().enumerate().map(channel).collect();
+            let file = std::fs::File::create(&path).expect("a file");
+            write_exr(&file, channels, [2, 1]).expect("a file");
+            decode(&std::fs::read(&path).expect("a file")).map(|picture| picture.pixels)
+        };
+        let linear = |first: [f32; 3]| Pixels::Linear(vec![first, [0.25; 3]]);
+        assert_eq!(pixels(&["A", "Y"]).expect("grey"), linear([1.0; 3]));
+        assert_eq!(
+            pixels(&["B", "G", "R", "Y"]).expect("colours"),
+            linear([2.0, 1.0, 0.0])
+        );
+        for none in [["BY", "RY", "Y"], ["R", "G", "Z"]] {
+            let why = pixels(&none).expect_err("no colours").to_string();
+            assert!(why.contains("no channels R, G and B"), "{why}");
+        }
     }
 
     #[test]

@@ -1,4 +1,4 @@
-//! Words of the commands that programs print: a path may have blanks.
+//! Quotes paths for a shell, in commands that programs print.
 
 use std::path::Path;
 

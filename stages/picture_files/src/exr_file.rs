@@ -1,6 +1,6 @@
 //! Reads `.exr` files: the picture, or all layers.
 
-use crate::read::{Picture, Pixels, invalid};
+use crate::read::{Picture, Pixels, check_size, invalid};
 use exr::image::{FlatImage, FlatSamples};
 use exr::meta::header::Header;
 use exr::prelude::{ReadChannels, ReadLayers, read};
@@ -53,19 +53,14 @@ pub fn read_layers(path: &Path) -> Result<Vec<FileLayer>, String> {
     Ok(layers)
 }
 
-/// Width and height of the picture: those of the display window.
-pub(crate) fn dimensions(bytes: &[u8]) -> ImageResult<(u32, u32)> {
-    let reader = exr::block::read(Cursor::new(bytes), false).map_err(invalid)?;
-    let (header, ..) = with_colors(reader.headers())?;
-    let size = header.shared_attributes.display_window.size;
-    Ok((size.width() as u32, size.height() as u32))
-}
-
 /// The first part with colours, and which one that is if there are several. What is outside of its
 /// data window is black.
 pub(crate) fn decode(bytes: &[u8]) -> ImageResult<Picture> {
     let reader = exr::block::read(Cursor::new(bytes), false).map_err(invalid)?;
     let (header, number, colors) = with_colors(reader.headers())?;
+    let window = header.shared_attributes.display_window;
+    let (w, h) = (window.size.width(), window.size.height());
+    check_size(w as u32, h as u32)?;
     let note = (reader.headers().len() > 1).then(|| {
         let layer = header.own_attributes.layer_name.as_ref();
         let name = layer.map_or(String::new(), |layer| format!(", `{layer}`"));
@@ -77,9 +72,7 @@ pub(crate) fn decode(bytes: &[u8]) -> ImageResult<Picture> {
         )
     });
     let mut image = parse(bytes).map_err(invalid)?;
-    let window = image.attributes.display_window;
     let part = image.layer_data.swap_remove(number);
-    let [w, h] = [window.size.width(), window.size.height()];
     let offset = part.attributes.layer_position - window.position;
     let (left, top) = (i64::from(offset.x()), i64::from(offset.y()));
     let mut pixels = vec![[0.0; 3]; w * h];

@@ -37,19 +37,11 @@ const MAX_PIXELS: u64 = 1 << 26;
 pub fn decode(bytes: &[u8], path: &Path) -> ImageResult<Picture> {
     let reader = open(bytes, path)?;
     let format = reader.format();
-    let is_exr = format == Some(ImageFormat::OpenExr);
-    let (w, h) = match is_exr {
-        true => exr_file::dimensions(bytes)?,
-        false => reader.into_dimensions()?,
-    };
-    if u64::from(w) * u64::from(h) > MAX_PIXELS {
-        return Err(invalid(format!(
-            "it has {w} x {h} pixels, more than {MAX_PIXELS}: make it smaller"
-        )));
-    }
-    if is_exr {
+    if format == Some(ImageFormat::OpenExr) {
         return exr_file::decode(bytes);
     }
+    let (w, h) = reader.into_dimensions()?;
+    check_size(w, h)?;
     let pixels = match format {
         Some(ImageFormat::Hdr) => Pixels::Linear(decode_hdr(bytes)?),
         _ => {
@@ -60,6 +52,16 @@ pub fn decode(bytes: &[u8], path: &Path) -> ImageResult<Picture> {
     let size = [w, h];
     let note = None;
     Ok(Picture { size, pixels, note })
+}
+
+/// An error if a picture of `w` x `h` pixels is too large.
+pub(crate) fn check_size(w: u32, h: u32) -> ImageResult<()> {
+    if u64::from(w) * u64::from(h) > MAX_PIXELS {
+        return Err(invalid(format!(
+            "it has {w} x {h} pixels, more than {MAX_PIXELS}: make it smaller"
+        )));
+    }
+    Ok(())
 }
 
 /// The error that a file cannot be used.

@@ -9,8 +9,8 @@ pub(crate) fn own_scenes() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/dae")
 }
 
-/// The scene files in `folders`, those of the first folder first, each folder's sorted: wherever the
-/// folders lie, in the same order. There has to be at least one.
+/// The scene files in `folders`, those of the first folder first, each folder's sorted. The order
+/// does not depend on where the folders lie. There has to be at least one file.
 pub(crate) fn scene_files(folders: &[PathBuf]) -> Vec<PathBuf> {
     let mut files = Vec::new();
     for folder in folders {

@@ -54,6 +54,8 @@ pub struct LightSettings {
     pub soft_terminator: bool,
     /// The largest luminance of a sample's indirect light (`--clamp`).
     pub clamp: Option<f64>,
+    /// Whether neighbouring pixels share what their paths find (`--reuse-paths`).
+    pub reuse_paths: bool,
     /// Adaptive sampling: samples per batch and tolerance (`-a`).
     pub adaptive: Option<(u32, f64)>,
     /// The camera's lens.
@@ -76,6 +78,7 @@ impl Default for LightSettings {
             lamp_rays: 1,
             soft_terminator: false,
             clamp: None,
+            reuse_paths: false,
             adaptive: None,
             lens: Lens {
                 radius: 0.0,

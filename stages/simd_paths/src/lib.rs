@@ -42,6 +42,7 @@ mod packet;
 mod primitive_list;
 mod queue;
 mod ray_packet;
+mod reuse;
 mod samplers;
 mod shadow_queue;
 mod sin_cos;

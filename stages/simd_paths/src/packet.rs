@@ -93,6 +93,10 @@ impl<S: Simd> PathPacket<'_, S> {
                 let by_mirrors = (specular != 0 && bounce < self.settings.max_depth)
                     .then(|| self.scatter_specular(bounce, &surfaces, &ids, specular, memory));
                 let wo = -self.paths.d;
+                let mut first = 0;
+                if self.settings.reuses_paths {
+                    first = self.keep_vertices(bounce, &surfaces, hit, diffuse, memory);
+                }
                 if emissive != 0 {
                     let counts = f64x8::splat(simd, 0.5).simd_lt(self.paths.emission_counts);
                     let in_front = zero.simd_lt(wo.dot(surfaces.departure.ng));
@@ -112,6 +116,7 @@ impl<S: Simd> PathPacket<'_, S> {
                     }
                     if bounce < self.settings.max_depth {
                         survivors = self.scatter(bounce, &surfaces, wo_z, diffuse, memory);
+                        self.keep_throughputs(first, memory);
                     }
                 }
                 if let Some(scattered) = by_mirrors {

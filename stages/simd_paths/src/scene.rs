@@ -7,6 +7,7 @@ use crate::large::LargePrimitives;
 use crate::material_class::{MaterialClass, classify};
 use crate::primitive_list::{NearbyPrimitives, PrimitiveList, Scratch};
 use crate::queue::PathQueue;
+use crate::reuse::{self, Link};
 use crate::shadow_queue::ShadowQueue;
 use crate::specular::SpecularMaterial;
 use crate::trace;
@@ -66,6 +67,8 @@ pub struct PathSettings {
     pub soft_terminator: bool,
     /// Whether [`PathMemory::direct`] is set.
     pub keeps_direct: bool,
+    /// Whether pixels share what their paths find. [`PathMemory::direct`] must be set, too.
+    pub reuses_paths: bool,
 }
 
 /// The camera and the film.
@@ -127,6 +130,7 @@ pub struct PathMemory {
     pub(crate) shadows: ShadowQueue,
     pub(crate) traced: TracedRays,
     pub(crate) visible: VisiblePixels,
+    pub(crate) links: Vec<Link>,
     // END SOLUTION(part6.task2)
     /// The radiance of each path of the last call, in the order of its results, up to and including
     /// its first surface that is neither a mirror nor smooth glass, if a ray leaves this surface.
@@ -217,6 +221,10 @@ impl<'a> PathScene<'a> {
         if settings.keeps_direct {
             memory.direct.resize(radiance.len(), None);
         }
+        memory.links.clear();
+        if settings.reuses_paths {
+            memory.links.resize(radiance.len(), Link::default());
+        }
         dispatch!(self.level, simd => {
             let mut visible = mem::take(&mut memory.visible);
             visible.find(simd, self, view, starts, samples, memory, fallback);
@@ -230,6 +238,9 @@ impl<'a> PathScene<'a> {
                 trace::trace_paths(simd, self, settings, view, memory, fallback, &mut radiance);
             }
             memory.visible = visible;
+            if settings.reuses_paths {
+                reuse::share(simd, self, samples, memory, fallback, &mut radiance);
+            }
         });
         radiance
         // STUB: kit::hole!("part6.task2", self, view, settings, starts, samples, memory, fallback)

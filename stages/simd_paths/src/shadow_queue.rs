@@ -149,6 +149,11 @@ impl ShadowQueue {
         queue.count += active.count_ones() as usize;
     }
 
+    /// The first channel of the light of sample number `i`, and the lanes that it reaches.
+    pub(crate) fn sample(&self, i: usize) -> (&[f64; LANES], u64) {
+        (&self.samples[i].light[0], self.samples[i].lit)
+    }
+
     /// Traces all shadow rays. If `are_coherent`, rays to one emitter are likely to be close to
     /// each other.
     #[inline(never)]

@@ -23,6 +23,8 @@ pub(crate) struct SurfacePacket<S: Simd> {
     /// The reflectance if diffuse, the radiance if it emits.
     pub(crate) color: Vec3x8<S>,
     is_flat: mask64x8<S>,
+    /// Where `n` has been mirrored, because it faced away from the viewer.
+    turned: mask64x8<S>,
 }
 
 impl<S: Simd> SurfacePacket<S> {
@@ -55,6 +57,7 @@ impl<S: Simd> SurfacePacket<S> {
                     uv: hits.weights(),
                     color,
                     is_flat: hits.prim.simd_lt(f64x8::splat(simd, count as f64)),
+                    turned: mask64x8::splat(simd, false),
                 };
                 let flat = surfaces.is_flat.to_bitmask();
                 let mut sound = 0;
@@ -84,6 +87,7 @@ impl<S: Simd> SurfacePacket<S> {
         let faces_away = (along * self.departure.ng.dot(d)).simd_lt(zero);
         let turned = self.n - d * (along * 2.0);
         self.n = turned.masked_or(faces_away, self.n);
+        self.turned = faces_away;
     }
 
     /// Sets one lane to the surface at `hit`.
@@ -158,6 +162,11 @@ impl<S: Simd> SurfacePacket<S> {
             uv: Vec2::new(self.uv[0][lane], self.uv[1][lane]),
             prim: PrimId(self.prim[lane] as u32),
         }
+    }
+
+    /// Whether the shading normal in a lane depends on the viewer.
+    pub(crate) fn is_turned(&self, lane: usize) -> bool {
+        self.turned.to_bitmask() >> lane & 1 == 1
     }
 
     /// The origins of rays that leave along `w`, and the primitives that these rays skip.

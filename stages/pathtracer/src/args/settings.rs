@@ -104,6 +104,7 @@ impl Args {
             lamp_rays: self.lamp_rays,
             soft_terminator: self.soft_terminator,
             clamp: self.clamp,
+            reuse_paths: self.reuse_paths,
             adaptive: self.adaptive()?,
             lens: Lens {
                 radius: self.lens_radius,
@@ -204,6 +205,7 @@ impl Args {
             (self.lamp_rays != DEFAULT_LAMP_RAYS, "--lamp-rays"),
             (self.soft_terminator, "--soft-terminator"),
             (self.clamp.is_some(), "--clamp"),
+            (self.reuse_paths, "--reuse-paths"),
             (self.pixel.is_some(), "--pixel"),
             (self.shade == Shade::Normals, "--shade"),
             (self.seed != 0, "--seed"),
@@ -236,6 +238,7 @@ impl Args {
             (self.lamp_rays != DEFAULT_LAMP_RAYS, "--lamp-rays"),
             (self.soft_terminator, "--soft-terminator"),
             (self.clamp.is_some(), "--clamp"),
+            (self.reuse_paths, "--reuse-paths"),
             (self.lens_radius > 0.0, "--lens-radius"),
             (self.time.is_some(), "--time"),
             (self.error.is_some(), "--error"),

@@ -3,6 +3,7 @@
 //! The stage [`simd_paths`] traces the packets. For what it does not handle it calls
 //! [`Fallback`], which is the scalar [`PathIntegrator`].
 
+mod blocks;
 mod fallback;
 
 use crate::clamp::clamp_indirect;
@@ -85,7 +86,9 @@ impl<'a> PacketRenderer<'a> {
                 min_bounces: settings.roulette.then_some(MIN_BOUNCES),
                 roulette_factor: settings.roulette_factor,
                 soft_terminator: settings.soft_terminator,
-                keeps_direct: settings.clamp.is_some() && settings.max_depth > 1,
+                keeps_direct: settings.max_depth > 1
+                    && (settings.clamp.is_some() || settings.reuse_paths),
+                reuses_paths: settings.max_depth > 1 && settings.reuse_paths,
             },
         })
     }
@@ -100,7 +103,10 @@ impl<'a> PacketRenderer<'a> {
         tiles::render_tiles(
             tiles,
             || PathIntegrator::new(self.lit, self.textures, self.accel, self.settings),
-            |integrator, tile| self.tile(integrator, tile, stop),
+            |integrator, tile| match self.paths.reuses_paths {
+                true => self.tile_in_blocks(integrator, tile, stop),
+                false => self.tile(integrator, tile, stop),
+            },
             |tile, pixels, integrator| finish(integrator.into_tile(tile, pixels)),
         )
     }
@@ -225,6 +231,9 @@ impl<'a> PacketRenderer<'a> {
             }
         }
         for (start, samples) in pixels.iter_mut().zip(samples.chunks_mut(count as usize)) {
+            if blocks::place_in(self.job.cell, start.pixel).is_none() {
+                continue;
+            }
             if let Some(edge) = integrator.lamp_edge(self.job, self.contents, start.pixel) {
                 edge.smooth_all(integrator, &start.sampler, samples);
             }

@@ -54,7 +54,8 @@ pub struct LightSettings {
     pub soft_terminator: bool,
     /// The largest luminance of a sample's indirect light (`--clamp`).
     pub clamp: Option<f64>,
-    /// Whether neighbouring pixels share what their paths find (`--reuse-paths`).
+    /// Whether neighbouring pixels share what their paths find (`--reuse-paths`): see
+    /// [`LightSettings::shares_paths`].
     pub reuse_paths: bool,
     /// Adaptive sampling: samples per batch and tolerance (`-a`).
     pub adaptive: Option<(u32, f64)>,
@@ -98,6 +99,13 @@ impl LightSettings {
             lens_radius: self.lens.radius,
             environment: self.environment,
         })
+    }
+
+    /// Whether pixels share what their paths find: not if they have different numbers of samples,
+    /// nor where the BSDF or a limit depends on whose path it is.
+    pub fn shares_paths(&self) -> bool {
+        let is_own = self.adaptive.is_some() || self.clamp.is_some() || self.soft_terminator;
+        self.reuse_paths && self.max_depth > 1 && !is_own
     }
 
     /// What the pixels of `job` can show, as far as it matters: only adaptive sampling asks for

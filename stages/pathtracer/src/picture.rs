@@ -3,6 +3,7 @@
 use crate::args::Shade;
 use crate::lit::{LightSettings, render_lit_tiles};
 use crate::normals::render_normal_tiles;
+use crate::packet::PacketRenderer;
 use crate::pixel_contents::PixelContents;
 use crate::rendered::RenderedTile;
 use crate::{Accel, AccelKind, Job, Textures};
@@ -82,6 +83,17 @@ impl PreparedScene {
     /// The geometry.
     pub fn scene(&self) -> &Scene {
         self.picture.scene()
+    }
+
+    /// Whether `settings` are met where pixels have to share what their paths find: only packets
+    /// do. A picture without light has nothing to share.
+    pub fn can_share_paths(&self, job: &Job, settings: &LightSettings) -> bool {
+        let Picture::Lit(lit) = &self.picture else {
+            return true;
+        };
+        let (textures, contents) = (&self.textures, PixelContents::default());
+        let packets = || PacketRenderer::new(lit, textures, &self.accel, job, settings, &contents);
+        !settings.shares_paths() || !lit.has_light() || packets().is_some()
     }
 
     /// Renders some tiles of the picture: those of [`render_lit`](crate::render_lit), or of

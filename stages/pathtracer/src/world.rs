@@ -13,6 +13,8 @@ pub struct Counters {
     pub rays: u64,
     /// Those of them that find the light of lamps at their edges, beside those of the paths.
     pub lamp_rays: u64,
+    /// Those of them between the surfaces of different paths.
+    pub reuse_rays: u64,
     /// Ray/box tests.
     pub box_tests: u64,
     /// Ray/primitive tests.
@@ -25,6 +27,7 @@ impl Add for Counters {
         Counters {
             rays: self.rays + other.rays,
             lamp_rays: self.lamp_rays + other.lamp_rays,
+            reuse_rays: self.reuse_rays + other.reuse_rays,
             box_tests: self.box_tests + other.box_tests,
             prim_tests: self.prim_tests + other.prim_tests,
         }
@@ -38,6 +41,7 @@ impl Sub for Counters {
         Counters {
             rays: self.rays - before.rays,
             lamp_rays: self.lamp_rays - before.lamp_rays,
+            reuse_rays: self.reuse_rays - before.reuse_rays,
             box_tests: self.box_tests - before.box_tests,
             prim_tests: self.prim_tests - before.prim_tests,
         }

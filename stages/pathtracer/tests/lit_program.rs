@@ -252,6 +252,17 @@ fn flags_and_lights_without_effect_are_noted() {
     assert!(output.contains("no effect: -a 32 0.05"), "{output}");
     let (_, output) = pathtracer(folder.path(), "-f a.png -r 4 4 --clamp 2 lit.dae");
     assert!(output.contains("no effect: --clamp 2: -m 1"), "{output}");
+    let (_, output) = pathtracer(folder.path(), "-f a.png -r 4 4 --reuse-paths lit.dae");
+    assert!(
+        output.contains("no effect: --reuse-paths: -m 1"),
+        "{output}"
+    );
+    let flags = "-f a.png -r 4 4 -m 2 --reuse-paths --accel bvh lit.dae";
+    let (_, output) = pathtracer(folder.path(), flags);
+    assert!(
+        output.contains("error: --reuse-paths: only paths in packets"),
+        "{output}"
+    );
     let flags = "-f a.png --export mitsuba a.xml lit.dae";
     let (_, output) = pathtracer(folder.path(), flags);
     assert!(output.contains("no effect: -f: --export"), "{output}");

@@ -17,4 +17,5 @@ mod pixel_contents;
 mod radiance_files;
 mod reference_pictures;
 mod replay;
+mod reuse_paths;
 mod shading_normals;

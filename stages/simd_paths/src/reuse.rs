@@ -27,6 +27,8 @@ const MAX_PENDING: usize = 512;
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Link {
     state: State,
+    /// The number of the ray that hits `from`: all that follows has as many rays less.
+    bounce: u32,
     from: Vertex,
     /// The primitive that rays from `from` skip.
     skip: f64,
@@ -99,6 +101,7 @@ impl<S: Simd> PathPacket<'_, S> {
             match link.state {
                 State::None if may_open && comes_first && is_diffuse => {
                     link.state = State::Open;
+                    link.bounce = bounce;
                     link.from = vertex();
                     link.skip = skip[lane];
                     first |= 1 << lane;
@@ -147,6 +150,7 @@ pub(crate) fn share<S: Simd>(
             let mut pending = Vec::with_capacity(MAX_PENDING + LANES);
             rays.clear(1);
             let blocks = radiance.len() / LANES;
+            let counts = memory.counts;
             for number in 0..blocks {
                 let block = Block {
                     first: number / samples * samples * LANES + number % samples,
@@ -171,6 +175,9 @@ pub(crate) fn share<S: Simd>(
                 }
                 rays.clear(1);
             }
+            // They do not lead to lights.
+            memory.counts.light_rays = counts.light_rays;
+            memory.counts.reuse_rays += memory.counts.rays - counts.rays;
             memory.shadows = rays;
             memory.traced = traced;
             memory.nearby = nearby;
@@ -211,13 +218,13 @@ impl Block {
         pending: &mut Vec<Found>,
     ) {
         let links: [&Link; LANES] = std::array::from_fn(|lane| &memory.links[self.path(lane)]);
-        let mut open = 0;
-        for (lane, link) in links.iter().enumerate() {
-            open |= u64::from(link.state != State::None) << lane;
-        }
-        if open.count_ones() < 2 {
-            return;
-        }
+        // Paths find light of as many bounces only where they have as many left.
+        let partners = |link: &Link| {
+            let is_partner =
+                |other: &Link| other.state != State::None && other.bounce == link.bounce;
+            let mask = |(lane, other): (usize, &&Link)| u64::from(is_partner(other)) << lane;
+            links.iter().enumerate().map(mask).sum::<u64>()
+        };
         let zero = f64x8::splat(simd, 0.0);
         let p = Vec3x8::gather(simd, |lane| links[lane].from.p.to_array());
         let n = Vec3x8::gather(simd, |lane| links[lane].from.n.to_array());
@@ -226,7 +233,7 @@ impl Block {
         let skip = f64x8::from_fn(simd, |lane| links[lane].skip);
         let departure = Departure { p, ng, distance };
         let o = p + ng * distance;
-        for lane in lanes(open) {
+        for lane in 0..LANES {
             let (link, path) = (links[lane], self.path(lane));
             let Some(direct) = memory.direct[path].filter(|_| link.state == State::Shared) else {
                 continue;
@@ -246,7 +253,7 @@ impl Block {
                 & zero.simd_lt(at_from[1]);
             let density = at_from[1] * at_to[0] / (squared * squared);
             let is_finite = density.simd_lt(f64x8::splat(simd, f64::INFINITY));
-            let may_see = open & (faces & is_finite).to_bitmask();
+            let may_see = partners(link) & (faces & is_finite).to_bitmask();
             let others = may_see & !(1 << lane);
             if others == may_see || others == 0 {
                 continue;

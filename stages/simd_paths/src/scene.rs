@@ -67,7 +67,9 @@ pub struct PathSettings {
     pub soft_terminator: bool,
     /// Whether [`PathMemory::direct`] is set.
     pub keeps_direct: bool,
-    /// Whether pixels share what their paths find. [`PathMemory::direct`] must be set, too.
+    /// Whether pixels share what their paths find: each eight of them that start one after the
+    /// other. Then [`PathMemory::direct`] is set, too, and samples are no longer those of the stages,
+    /// only their mean is.
     pub reuses_paths: bool,
 }
 
@@ -102,6 +104,8 @@ pub struct Counts {
     pub rays: u64,
     /// Shadow rays among them.
     pub light_rays: u64,
+    /// Those between the surfaces of different paths.
+    pub reuse_rays: u64,
     /// Rays that missed everything in a scene with a background.
     pub background: u64,
     /// Bounces.

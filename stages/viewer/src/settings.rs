@@ -161,6 +161,9 @@ impl RenderSettings {
         if self.light.lamp_rays != DEFAULT_LAMP_RAYS {
             flags += &format!(" --lamp-rays {}", self.light.lamp_rays);
         }
+        if self.light.reuse_paths {
+            flags += " --reuse-paths";
+        }
         if self.seed != 0 {
             flags += &format!(" --seed {}", self.seed);
         }

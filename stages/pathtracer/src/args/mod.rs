@@ -110,9 +110,9 @@ pub struct Args {
     #[arg(long, value_name = "INT", default_value_t = DEFAULT_LAMP_RAYS, value_parser = samples)]
     pub lamp_rays: u32,
 
-    /// Let the eight pixels of each block share what their paths find beyond the first diffuse
-    /// surface: less noise in the same time, and what is left looks like small blocks
-    #[arg(long, conflicts_with_all = ["adaptive", "clamp", "hemisphere", "soft_terminator", "pixel"])]
+    /// Let eight neighbouring pixels share what their paths find beyond the first diffuse surface:
+    /// far less noise in the same time, but neighbours have the same. Needs `--accel simd`
+    #[arg(long, conflicts_with_all = ["adaptive", "clamp", "hemisphere", "soft_terminator", "pixel", "force_effects"])]
     pub reuse_paths: bool,
 
     /// The largest luminance of a sample's indirect light: removes fireflies, and light. Indirect

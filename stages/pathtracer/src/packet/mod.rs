@@ -86,9 +86,9 @@ impl<'a> PacketRenderer<'a> {
                 min_bounces: settings.roulette.then_some(MIN_BOUNCES),
                 roulette_factor: settings.roulette_factor,
                 soft_terminator: settings.soft_terminator,
-                keeps_direct: settings.max_depth > 1
-                    && (settings.clamp.is_some() || settings.reuse_paths),
-                reuses_paths: settings.max_depth > 1 && settings.reuse_paths,
+                keeps_direct: settings.shares_paths()
+                    || settings.clamp.is_some() && settings.max_depth > 1,
+                reuses_paths: settings.shares_paths(),
             },
         })
     }
@@ -231,10 +231,10 @@ impl<'a> PacketRenderer<'a> {
             }
         }
         for (start, samples) in pixels.iter_mut().zip(samples.chunks_mut(count as usize)) {
-            if blocks::place_in(self.job.cell, start.pixel).is_none() {
-                continue;
-            }
-            if let Some(edge) = integrator.lamp_edge(self.job, self.contents, start.pixel) {
+            // Blocks may have pixels outside of the cell, of which nothing is known.
+            let is_inside = blocks::place_in(self.job.cell, start.pixel).is_some();
+            let edge = || integrator.lamp_edge(self.job, self.contents, start.pixel);
+            if let Some(edge) = is_inside.then(edge).flatten() {
                 edge.smooth_all(integrator, &start.sampler, samples);
             }
             start.sampler.start_samples(count);
@@ -274,6 +274,7 @@ impl PathIntegrator<'_> {
         self.counting(|counters| {
             counters.rays += counts.rays;
             counters.prim_tests += counts.prim_tests;
+            counters.reuse_rays += counts.reuse_rays;
         });
         self.materials
             .count_more(Effect::DirectLight, counts.light_rays);

@@ -1,5 +1,6 @@
 //! Packets compute the radiance of scalar paths, bit for bit, with every instruction set.
 
+mod reuse;
 mod scalar;
 mod scenes;
 
@@ -148,6 +149,7 @@ fn with_lists_and_trees_and_every_material_and_light() {
             roulette_factor: 1 + (i % 4) as u32,
             soft_terminator: i % 5 == 2,
             keeps_direct: i % 2 == 0,
+            reuses_paths: false,
         };
         let sampling = Sampling {
             pattern: pattern(i),
@@ -189,6 +191,7 @@ const TO_DEPTH_5: PathSettings = PathSettings {
     roulette_factor: 1,
     soft_terminator: false,
     keeps_direct: false,
+    reuses_paths: false,
 };
 
 /// Equal random, and still not one normal: interpolated they give a zero of the other sign, and

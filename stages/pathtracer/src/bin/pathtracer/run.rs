@@ -96,6 +96,13 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
         samples,
         sampling: args.sampling(samples),
     };
+    if !prepared.can_share_paths(&job, &light) {
+        return Err(Failure::Input(
+            "--reuse-paths: only paths in packets share what they find: use --accel simd, and write part6.task2 if it \
+             is open"
+                .to_owned(),
+        ));
+    }
     let thread_count = args.thread_count();
     let threads = rayon::ThreadPoolBuilder::new()
         .num_threads(thread_count)
@@ -288,12 +295,17 @@ fn note_missing_lights(lit: &LitScene, sampling: DirectSampling) {
     }
 }
 
-/// Prints a note if there is no indirect light to clamp.
+/// Prints a note if there is no indirect light to clamp or to share.
 fn note_no_indirect_light(light: &LightSettings) {
-    if let (Some(limit), depth @ ..=1) = (light.clamp, light.max_depth) {
-        errln!(
-            "note: no effect: --clamp {limit}: -m {depth} has no indirect light: use -m 2 or more"
-        );
+    let depth @ ..=1 = light.max_depth else {
+        return;
+    };
+    let clamp = light.clamp.map(|limit| format!("--clamp {limit}"));
+    for flag in clamp
+        .into_iter()
+        .chain(light.reuse_paths.then(|| "--reuse-paths".to_owned()))
+    {
+        errln!("note: no effect: {flag}: -m {depth} has no indirect light: use -m 2 or more");
     }
 }
 

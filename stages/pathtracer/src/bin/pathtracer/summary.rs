@@ -82,7 +82,10 @@ pub(crate) fn stats(
 ) -> String {
     let each_second = |n: u64| n as f64 / time.as_secs_f64().max(1e-9) / 1e6;
     let Counters {
-        rays, lamp_rays, ..
+        rays,
+        lamp_rays,
+        reuse_rays,
+        ..
     } = rendered.counters;
     let samples = rendered.samples();
     let direct = rendered.effects.of(Effect::DirectLight);
@@ -91,13 +94,14 @@ pub(crate) fn stats(
     format!(
         "Time        {:.1} % loading, {:.1} % building, {:.1} % rendering\n\
          Rates       {:.3} million samples per second, {:.2} million rays per second\n\
-         Rays        {samples} camera rays, {direct} light rays, {} bounce rays, {lamp_rays} at edges of lamps",
+         Rays        {samples} camera rays, {direct} light rays, {} bounce rays, {lamp_rays} at edges of lamps, \
+         {reuse_rays} between paths",
         share(loading),
         share(building),
         share(time),
         each_second(samples),
         each_second(rays),
-        rays.saturating_sub(samples + direct + lamp_rays),
+        rays.saturating_sub(samples + direct + lamp_rays + reuse_rays),
     )
 }
 

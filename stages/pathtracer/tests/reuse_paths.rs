@@ -1,0 +1,110 @@
+//! Pixels that share what their paths find: less error in the same picture, whatever its cells.
+// BEGIN SOLUTION(part6.task2)
+
+use crate::common::own_scenes;
+use kit::film::Cell;
+use kit::sampler::{Pattern, Sampling};
+use kit::{Camera, FilmSize, LitScene};
+use pathtracer::{Accel, AccelKind, Job, LightSettings, Rendered, Textures, render_lit};
+use scenes::placement;
+use std::sync::atomic::AtomicBool;
+
+/// Neither a multiple of a tile nor of a block.
+const FILM: FilmSize = FilmSize { w: 37, h: 35 };
+
+struct Room {
+    lit: LitScene,
+    camera: Camera,
+    accel: Accel,
+}
+
+fn room(file: &str) -> Room {
+    let scene = scenes::load(&own_scenes().join(file))
+        .expect("a scene")
+        .scene;
+    let camera = placement::place(&scene, FILM).camera;
+    let lit = LitScene::new(scene, None);
+    let accel = Accel::build(AccelKind::Simd, &lit.scene);
+    Room { lit, camera, accel }
+}
+
+impl Room {
+    fn render(&self, cell: Cell, (samples, seed): (u32, u64), reuse_paths: bool) -> Rendered {
+        let job = Job {
+            camera: self.camera,
+            film: FILM,
+            cell,
+            samples,
+            sampling: Sampling {
+                pattern: Pattern::Sobol4,
+                seed,
+                first_sample: 0,
+            },
+        };
+        let settings = LightSettings {
+            max_depth: 4,
+            lamp_rays: 4,
+            reuse_paths,
+            ..LightSettings::default()
+        };
+        let (textures, stop) = (Textures::default(), AtomicBool::new(false));
+        render_lit(
+            &self.lit,
+            &textures,
+            &self.accel,
+            &job,
+            &settings,
+            &stop,
+            &|_, _| {},
+        )
+    }
+}
+
+/// The second room has a tree, and more samples than a block traces at once.
+#[test]
+fn a_pixel_is_the_same_in_every_cell() {
+    for (file, samples) in [("cornell_spheres.dae", 6), ("cornell_whale.dae", 521)] {
+        let room = room(file);
+        let cell = Cell {
+            x0: 3,
+            y0: 5,
+            x1: 10,
+            y1: 8,
+        };
+        let around = Cell {
+            x0: 1,
+            y0: 4,
+            x1: 12,
+            y1: 9,
+        };
+        let [part, whole] = [cell, around].map(|cell| room.render(cell, (samples, 1), true));
+        for (x, y) in cell.pixels() {
+            assert_eq!(
+                part.film.get(x, y),
+                whole.film.get(x, y),
+                "{file}: ({x}, {y})"
+            );
+            assert_eq!(part.film.get(x, y).samples, samples);
+        }
+        assert!(whole.counters.reuse_rays > 0, "{file}");
+    }
+}
+
+#[test]
+fn shared_paths_have_less_error_and_the_same_mean() {
+    let room = room("cornell_spheres.dae");
+    let all = FILM.whole();
+    let exact = room.render(all, (1 << 12, 99), false);
+    let squared_error = |seed, reuse_paths| -> f64 {
+        let rendered = room.render(all, (16, seed), reuse_paths);
+        let pairs = rendered.film.pixels().iter().zip(exact.film.pixels());
+        pairs
+            .map(|(a, b)| (a.radiance.luminance() - b.radiance.luminance()).powi(2))
+            .sum()
+    };
+    let [alone, shared] =
+        [false, true].map(|reuse| -> f64 { (0..3).map(|s| squared_error(s, reuse)).sum() });
+    let ratio = shared / alone;
+    assert!(ratio < 0.5, "{ratio}");
+}
+// END SOLUTION(part6.task2)

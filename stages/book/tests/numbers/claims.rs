@@ -412,6 +412,14 @@ const GIVEN: &[(&str, &str)] = &[
     ),
     (
         "rendering.md",
+        "these scenes take so many times as long for the same mean squared error: `cornell_whale` 0.23,\n`cornell_spheres` 0.26, `window_room` 0.37",
+    ),
+    (
+        "rendering.md",
+        "scene: `cornell_mirror_glass` 1.2, `stairs_sky` 1.05",
+    ),
+    (
+        "rendering.md",
         "A room with 12 lamps takes 0.7 times as long for the same\nerror, one with 100 lamps 0.3 times",
     ),
     (

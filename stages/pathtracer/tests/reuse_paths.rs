@@ -19,7 +19,7 @@ struct Room {
 }
 
 fn room(file: &str) -> Room {
-    let scene = scenes::load(&own_scenes().join(file))
+    let scene = scenes::load(own_scenes().join(file))
         .expect("a scene")
         .scene;
     let camera = placement::place(&scene, FILM).camera;

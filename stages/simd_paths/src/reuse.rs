@@ -123,7 +123,8 @@ impl<S: Simd> PathPacket<'_, S> {
             let link = &mut memory.links[self.paths.index[lane] as usize];
             link.throughput = self.paths.throughput.lane(lane);
             // Without a channel nothing is known of it for the others.
-            if !(link.throughput.min_element() > 0.0) {
+            let least = link.throughput.min_element();
+            if least.is_nan() || least <= 0.0 {
                 link.state = State::None;
             }
         }
@@ -233,8 +234,8 @@ impl Block {
         let skip = f64x8::from_fn(simd, |lane| links[lane].skip);
         let departure = Departure { p, ng, distance };
         let o = p + ng * distance;
-        for lane in 0..LANES {
-            let (link, path) = (links[lane], self.path(lane));
+        for (lane, link) in links.into_iter().enumerate() {
+            let path = self.path(lane);
             let Some(direct) = memory.direct[path].filter(|_| link.state == State::Shared) else {
                 continue;
             };

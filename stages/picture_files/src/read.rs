@@ -1,9 +1,9 @@
 //! Reads pictures: also what `image` leaves to its callers in `.hdr` and `.exr` files.
 
 use crate::exr_file;
-use image::codecs::hdr::HdrDecoder;
+use image::codecs::hdr::{HdrDecoder, SIGNATURE};
 use image::{DynamicImage, ImageError, ImageFormat, ImageReader, ImageResult};
-use std::io::{self, Cursor};
+use std::io::{self, Cursor, Read};
 use std::path::Path;
 
 /// A picture file's content.
@@ -40,18 +40,17 @@ pub fn decode(bytes: &[u8], path: &Path) -> ImageResult<Picture> {
     if format == Some(ImageFormat::OpenExr) {
         return exr_file::decode(bytes);
     }
+    if format == Some(ImageFormat::Hdr) {
+        return decode_hdr(bytes);
+    }
     let (w, h) = reader.into_dimensions()?;
     check_size(w, h)?;
-    let pixels = match format {
-        Some(ImageFormat::Hdr) => Pixels::Linear(decode_hdr(bytes)?),
-        _ => {
-            let picture = open(bytes, path)?.decode()?;
-            Pixels::Srgb(picture.into_rgb8().as_chunks().0.to_vec())
-        }
-    };
-    let size = [w, h];
-    let note = None;
-    Ok(Picture { size, pixels, note })
+    let picture = open(bytes, path)?.decode()?;
+    Ok(Picture {
+        size: [w, h],
+        pixels: Pixels::Srgb(picture.into_rgb8().as_chunks().0.to_vec()),
+        note: None,
+    })
 }
 
 /// An error if a picture of `w` x `h` pixels is too large.
@@ -79,11 +78,38 @@ fn open<'b>(bytes: &'b [u8], path: &Path) -> ImageResult<ImageReader<Cursor<&'b 
     Ok(reader)
 }
 
-fn decode_hdr(bytes: &[u8]) -> ImageResult<Vec<[f32; 3]>> {
-    let decoder = HdrDecoder::new(Cursor::new(bytes))?;
+/// That colours are not those of a display.
+pub(crate) const OTHER_PRIMARIES: &str =
+    "its colours have other primaries than those of sRGB; they are used as if they were of sRGB";
+
+/// Red, green, blue and white of sRGB, as points of the CIE diagram.
+const SRGB: [[f32; 2]; 4] = [[0.64, 0.33], [0.3, 0.6], [0.15, 0.06], [0.3127, 0.329]];
+
+/// Whether primaries are others than those of sRGB: also Radiance's own white is near enough.
+pub(crate) fn are_other_primaries(given: [[f32; 2]; 4]) -> bool {
+    let pairs = given.iter().flatten().zip(SRGB.iter().flatten());
+    pairs.into_iter().any(|(a, b)| (a - b).abs() > 0.03)
+}
+
+fn decode_hdr(bytes: &[u8]) -> ImageResult<Picture> {
+    // After `#?` Radiance takes the name of any program, the decoder only its own, and then skips
+    // the rest of the line.
+    let decoder = match bytes.strip_prefix(b"#?") {
+        Some(rest) => HdrDecoder::new(SIGNATURE.chain(rest)),
+        None => HdrDecoder::new([].chain(bytes)),
+    }?;
     let header = decoder.metadata();
+    check_size(header.width, header.height)?;
     let exposure = header.exposure.unwrap_or(1.0);
     let (r, g, b) = header.color_correction.unwrap_or((1.0, 1.0, 1.0));
+    let given = header.custom_attributes.iter();
+    let is_other = given
+        .filter(|(key, _)| key == "PRIMARIES")
+        .any(|(_, value)| {
+            let numbers: Vec<f32> = value.split_whitespace().flat_map(str::parse).collect();
+            let points = numbers.as_chunks().0;
+            points.try_into().is_ok_and(are_other_primaries)
+        });
     let picture = DynamicImage::from_decoder(decoder)?.into_rgb32f();
     let mut pixels = picture.as_chunks().0.to_vec();
     if [exposure, r, g, b] != [1.0; 4] {
@@ -93,5 +119,37 @@ fn decode_hdr(bytes: &[u8]) -> ImageResult<Vec<[f32; 3]>> {
             }
         }
     }
-    Ok(pixels)
+    Ok(Picture {
+        size: [header.width, header.height],
+        pixels: Pixels::Linear(pixels),
+        note: is_other.then(|| OTHER_PRIMARIES.to_owned()),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// One pixel of the radiance 1, 0.5, 0.
+    fn hdr(header: &str) -> Picture {
+        let bytes = [header.as_bytes(), b"\n-Y 1 +X 1\n", &[128, 64, 0, 129]].concat();
+        decode(&bytes, Path::new("a.hdr")).expect("a picture")
+    }
+
+    #[test]
+    fn headers_of_hdr_files_are_read() {
+        for header in [
+            "#?RADIANCE\n",
+            "#?RGBE\nFORMAT=32-bit_rle_rgbe\n",
+            "#?pvalue 1.0\nPRIMARIES=0.64 0.33 0.29 0.6 0.15 0.06 0.333 0.333\n",
+        ] {
+            let picture = hdr(header);
+            assert_eq!(picture.pixels, Pixels::Linear(vec![[1.0, 0.5, 0.0]]));
+            assert_eq!((picture.size, picture.note), ([1, 1], None));
+        }
+        let wide = hdr("#?RADIANCE\nPRIMARIES=0.7347 0.2653 0 1 0 -0.08 0.3217 0.3377\n");
+        assert_eq!(wide.note.as_deref(), Some(OTHER_PRIMARIES));
+        let none = decode(b"RADIANCE\n\n-Y 1 +X 1\n", Path::new("a.hdr"));
+        assert!(none.is_err(), "{none:?}");
+    }
 }

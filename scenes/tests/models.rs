@@ -905,6 +905,34 @@ fn ply_files_are_read_as_text_and_in_binary() {
     let large = loaded(&[("a.ply", far.replace("\n0 ", "\n1000000000 ").as_bytes())]);
     assert_eq!(large.scene.triangles[0].p1.x, 1_000_000_001.0);
     assert!(message(b"plx").contains("not a valid PLY file"));
+    let long = [b"plx".as_slice(), &[b' '; 9999]].concat();
+    assert!(message(&long).len() < 400, "{}", message(&long).len());
+}
+
+/// As `printf` and Mathematica write numbers; `Line 2` alone names the place of what is none.
+#[test]
+fn numbers_of_ply_are_written_in_several_ways() {
+    let of = |number: &str| PLY.replace("\n1 0 0 ", &format!("\n\n{number} .0 -0. "));
+    let plain = loaded(&[("a.ply", of("1").as_bytes())]);
+    assert_eq!(plain.scene.triangles[0].p1, Vec3::X);
+    for number in ["1.", "+1.", ".1e1", "1.0E+00"] {
+        let other = loaded(&[("a.ply", of(number).as_bytes())]);
+        assert_eq!(other.scene.triangles, plain.scene.triangles, "{number}");
+    }
+    // What was left out is named where nothing is left.
+    let message = |number| {
+        let text = of(number).replace("4 0 1 2 3", "3 0 1 2");
+        load(&[("a.ply", text.as_bytes())]).unwrap_err().to_string()
+    };
+    assert!(
+        message("one").contains("PLY file: Line "),
+        "{}",
+        message("one")
+    );
+    for number in ["nan", "-inf"] {
+        let text = message(number);
+        assert!(text.contains("coordinate that is not finite"), "{text}");
+    }
 }
 
 /// Texture coordinates of vertices, and of faces with several textures.

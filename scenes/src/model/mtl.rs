@@ -212,7 +212,7 @@ impl Parameters {
             if given != value {
                 builder.warn("options of map_Kd", &self.name, "they are ignored");
             }
-            let file = given.replace('\\', "/");
+            let file = given.replace('\\', "/").replace('"', "");
             let beside = library.with_file_name(&file);
             match folder.join(&beside).is_file() {
                 true => beside.to_string_lossy().into_owned(),

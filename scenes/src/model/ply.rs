@@ -116,10 +116,18 @@ pub(super) fn read(name: &str, bytes: &[u8]) -> Result<Loaded, SceneError> {
         vertices,
         faces,
         textures,
-    } = parse(&mut builder, bytes).map_err(|why| {
-        let title = format!("the file is not a valid PLY file: {why}");
-        builder.error(title, "export the model again, or repeat the download")
-    })?;
+    } = (parse(&mut builder, bytes))
+        .or_else(|why| match plain_text(bytes) {
+            Some(text) => parse(&mut builder, &text),
+            None => Err(why),
+        })
+        .map_err(|why| {
+            // The lines after it are the library's grammar, and may be the whole file.
+            let why = why.to_string();
+            let why = why.lines().next().unwrap_or_default();
+            let title = format!("the file is not a valid PLY file: {why}");
+            builder.error(title, "export the model again, or repeat the download")
+        })?;
     let mut data = MeshData {
         positions: vertices.iter().map(|vertex| vertex.p).collect(),
         is_smooth: true,
@@ -171,6 +179,26 @@ pub(super) fn read(name: &str, bytes: &[u8]) -> Result<Loaded, SceneError> {
         builder.add_mesh("mesh", &data, material, Affine::IDENTITY)?;
     }
     Ok(builder.into_loaded())
+}
+
+/// An ASCII file without empty lines, and with its numbers as the library reads them: the numbers
+/// `.5`, `1.` and `nan`, which some programs write, are none to it.
+fn plain_text(bytes: &[u8]) -> Option<Vec<u8>> {
+    let text = String::from_utf8_lossy(bytes);
+    let (header, body) = text.split_once("end_header")?;
+    let number = |word: &str| match word.parse::<f64>() {
+        Ok(number) if number.is_finite() => number.to_string(),
+        Ok(_) => "1e999".to_owned(),
+        Err(_) => word.to_owned(),
+    };
+    let line = |line: &str| Vec::from_iter(line.split_whitespace().map(number)).join(" ");
+    let lines = body.lines().map(line).filter(|line| !line.is_empty());
+    let lines: Vec<String> = [header.to_owned() + "end_header"]
+        .into_iter()
+        .chain(lines)
+        .collect();
+    let is_text = header.contains("format ascii");
+    is_text.then(|| (lines.join("\n") + "\n").into_bytes())
 }
 
 fn parse(builder: &mut Builder<'_>, bytes: &[u8]) -> Result<Contents, ParseError> {

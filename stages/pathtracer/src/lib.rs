@@ -67,6 +67,7 @@ pub use rate_picture::{RateScale, rate_picture};
 pub use rendered::{Job, Rendered, RenderedTile};
 pub use replay::replay_pixel;
 pub use sums_file::SumsFile;
+pub use texture_file::read_texture;
 pub use textures::Textures;
 pub use tone::{Tone, ToneCurve};
 pub use tracer::RayRole;

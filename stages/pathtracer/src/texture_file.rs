@@ -1,11 +1,26 @@
 //! Finds the file of a texture. Scene files are often moved without their textures' paths being
 //! changed, or come from systems that do not tell apart small and capital letters.
 
+use std::io;
 use std::path::{Component, Path, PathBuf};
+
+/// Reads the file that a scene in `folder` calls `path`, or one that was moved with the scene.
+/// Returns which file it is.
+pub fn read_texture(folder: &Path, path: &str) -> (PathBuf, io::Result<Vec<u8>>) {
+    if let Some(found) = find(folder, path) {
+        let bytes = std::fs::read(&found);
+        return (found, bytes);
+    }
+    // What is not a file, such as a device, may have no end: it is not opened.
+    let given = folder.join(path);
+    let why = std::fs::metadata(&given).err();
+    let why = why.unwrap_or_else(|| io::Error::other("it is not a file"));
+    (given, Err(why))
+}
 
 /// The file that a scene in `folder` calls `path`. If there is none, the one in `folder` whose path
 /// agrees with the end of `path`, as far as possible, apart from small and capital letters.
-pub(crate) fn find(folder: &Path, path: &str) -> Option<PathBuf> {
+fn find(folder: &Path, path: &str) -> Option<PathBuf> {
     let given = folder.join(path);
     if given.is_file() {
         return Some(given);
@@ -55,7 +70,7 @@ fn below(folder: &Path, names: &[String]) -> Option<PathBuf> {
 
 #[cfg(test)]
 mod tests {
-    use super::find;
+    use super::{find, read_texture};
     use std::fs;
     use std::path::PathBuf;
 
@@ -88,6 +103,17 @@ mod tests {
             "my textures/floor.png",
         ] {
             assert_eq!(find(folder, path), None::<PathBuf>, "{path}");
+        }
+    }
+
+    #[test]
+    fn what_is_not_a_file_is_not_opened() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let devices: &[&str] = if cfg!(unix) { &["/dev/zero"] } else { &[] };
+        for path in ["", "."].iter().chain(devices) {
+            let (_, bytes) = read_texture(folder.path(), path);
+            let why = bytes.expect_err("not a file").to_string();
+            assert_eq!(why, "it is not a file", "{path}");
         }
     }
 }

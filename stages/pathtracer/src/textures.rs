@@ -1,6 +1,6 @@
 //! Loads the textures of a scene and looks them up.
 
-use crate::texture_file;
+use crate::texture_file::read_texture;
 use kit::math::pow;
 use kit::{Hit, Scene, Spectrum, Texture, Vec2};
 use picture_files::{ImageError, Picture, Pixels};
@@ -80,9 +80,8 @@ impl Textures {
             let (found, decoded) = match embedded {
                 Some(bytes) => (path.clone(), decode(bytes, &path)),
                 None => {
-                    // If there is none, the error of opening `path` says so.
-                    let found = texture_file::find(folder, file).unwrap_or_else(|| path.clone());
-                    let bytes = std::fs::read(&found).map_err(|why| why.to_string());
+                    let (found, bytes) = read_texture(folder, file);
+                    let bytes = bytes.map_err(|why| why.to_string());
                     let decoded = bytes.and_then(|bytes| decode(&bytes, &found));
                     (found, decoded)
                 }

@@ -97,22 +97,28 @@ fn parts_of_changed_materials_or_normals_are_refused() {
         let (code, _, notes) = run(folder, &format!("s.obj -r 8 6 {flags} -f {name}.sums"));
         assert_eq!(code, 0, "{notes}");
     };
+    const PICTURE: &str = "p.png";
+    let (code, ..) = run(folder, &format!("s.obj -r 2 2 -f {PICTURE}"));
+    assert_eq!(code, 0);
     write("s.mtl", "newmtl m\nKd 0.5 0.5 0.5\n");
     part("a", "-s 4");
     part("flat", "-s 4 --first-sample 4 --normals flat");
     part("same", "-s 4 --first-sample 4");
     write("s.mtl", "newmtl m\nKd 0.5 0.9 0.5\n");
     part("green", "-s 4 --first-sample 4");
-    refused(
-        folder,
-        "merge -f all.exr a.sums flat.sums",
-        "not parts of one picture",
-    );
-    refused(
-        folder,
-        "merge -f all.exr a.sums green.sums",
-        "not parts of one picture",
-    );
+    // A texture that is not where the file says, but beside it.
+    write("s.mtl", "newmtl m\nmap_Kd C:\\pictures\\t.png\n");
+    part("grey", "-s 4");
+    fs::copy(folder.join(PICTURE), folder.join("t.png")).expect("a copy");
+    part("moved", "-s 4 --first-sample 4");
+    for parts in [
+        "a.sums flat.sums",
+        "a.sums green.sums",
+        "grey.sums moved.sums",
+    ] {
+        let merge = format!("merge -f all.exr {parts}");
+        refused(folder, &merge, "not parts of one picture");
+    }
     assert_eq!(run(folder, "merge -f all.exr a.sums same.sums").0, 0);
 }
 

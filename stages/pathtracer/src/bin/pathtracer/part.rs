@@ -5,7 +5,7 @@ use kit::Scene;
 use kit::sampler::Pattern;
 use pathtracer::args::Args;
 use pathtracer::sums_file::Fingerprint;
-use pathtracer::{Job, LightSettings, PartFile, PreparedScene, Rendered, SumsFile};
+use pathtracer::{Job, LightSettings, PartFile, PreparedScene, Rendered, SumsFile, read_texture};
 use std::fs;
 use std::path::Path;
 
@@ -72,10 +72,10 @@ fn fingerprint(
         match textures.embedded.get(file) {
             Some(bytes) => add_file(&mut picture, bytes),
             // One that cannot be read is grey, as if it were empty.
-            None => add_file(
-                &mut picture,
-                &fs::read(folder.join(file)).unwrap_or_default(),
-            ),
+            None => {
+                let (_, bytes) = read_texture(folder, file);
+                add_file(&mut picture, &bytes.unwrap_or_default());
+            }
         }
     }
     let settings = LightSettings {

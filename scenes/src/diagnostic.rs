@@ -73,6 +73,15 @@ impl Diagnostic {
         self
     }
 
+    /// Sets the note to what was found before in the file, if anything was.
+    pub(crate) fn note_of<'w>(self, found: impl Iterator<Item = &'w Diagnostic>) -> Self {
+        let titles: Vec<&str> = found.map(Diagnostic::title).collect();
+        match titles[..] {
+            [] => self,
+            _ => self.note(format!("found in it: {}", titles.join("; "))),
+        }
+    }
+
     /// The byte of the file at which the location starts.
     pub(crate) fn start(&self) -> Option<usize> {
         self.location.as_ref().map(|location| location.start)

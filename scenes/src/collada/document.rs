@@ -6,7 +6,7 @@ use super::warnings::WarningList;
 use crate::Loaded;
 use crate::diagnostic::{Diagnostic, SceneError};
 use kit::Scene;
-use std::cell::RefCell;
+use std::cell::{Ref, RefCell};
 use std::ops::Range;
 
 /// An element of the document.
@@ -106,6 +106,11 @@ impl<'a> Document<'a> {
         diagnostic: impl FnOnce() -> Diagnostic,
     ) {
         self.warnings.borrow_mut().add(title, start, diagnostic);
+    }
+
+    /// The warnings so far.
+    pub(super) fn warnings(&self) -> Ref<'_, WarningList> {
+        self.warnings.borrow()
     }
 
     /// Makes an error a warning. `result` is what the reader does instead.

@@ -160,14 +160,15 @@ fn build<'a>(doc: &Document<'a>) -> Result<Scene, SceneError> {
     let visual_scene = visual_scene(doc, root)?;
     let scene = nodes::Builder::new(doc).build(visual_scene, &to_world)?;
     if scene.is_empty() {
-        return Err(doc
-            .on(
+        let error = SceneError::from(
+            doc.on(
                 visual_scene,
                 "the scene is empty",
                 "expected nodes with an <instance_geometry>",
             )
-            .help("there is nothing to render: add a mesh or a sphere")
-            .into());
+            .help("there is nothing to render: add a mesh or a sphere"),
+        );
+        return Err(error.0.note_of(doc.warnings().found()).into());
     }
     Ok(scene)
 }

@@ -52,6 +52,11 @@ impl WarningList {
         }
     }
 
+    /// The first warning of each kind.
+    pub(super) fn found(&self) -> impl Iterator<Item = &Diagnostic> {
+        self.groups.iter().map(|group| &group.first)
+    }
+
     /// One warning for each kind. `source` is the text of the file.
     pub(super) fn into_warnings(self, file: &str, source: &str) -> Vec<Warning> {
         let mut warnings: Vec<Warning> = Vec::with_capacity(self.groups.len() + 1);

@@ -61,13 +61,10 @@ fn read(path: &Path, name: &str, format: Format) -> Result<Loaded, SceneError> {
 /// An error if there is nothing to see; light if there is none.
 fn finished(mut loaded: Loaded, name: &str) -> Result<Loaded, SceneError> {
     if loaded.scene.is_empty() {
-        let error = Diagnostic::about_file(name, "the scene is empty")
-            .help("there is nothing to render: export a mesh with faces");
-        let titles: Vec<&str> = loaded.warnings.iter().map(|w| w.0.title()).collect();
-        return Err(match titles[..] {
-            [] => error.into(),
-            _ => error.note(format!("in it: {}", titles.join("; "))).into(),
-        });
+        return Err(Diagnostic::about_file(name, "the scene is empty")
+            .help("there is nothing to render: export a mesh with faces")
+            .note_of(loaded.warnings.iter().map(|warning| &warning.0))
+            .into());
     }
     if loaded.scene.camera.is_none() {
         let film = FilmSize { w: 4, h: 3 };

@@ -1,6 +1,6 @@
 //! Invalid files. Each gives one error with the position, what was expected, and what to do.
 
-use crate::collada::small::{self, SMALL, load_edited, shows};
+use crate::collada::small::{self, SMALL, edited, load_edited, shows};
 use scenes::SceneError;
 
 /// The error of the small file with `from` replaced by `to`.
@@ -301,6 +301,14 @@ fn empty_scenes_are_an_error() {
     assert_error(&empty, "the scene is empty", 2);
     let light_only = error_of_scene("<visual_scene id=\"scene\"><node id=\"a\"/></visual_scene>");
     assert_error(&light_only, "the scene is empty", 2);
+    assert_eq!(light_only.0.elsewhere(), None);
+    // What was left out is named.
+    let lines =
+        edited("<triangles material", "<lines material").replace("</triangles>", "</lines>");
+    let lines = lines.replace("CGL", "other");
+    let error = scenes::parse("small.dae", &lines).unwrap_err();
+    let note = error.0.elsewhere().unwrap_or_default();
+    assert!(note.contains("lines"), "{error}");
 }
 
 /// The error of a file that contains only a visual scene.

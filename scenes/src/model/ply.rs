@@ -123,8 +123,8 @@ pub(super) fn read(name: &str, bytes: &[u8]) -> Result<Loaded, SceneError> {
         })
         .map_err(|why| {
             // The lines after it are the library's grammar, and may be the whole file.
-            let why = why.to_string();
-            let why = why.lines().next().unwrap_or_default();
+            let sentences = why.to_string();
+            let why = sentences.lines().next().unwrap_or_default();
             let title = format!("the file is not a valid PLY file: {why}");
             builder.error(title, "export the model again, or repeat the download")
         })?;

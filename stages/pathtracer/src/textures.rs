@@ -82,7 +82,7 @@ impl Textures {
                 None => {
                     let (found, bytes) = read_texture(folder, file);
                     let bytes = bytes.map_err(|why| why.to_string());
-                    let decoded = bytes.and_then(|bytes| decode(&bytes, &found));
+                    let decoded = bytes.and_then(|read| decode(&read, &found));
                     (found, decoded)
                 }
             };

@@ -147,6 +147,54 @@ impl<'a> PacketRenderer<'a> {
         estimates
     }
 
+    /// The pixels of `tile`. Blocks that are partly outside of it are traced as a whole, so that a
+    /// pixel is the same in every cell of the picture.
+    fn tile_in_blocks(
+        &self,
+        integrator: &mut PathIntegrator<'a>,
+        tile: Cell,
+        stop: &AtomicBool,
+    ) -> Vec<PixelEstimate> {
+        let mut memory = Memory::default();
+        let mut finished = vec![(PixelSum::default(), Tally::default()); tile.area() as usize];
+        let pixels = blocks::pixels_of_blocks(tile);
+        let at_once = (self.job.samples as usize).min(MAX_SAMPLES / blocks::BLOCK_AREA);
+        for pixels in pixels.chunks((MAX_SAMPLES / at_once).next_multiple_of(blocks::BLOCK_AREA)) {
+            if stop.load(Ordering::Relaxed) {
+                break;
+            }
+            let mut starts: Vec<PathStart> = pixels
+                .iter()
+                .map(|&(x, y)| PathStart {
+                    pixel: (x, y),
+                    sampler: PixelSampler::new(x, y, self.job.sampling),
+                })
+                .collect();
+            let removed = vec![cell::Cell::default(); starts.len()];
+            let mut left = self.job.samples;
+            while left > 0 {
+                let count = left.min(at_once as u32);
+                let samples = self.trace(integrator, &mut memory, &mut starts, count, &removed);
+                for (&pixel, samples) in pixels.iter().zip(samples.chunks(count as usize)) {
+                    let Some(place) = blocks::place_in(tile, pixel) else {
+                        continue;
+                    };
+                    let (sum, luminance) = &mut finished[place];
+                    for &radiance in samples {
+                        luminance.push(radiance.luminance());
+                        sum.push(radiance);
+                    }
+                }
+                left -= count;
+            }
+        }
+        integrator.add_counts(memory.paths.counts);
+        let pixels = finished.into_iter();
+        pixels
+            .map(|(sum, luminance)| integrator.finish_pixel(sum, luminance))
+            .collect()
+    }
+
     /// Estimates the pixel of `start`, whose first samples have the radiances `first`.
     fn pixel(
         &self,

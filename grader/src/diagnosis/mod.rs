@@ -249,11 +249,7 @@ pub fn diagnose(known: &[Known], student: &Signature) -> Option<Diagnosis> {
     };
     let answers = match claim {
         Claim::Alike(evidence) => evidence.says(&says, equal, of),
-        _ => {
-            format!(
-                "your answers look most like those of code that {says}: on {equal} of {of} calls"
-            )
-        }
+        _ => most_alike(&says, equal, of),
     };
     Some(Diagnosis {
         mistakes,
@@ -266,6 +262,17 @@ pub fn diagnose(known: &[Known], student: &Signature) -> Option<Diagnosis> {
         claim,
         ..Diagnosis::default()
     })
+}
+
+/// The claim about answers that look most like those of code that `says` what, on `equal` of `of`
+/// calls: the faults may be of the same kinds, and no answer the same.
+fn most_alike(says: &str, equal: usize, of: usize) -> String {
+    match equal {
+        0 => format!("your answers have faults of the same kinds as those of code that {says}"),
+        _ => format!(
+            "your answers look most like those of code that {says}: on {equal} of {of} calls"
+        ),
+    }
 }
 
 /// The known mistakes, as a student shows them who is wrong in some functions only: a mistake that passes from
@@ -419,6 +426,12 @@ mod tests {
             signature,
             is_symptom: false,
         }
+    }
+
+    #[test]
+    fn answers_alike_on_no_call_are_not_said_to_look_alike() {
+        assert!(!most_alike("culls", 0, 9).contains("on 0 of"));
+        assert!(most_alike("culls", 5, 9).ends_with("code that culls: on 5 of 9 calls"));
     }
 
     #[test]

@@ -326,7 +326,7 @@ fn in_words(aspect: Aspect, class: Class, is_robust: bool) -> Option<String> {
         Class::SlightlyLess => format!("{label}: too small, by less than a factor of 1.5"),
         Class::SlightlyMore => format!("{label}: too large, by less than a factor of 1.5"),
         Class::Ratio(power) => format!(
-            "{label}: about {} times the right number",
+            "{label}: {} times the right number, up to a factor of 1.5",
             2.0_f64.powi(power.into())
         ),
         Class::Rounded => {
@@ -765,7 +765,10 @@ mod tests {
     #[test]
     fn a_factor_is_said_and_nothing_where_nothing_is_shared() {
         let doubled = sentences(|_| vec![(Aspect::T, Class::Ratio(1))]);
-        assert_eq!(doubled[1], "t: about 2 times the right number");
+        assert_eq!(
+            doubled[1],
+            "t: 2 times the right number, up to a factor of 1.5"
+        );
         let calls = std::cell::Cell::new(0);
         let nearly_always = sentences(|_| {
             calls.set(calls.get() + 1);
@@ -777,7 +780,7 @@ mod tests {
             };
             vec![(Aspect::T, class)]
         });
-        let said = "with few exceptions, t: about 2 times the right number";
+        let said = "with few exceptions, t: 2 times the right number, up to a factor of 1.5";
         assert_eq!(nearly_always[1], said);
         let mixed = sentences(|_| {
             calls.set(calls.get() + 1);

@@ -60,8 +60,8 @@ pub(crate) fn build(
     };
     findings.judge(Aspect::Structure, 0, true, 0.0, String::new);
     let tight = tight_boxes(tree, &walk, bounds);
-    judge_bounds(findings, tree, &tight, bounds);
-    leaves::judge(findings, tree, bounds, max_leaf_size);
+    judge_bounds(findings, tree, &walk, &tight, bounds);
+    leaves::judge(findings, tree, &walk, bounds, max_leaf_size);
     if let Some(recorded) = recorded {
         judge_work(findings, tree, &walk, &tight, recorded);
     }
@@ -91,8 +91,15 @@ pub(super) fn aabb(&[min, max]: &[Xyz; 2]) -> Aabb {
     }
 }
 
-fn judge_bounds(findings: &mut Findings, tree: &Tree, tight: &[Aabb], bounds: &[[Xyz; 2]]) {
-    for (at, (node, tight)) in tree.nodes.iter().zip(tight).enumerate() {
+fn judge_bounds(
+    findings: &mut Findings,
+    tree: &Tree,
+    walk: &Walk,
+    tight: &[Aabb],
+    bounds: &[[Xyz; 2]],
+) {
+    for (at, node) in walk.nodes(tree) {
+        let tight = &tight[at];
         let given = aabb(&node.bounds);
         let right = given.contains(tight);
         let missing = (given.min - tight.min)
@@ -182,15 +189,15 @@ fn show(b: &Aabb) -> String {
 }
 
 /// The expected number of tests of a random line through the scene (see [`judge_work`]).
-pub(super) fn cost(tree: &Tree, tight: &[Aabb]) -> f64 {
+pub(super) fn cost(tree: &Tree, walk: &Walk, tight: &[Aabb]) -> f64 {
     let scene = tight.first().map_or(0.0, Aabb::surface_area);
     let tests = |node: &Node| match node.kind {
         NodeKind::Interior { .. } => 2.0,
         NodeKind::Leaf { count, .. } => f64::from(count),
     };
-    let costs = tree.nodes.iter();
+    let costs = walk.nodes(tree);
     costs
-        .map(|node| tests(node) * aabb(&node.bounds).surface_area() / scene)
+        .map(|(_, node)| tests(node) * aabb(&node.bounds).surface_area() / scene)
         .sum()
 }
 
@@ -208,10 +215,10 @@ fn judge_work(
     tight: &[Aabb],
     recorded: TreeWork,
 ) {
-    let cost = cost(tree, tight);
+    let cost = cost(tree, walk, tight);
     let cheap = cost <= COST_FACTOR * recorded.cost;
     let ratio = cost / recorded.cost;
-    let why = cause_of_cost(tree, tight);
+    let why = cause_of_cost(tree, walk, tight);
     let class = (!cheap).then_some(Class::Named(why));
     let message = || {
         format!(
@@ -272,8 +279,11 @@ fn question(tree: &Tree, tight: &[Aabb]) -> String {
 const COSTLY_SPLITS: &str = "costly splits";
 
 /// The cause of a high cost: loose boxes or bad splits.
-fn cause_of_cost(tree: &Tree, tight: &[Aabb]) -> &'static str {
-    let boxes = || tree.nodes.iter().map(|node| aabb(&node.bounds)).zip(tight);
+fn cause_of_cost(tree: &Tree, walk: &Walk, tight: &[Aabb]) -> &'static str {
+    let boxes = || {
+        walk.nodes(tree)
+            .map(|(at, node)| (aabb(&node.bounds), &tight[at]))
+    };
     let to_origin = |tight: &Aabb| tight.grown_by(Vec3::ZERO);
     if boxes().all(|(given, tight)| given == *tight) {
         COSTLY_SPLITS
@@ -336,6 +346,10 @@ mod tests {
     #[test]
     fn a_right_tree_passes() {
         assert_eq!(failed(right()), []);
+        let mut with_spare_nodes = right();
+        with_spare_nodes.nodes.resize(6, leaf(0, 0, 9.0, -9.0));
+        with_spare_nodes.nodes.push(leaf(0, 4, 0.0, 99.0));
+        assert_eq!(failed(with_spare_nodes), []);
     }
 
     #[test]
@@ -349,7 +363,7 @@ mod tests {
         fails(|tree| tree.nodes[0].kind = NodeKind::Interior { left: 1, right: 1 });
         fails(|tree| tree.nodes[0].kind = NodeKind::Interior { left: 0, right: 1 });
         fails(|tree| tree.nodes[0].kind = NodeKind::Interior { left: 1, right: 9 });
-        fails(|tree| tree.nodes.push(leaf(0, 0, 0.0, 1.0)));
+        fails(|tree| tree.nodes[0] = leaf(0, 2, 0.0, 3.0));
         fails(|tree| tree.nodes[2] = leaf(1, 2, 4.0, 7.0));
         fails(|tree| tree.nodes[2] = leaf(2, 1, 4.0, 7.0));
         fails(|tree| tree.nodes[2] = leaf(2, u32::MAX, 4.0, 7.0));

@@ -1,19 +1,26 @@
 //! Judges the leaves of a tree: how many primitives each holds.
 
 use super::judge::aabb;
+use super::structure::Walk;
 use crate::plural;
 use crate::tools::findings::{Aspect, Class, Findings};
 use kit::{Aabb, Vec3};
 use wire::work::{NodeKind, Tree, Xyz};
 
 /// Judges that no leaf is empty, and that none holds more than `max_leaf_size` primitives.
-pub(super) fn judge(findings: &mut Findings, tree: &Tree, bounds: &[[Xyz; 2]], max_leaf_size: u32) {
+pub(super) fn judge(
+    findings: &mut Findings,
+    tree: &Tree,
+    walk: &Walk,
+    bounds: &[[Xyz; 2]],
+    max_leaf_size: u32,
+) {
     // 0 counts as 1.
     let max_leaf_size = max_leaf_size.max(1);
     if tree.nodes.is_empty() {
         findings.judge(Aspect::LeafSize, 0, true, 0.0, String::new);
     }
-    for (at, node) in tree.nodes.iter().enumerate() {
+    for (at, node) in walk.nodes(tree) {
         let NodeKind::Leaf { first, count } = node.kind else {
             continue;
         };
@@ -64,6 +71,7 @@ fn is_separated(boxes: &[Aabb]) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::tasks::part2_task1::structure::walk;
     use wire::work::Node;
 
     /// The message about a tree that is one leaf over these intervals along x.
@@ -82,7 +90,8 @@ mod tests {
             order: (0..count).collect(),
         };
         let mut findings = Findings::default();
-        judge(&mut findings, &tree, &bounds, max_leaf_size);
+        let walk = walk(&tree, intervals.len()).ok().expect("it is a tree");
+        judge(&mut findings, &tree, &walk, &bounds, max_leaf_size);
         let list = findings.into_vec();
         let worst = list[0].worst.as_ref();
         worst.map(|worst| worst.message.to_string())

@@ -32,13 +32,13 @@ pub(super) fn build(
         return;
     };
     let tight = tight_boxes(tree, &walk, &work.bounds);
-    let mut boxes = tree.nodes.iter().zip(&tight);
-    if boxes.any(|(node, tight)| aabb(&node.bounds) != *tight) {
+    let mut boxes = walk.nodes(tree);
+    if boxes.any(|(at, node)| aabb(&node.bounds) != tight[at]) {
         findings.never_judged(Aspect::Bounds, LOOSE);
     }
     match recorded {
         None => findings.never_judged(Aspect::Work, NO_RECORD),
-        Some(recorded) if cost(tree, &tight) > COST_ROUNDING * recorded.cost => {
+        Some(recorded) if cost(tree, &walk, &tight) > COST_ROUNDING * recorded.cost => {
             findings.never_judged(Aspect::Work, MORE_COST);
         }
         Some(_) => {}

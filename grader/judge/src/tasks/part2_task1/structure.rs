@@ -1,7 +1,7 @@
-//! The structure of a tree that code under test built: nodes reached once, primitives held once.
+//! The structure of a tree that code under test built: no node reached twice, primitives held once.
 
 use crate::plural;
-use wire::work::{NodeKind, Tree};
+use wire::work::{Node, NodeKind, Tree};
 
 /// Why the nodes do not form a tree over the primitives.
 pub(super) struct Fault {
@@ -22,6 +22,15 @@ impl Fault {
 pub(super) struct Walk {
     pub(super) parents_first: Vec<usize>,
     pub(super) depth: Vec<u32>,
+}
+
+impl Walk {
+    /// The nodes that are reached from the root, with their indices. Others are spare places of a
+    /// list, which no traversal sees.
+    pub(super) fn nodes<'t>(&self, tree: &'t Tree) -> impl Iterator<Item = (usize, &'t Node)> {
+        let nodes = tree.nodes.iter().enumerate();
+        nodes.filter(|&(at, _)| at == 0 || self.depth[at] > 0)
+    }
 }
 
 /// Traverses the tree once. The error is the first fault: the nodes do not form a tree, or its
@@ -72,23 +81,31 @@ pub(super) fn walk(tree: &Tree, primitives: usize) -> Result<Walk, Fault> {
             NodeKind::Leaf { first, count } => take_run(&mut leaf_of, tree, at, first, count)?,
         }
     }
-    if let Some(lost) = reached.iter().position(|reached| !reached) {
-        return Err(Fault::new(
+    let held = each_held(&leaf_of, &tree.order).and_then(|()| each_once(&tree.order, primitives));
+    match (held, reached.iter().position(|reached| !reached)) {
+        (Err(fault), Some(spare)) => Err(Fault::new(
             "unreachable",
-            format!("node {lost} is no child of any node: it cannot be reached from node 0"),
-        ));
+            format!(
+                "node {spare} cannot be reached from node 0; {}",
+                fault.message
+            ),
+        )),
+        (held, _) => held.map(|()| walk),
     }
-    if let Some(place) = leaf_of.iter().position(Option::is_none) {
-        return Err(Fault::new(
+}
+
+/// Checks that a leaf holds each place of `order`.
+fn each_held(leaf_of: &[Option<usize>], order: &[u32]) -> Result<(), Fault> {
+    match leaf_of.iter().position(Option::is_none) {
+        None => Ok(()),
+        Some(place) => Err(Fault::new(
             "in no leaf",
             format!(
                 "no leaf holds order[{place}] (primitive {}): no ray is tested against it",
-                tree.order[place]
+                order[place]
             ),
-        ));
+        )),
     }
-    each_once(&tree.order, primitives)?;
-    Ok(walk)
 }
 
 /// The class of a leaf that starts at `first` and ends behind the end of `order`.
@@ -186,7 +203,6 @@ fn each_once(order: &[u32], primitives: usize) -> Result<(), Fault> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use wire::work::Node;
 
     /// The class of the fault of a tree with a root and these leaves.
     fn class(leaves: &[(u32, u32)], order: u32) -> Option<&'static str> {
@@ -212,5 +228,12 @@ mod tests {
         assert_eq!(class(&[(0, 3), (2, 4)], 5), Some("counts too large"));
         assert_eq!(class(&[(2, 2), (5, 3)], 5), Some("begins beyond order"));
         assert_eq!(class(&[(1, 2), (3, 3)], 5), Some("beyond order"));
+    }
+
+    #[test]
+    fn spare_nodes_are_wrong_only_where_primitives_are_lost() {
+        assert_eq!(class(&[(0, 2), (2, 3), (0, 0)], 5), None);
+        assert_eq!(class(&[(0, 2), (2, 3), (0, 5)], 5), None);
+        assert_eq!(class(&[(0, 2), (2, 2), (4, 1)], 5), Some("unreachable"));
     }
 }

@@ -131,7 +131,8 @@ impl<S: Simd> PathPacket<'_, S> {
     }
 }
 
-/// Shares between the pixels of each block of eight, sample by sample, what their paths have found.
+/// Shares between the pixels of each block of eight, sample by sample, what their paths have found;
+/// pixels after the last whole block keep their own.
 /// `radiance` has the `samples` of the first pixel, then those of the second one.
 #[inline(never)]
 pub(crate) fn share<S: Simd>(
@@ -150,7 +151,7 @@ pub(crate) fn share<S: Simd>(
             let mut nearby = mem::take(&mut memory.nearby);
             let mut pending = Vec::with_capacity(MAX_PENDING + LANES);
             rays.clear(1);
-            let blocks = radiance.len() / LANES;
+            let blocks = radiance.len() / (LANES * samples.max(1)) * samples;
             let counts = memory.counts;
             for number in 0..blocks {
                 let block = Block {
@@ -253,8 +254,9 @@ impl Block {
                 & zero.simd_lt(at_from[0])
                 & zero.simd_lt(at_from[1]);
             let density = at_from[1] * at_to[0] / (squared * squared);
-            let is_finite = density.simd_lt(f64x8::splat(simd, f64::INFINITY));
-            let may_see = partners(link) & (faces & is_finite).to_bitmask();
+            // In scenes of extreme size it overflows or rounds to 0.
+            let sound = zero.simd_lt(density) & density.simd_lt(f64x8::splat(simd, f64::INFINITY));
+            let may_see = partners(link) & (faces & sound).to_bitmask();
             let others = may_see & !(1 << lane);
             if others == may_see || others == 0 {
                 continue;

@@ -177,7 +177,11 @@ impl Change {
                         let (mut nodes, mut order) = (build.clone(), build.clone());
                         nodes.tree.nodes = self.of(&build.tree.nodes);
                         order.tree.order = self.of(&build.tree.order);
-                        vec![Answer::Build(nodes), Answer::Build(order)]
+                        match self {
+                            // Once more at the end, a node is one that nothing leads to.
+                            Change::DuplicateLast => vec![Answer::Build(order)],
+                            _ => vec![Answer::Build(nodes), Answer::Build(order)],
+                        }
                     }
                     Answer::BuildGrowth(growth) => {
                         let mut growth = growth.clone();

@@ -185,7 +185,8 @@ pub(super) fn read(name: &str, bytes: &[u8]) -> Result<Loaded, SceneError> {
 /// `.5`, `1.` and `nan`, which some programs write, are none to it.
 fn plain_text(bytes: &[u8]) -> Option<Vec<u8>> {
     let text = String::from_utf8_lossy(bytes);
-    let (header, body) = text.split_once("end_header")?;
+    let parts = text.split_once("end_header");
+    let (header, body) = parts.filter(|(header, _)| header.contains("format ascii"))?;
     let number = |word: &str| match word.parse::<f64>() {
         Ok(number) if number.is_finite() => number.to_string(),
         Ok(_) => "1e999".to_owned(),
@@ -197,8 +198,7 @@ fn plain_text(bytes: &[u8]) -> Option<Vec<u8>> {
         .into_iter()
         .chain(lines)
         .collect();
-    let is_text = header.contains("format ascii");
-    is_text.then(|| (lines.join("\n") + "\n").into_bytes())
+    Some((lines.join("\n") + "\n").into_bytes())
 }
 
 fn parse(builder: &mut Builder<'_>, bytes: &[u8]) -> Result<Contents, ParseError> {

@@ -85,15 +85,16 @@ impl PreparedScene {
         self.picture.scene()
     }
 
-    /// Whether `settings` are met where pixels have to share what their paths find: only packets
-    /// do. A picture without light has nothing to share.
+    /// Whether pixels share what their paths find if `settings` ask for it and there is light: only
+    /// paths in packets do.
     pub fn can_share_paths(&self, job: &Job, settings: &LightSettings) -> bool {
-        let Picture::Lit(lit) = &self.picture else {
-            return true;
-        };
-        let (textures, contents) = (&self.textures, PixelContents::default());
-        let packets = || PacketRenderer::new(lit, textures, &self.accel, job, settings, &contents);
-        !settings.shares_paths() || !lit.has_light() || packets().is_some()
+        match &self.picture {
+            Picture::Lit(lit) if lit.has_light() && settings.shares_paths() => {
+                let (textures, contents) = (&self.textures, PixelContents::default());
+                PacketRenderer::new(lit, textures, &self.accel, job, settings, &contents).is_some()
+            }
+            _ => true,
+        }
     }
 
     /// Renders some tiles of the picture: those of [`render_lit`](crate::render_lit), or of

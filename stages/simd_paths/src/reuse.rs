@@ -42,11 +42,12 @@ enum State {
     /// No ray leaves a diffuse surface that comes first after mirrors and smooth glass.
     #[default]
     None,
-    /// `from` is set.
+    /// `from` is set; the path has hit nothing else yet, or ended.
     Open,
     /// `from` and `to` are set.
     Shared,
-    /// What the path finds is its own: the next surface is not diffuse, or does not exist.
+    /// What the path finds is its own: the next surface is not diffuse, or its normal depends on
+    /// where it is seen from.
     Own,
 }
 
@@ -68,8 +69,8 @@ impl Vertex {
 }
 
 impl<S: Simd> PathPacket<'_, S> {
-    /// Keeps the surfaces in the lanes of `hit`, those in `diffuse` are diffuse, where they are the
-    /// first or the second one of a link. Returns the lanes where it is the first.
+    /// Keeps the surfaces in the lanes of `hit` that are the first or the second one of a link.
+    /// Those in the lanes of `diffuse` are diffuse. Returns the lanes with a first one.
     pub(crate) fn keep_vertices(
         &self,
         bounce: u32,
@@ -79,7 +80,7 @@ impl<S: Simd> PathPacket<'_, S> {
         memory: &mut PathMemory,
     ) -> u64 {
         let (_, skip) = surfaces.leave(self.simd, -self.paths.d);
-        // With roulette, a path would be denser where it survives more often.
+        // Where roulette is played, the density of paths also depends on how many survive.
         let settings = self.settings;
         let may_open = bounce < settings.max_depth
             && settings.min_bounces.is_none_or(|bounces| bounce <= bounces);
@@ -122,7 +123,7 @@ impl<S: Simd> PathPacket<'_, S> {
         for lane in lanes(first) {
             let link = &mut memory.links[self.paths.index[lane] as usize];
             link.throughput = self.paths.throughput.lane(lane);
-            // Without a channel nothing is known of it for the others.
+            // Where a channel is 0, the path cannot tell the others what it has found in it.
             let least = link.throughput.min_element();
             if least.is_nan() || least <= 0.0 {
                 link.state = State::None;
@@ -133,6 +134,7 @@ impl<S: Simd> PathPacket<'_, S> {
 
 /// Shares between the pixels of each block of eight, sample by sample, what their paths have found;
 /// pixels after the last whole block keep their own.
+///
 /// `radiance` has the `samples` of the first pixel, then those of the second one.
 #[inline(never)]
 pub(crate) fn share<S: Simd>(
@@ -269,6 +271,7 @@ impl Block {
                 min_t: zero,
                 max_t: departure.shadow_end(length),
             };
+            // The queue keeps a light for each lane; here it is the density.
             rays.push(
                 0,
                 &packet,

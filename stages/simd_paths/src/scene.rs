@@ -67,9 +67,8 @@ pub struct PathSettings {
     pub soft_terminator: bool,
     /// Whether [`PathMemory::direct`] is set.
     pub keeps_direct: bool,
-    /// Whether pixels share what their paths find: each eight of them that start one after the
-    /// other. Then [`PathMemory::direct`] is set, too, and samples are no longer those of the stages,
-    /// only their mean is.
+    /// Whether each eight pixels that start one after the other share what their paths find.
+    /// Single samples are then not those of the stages; the mean of many is. Needs `keeps_direct`.
     pub reuses_paths: bool,
 }
 

@@ -111,7 +111,8 @@ pub struct Args {
     pub lamp_rays: u32,
 
     /// Let eight neighbouring pixels share what their paths find beyond the first diffuse surface:
-    /// far less noise in the same time, but neighbours have the same. Needs `--accel simd`
+    /// less noise in the same time where most light is diffuse, but neighbours have the same noise.
+    /// Needs `--accel simd`
     #[arg(long, conflicts_with_all = ["adaptive", "clamp", "hemisphere", "soft_terminator", "pixel", "force_effects"])]
     pub reuse_paths: bool,
 

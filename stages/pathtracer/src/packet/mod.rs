@@ -127,13 +127,7 @@ impl<'a> PacketRenderer<'a> {
                 estimates.extend(pixels.iter().map(none));
                 continue;
             }
-            let mut starts: Vec<PathStart> = pixels
-                .iter()
-                .map(|&(x, y)| PathStart {
-                    pixel: (x, y),
-                    sampler: PixelSampler::new(x, y, self.job.sampling),
-                })
-                .collect();
+            let mut starts = self.starts(pixels);
             let removed = vec![cell::Cell::default(); starts.len()];
             let samples = self.trace(integrator, &mut memory, &mut starts, first, &removed);
             let pixels = samples.chunks(first as usize).zip(&mut starts).zip(removed);
@@ -145,6 +139,14 @@ impl<'a> PacketRenderer<'a> {
         }
         integrator.add_counts(memory.paths.counts);
         estimates
+    }
+
+    fn starts(&self, pixels: &[(u32, u32)]) -> Vec<PathStart> {
+        let start = |&(x, y): &(u32, u32)| PathStart {
+            pixel: (x, y),
+            sampler: PixelSampler::new(x, y, self.job.sampling),
+        };
+        pixels.iter().map(start).collect()
     }
 
     /// The pixels of `tile`. Blocks that are partly outside of it are traced as a whole, so that a
@@ -163,13 +165,7 @@ impl<'a> PacketRenderer<'a> {
             if stop.load(Ordering::Relaxed) {
                 break;
             }
-            let mut starts: Vec<PathStart> = pixels
-                .iter()
-                .map(|&(x, y)| PathStart {
-                    pixel: (x, y),
-                    sampler: PixelSampler::new(x, y, self.job.sampling),
-                })
-                .collect();
+            let mut starts = self.starts(pixels);
             let removed = vec![cell::Cell::default(); starts.len()];
             let mut left = self.job.samples;
             while left > 0 {
@@ -281,8 +277,9 @@ impl<'a> PacketRenderer<'a> {
         for (start, samples) in pixels.iter_mut().zip(samples.chunks_mut(count as usize)) {
             // Blocks may have pixels outside of the cell, of which nothing is known.
             let is_inside = blocks::place_in(self.job.cell, start.pixel).is_some();
-            let edge = || integrator.lamp_edge(self.job, self.contents, start.pixel);
-            if let Some(edge) = is_inside.then(edge).flatten() {
+            if is_inside
+                && let Some(edge) = integrator.lamp_edge(self.job, self.contents, start.pixel)
+            {
                 edge.smooth_all(integrator, &start.sampler, samples);
             }
             start.sampler.start_samples(count);

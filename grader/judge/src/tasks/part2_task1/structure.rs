@@ -1,4 +1,5 @@
-//! The structure of a tree that code under test built: no node reached twice, primitives held once.
+//! The structure of a tree that the code under test has built: no node is reached twice, and one
+//! leaf holds each primitive.
 
 use crate::plural;
 use wire::work::{Node, NodeKind, Tree};

@@ -59,6 +59,7 @@ pub use materials::nearly_smooth;
 pub use merge::merge;
 pub use mitsuba::to_mitsuba;
 pub use output::{Output, OutputError};
+pub use packet::Guide;
 pub use part_file::PartFile;
 pub use passes::Passes;
 pub use picture::{Picture, PreparedScene};

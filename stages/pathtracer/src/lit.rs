@@ -7,7 +7,7 @@
 
 use crate::exact_sum::PixelSum;
 use crate::integrator::PathIntegrator;
-use crate::packet::PacketRenderer;
+use crate::packet::{Guide, PacketRenderer};
 use crate::pixel_contents::PixelContents;
 use crate::rendered::RenderedTile;
 use crate::textures::Textures;
@@ -57,6 +57,9 @@ pub struct LightSettings {
     /// Whether neighbouring pixels share what their paths find (`--reuse-paths`): see
     /// [`LightSettings::shares_paths`].
     pub reuse_paths: bool,
+    /// Whether caustic rays find light behind mirrors and smooth glass (`--guide-caustics`): see
+    /// [`LightSettings::guides_caustics`].
+    pub guide_caustics: bool,
     /// Adaptive sampling: samples per batch and tolerance (`-a`).
     pub adaptive: Option<(u32, f64)>,
     /// The camera's lens.
@@ -80,6 +83,7 @@ impl Default for LightSettings {
             soft_terminator: false,
             clamp: None,
             reuse_paths: false,
+            guide_caustics: false,
             adaptive: None,
             lens: Lens {
                 radius: 0.0,
@@ -106,6 +110,18 @@ impl LightSettings {
     pub fn shares_paths(&self) -> bool {
         let is_own = self.adaptive.is_some() || self.clamp.is_some() || self.soft_terminator;
         self.reuse_paths && self.max_depth > 1 && !is_own
+    }
+
+    /// Whether only paths in packets do what they say.
+    pub fn need_packets(&self) -> bool {
+        self.shares_paths() || self.guides_caustics()
+    }
+
+    /// Whether caustic rays may be sent: a lamp behind a mirror is found by the third ray of a path
+    /// at the earliest.
+    pub fn guides_caustics(&self) -> bool {
+        let is_limited = self.clamp.is_some() || self.soft_terminator;
+        self.guide_caustics && self.max_depth > 2 && !is_limited
     }
 
     /// What the pixels of `job` can show, as far as it matters: only adaptive sampling asks for
@@ -140,7 +156,16 @@ pub fn render_lit(
     };
     let contents = settings.pixel_contents(lit, job);
     let tiles = render_lit_tiles(
-        lit, textures, accel, job, settings, &contents, &tiles, stop, &finished,
+        lit,
+        textures,
+        accel,
+        job,
+        settings,
+        &contents,
+        &Guide::default(),
+        &tiles,
+        stop,
+        &finished,
     );
     let mut rendered = Rendered::black(job.film, true);
     tiles.iter().for_each(|tile| rendered.add_tile(tile));
@@ -162,11 +187,14 @@ pub fn render_lit_tiles<R: Send>(
     job: &Job,
     settings: &LightSettings,
     contents: &PixelContents,
+    guide: &Guide,
     tiles: &[Cell],
     stop: &AtomicBool,
     finish: &(dyn Fn(RenderedTile) -> R + Sync),
 ) -> Vec<R> {
-    if let Some(renderer) = PacketRenderer::new(lit, textures, accel, job, settings, contents) {
+    if let Some(renderer) =
+        PacketRenderer::new(lit, textures, accel, job, settings, contents, guide)
+    {
         return renderer.render(tiles, stop, finish);
     }
     tiles::render(

@@ -3,7 +3,7 @@
 use crate::args::Shade;
 use crate::lit::{LightSettings, render_lit_tiles};
 use crate::normals::render_normal_tiles;
-use crate::packet::PacketRenderer;
+use crate::packet::{Guide, PacketRenderer};
 use crate::pixel_contents::PixelContents;
 use crate::rendered::RenderedTile;
 use crate::{Accel, AccelKind, Job, Textures};
@@ -68,6 +68,8 @@ pub struct PreparedScene {
     pub textures: Textures,
     /// Built over the scene.
     pub accel: Accel,
+    /// Where caustic rays are sent, if any are.
+    pub guide: Guide,
 }
 
 impl PreparedScene {
@@ -75,6 +77,7 @@ impl PreparedScene {
     pub fn new(picture: Picture, textures: Textures, kind: AccelKind) -> PreparedScene {
         PreparedScene {
             accel: Accel::build(kind, picture.scene()),
+            guide: Guide::default(),
             picture,
             textures,
         }
@@ -85,13 +88,14 @@ impl PreparedScene {
         self.picture.scene()
     }
 
-    /// Whether pixels share what their paths find if `settings` ask for it and there is light: only
-    /// paths in packets do.
-    pub fn can_share_paths(&self, job: &Job, settings: &LightSettings) -> bool {
+    /// Whether paths do what `settings` ask for and only paths in packets do, if there is light:
+    /// whether they share what they find, and send caustic rays.
+    pub fn has_packets_if_needed(&self, job: &Job, settings: &LightSettings) -> bool {
         match &self.picture {
-            Picture::Lit(lit) if lit.has_light() && settings.shares_paths() => {
+            Picture::Lit(lit) if lit.has_light() && settings.need_packets() => {
                 let (textures, contents) = (&self.textures, PixelContents::default());
-                PacketRenderer::new(lit, textures, &self.accel, job, settings, &contents).is_some()
+                let (accel, guide) = (&self.accel, &self.guide);
+                PacketRenderer::new(lit, textures, accel, job, settings, &contents, guide).is_some()
             }
             _ => true,
         }
@@ -121,6 +125,7 @@ impl PreparedScene {
                 job,
                 settings,
                 contents,
+                &self.guide,
                 tiles,
                 stop,
                 finish,

@@ -74,10 +74,7 @@ fn errors_name_the_allowed_values() {
     refused("-f a.png --error x lit.dae", "a finite number above 0");
     refused("-f a.png --error 0.1 -a 8 0.1 lit.dae", "--adaptive");
     let flags = "-f a.png -r 4 4 -m 2 --reuse-paths --accel bvh lit.dae";
-    refused(
-        flags,
-        "only paths in packets share what they find: use --accel simd",
-    );
+    refused(flags, "only paths in packets do this: use --accel simd");
     refused("-f a.png --time inf lit.dae", "a finite number above 0");
     refused("-f a.png --error inf lit.dae", "a finite number above 0");
     refused("-f a.png --lens-radius 0.1 lit.dae", "--focus");
@@ -260,6 +257,14 @@ fn flags_and_lights_without_effect_are_noted() {
     let (_, output) = pathtracer(folder.path(), "-f a.png -r 4 4 --reuse-paths lit.dae");
     assert!(
         output.contains("no effect: --reuse-paths: -m 1"),
+        "{output}"
+    );
+    let (_, output) = pathtracer(
+        folder.path(),
+        "-f a.png -r 4 4 -m 2 --guide-caustics lit.dae",
+    );
+    assert!(
+        output.contains("no effect: --guide-caustics: with -m 2 no mirror"),
         "{output}"
     );
     let flags = "-f a.png --export mitsuba a.xml lit.dae";

@@ -1,4 +1,5 @@
-//! Pixels that share what their paths find: less error in the same picture, whatever its cells.
+//! Pixels that share what their paths find, and caustic rays: less error in the same picture,
+//! whatever its cells.
 // BEGIN SOLUTION(part6.task2)
 
 use crate::common::own_scenes;
@@ -29,7 +30,12 @@ fn room(file: &str) -> Room {
 }
 
 impl Room {
-    fn render(&self, cell: Cell, (samples, seed): (u32, u64), reuse_paths: bool) -> Rendered {
+    fn render(
+        &self,
+        cell: Cell,
+        (samples, seed): (u32, u64),
+        [reuse_paths, guide_caustics]: [bool; 2],
+    ) -> Rendered {
         let job = Job {
             camera: self.camera,
             film: FILM,
@@ -45,6 +51,7 @@ impl Room {
             max_depth: 4,
             lamp_rays: 4,
             reuse_paths,
+            guide_caustics,
             ..LightSettings::default()
         };
         let (textures, stop) = (Textures::default(), AtomicBool::new(false));
@@ -63,7 +70,7 @@ impl Room {
 /// The second room has a tree, and more samples than a block traces at once.
 #[test]
 fn a_pixel_is_the_same_in_every_cell() {
-    for (file, samples) in [("cornell_spheres.dae", 6), ("cornell_whale.dae", 521)] {
+    for (file, samples) in [("cornell_mirror_glass.dae", 6), ("cornell_whale.dae", 521)] {
         let room = room(file);
         let cell = Cell {
             x0: 3,
@@ -77,7 +84,8 @@ fn a_pixel_is_the_same_in_every_cell() {
             x1: 12,
             y1: 9,
         };
-        let [part, whole] = [cell, around].map(|cell| room.render(cell, (samples, 1), true));
+        let [part, whole] =
+            [cell, around].map(|cell| room.render(cell, (samples, 1), [true, true]));
         for (x, y) in cell.pixels() {
             assert_eq!(
                 part.film.get(x, y),
@@ -91,17 +99,23 @@ fn a_pixel_is_the_same_in_every_cell() {
 }
 
 /// Pictures of two seeds differ by the error of both.
-#[test]
-fn shared_paths_have_less_error() {
-    let room = room("cornell_spheres.dae");
-    let squared_error = |reuse_paths| -> f64 {
-        let [a, b] = [1, 2].map(|seed| room.render(FILM.whole(), (32, seed), reuse_paths));
+fn squared_error_by(file: &str, flags: [bool; 2]) -> f64 {
+    let room = room(file);
+    let squared_error = |flags| -> f64 {
+        let [a, b] = [1, 2].map(|seed| room.render(FILM.whole(), (32, seed), flags));
         let pairs = a.film.pixels().iter().zip(b.film.pixels());
         pairs
             .map(|(a, b)| (a.radiance.luminance() - b.radiance.luminance()).powi(2))
             .sum()
     };
-    let ratio = squared_error(true) / squared_error(false);
-    assert!(ratio < 0.5, "{ratio}");
+    squared_error(flags) / squared_error([false, false])
+}
+
+#[test]
+fn shared_paths_and_caustic_rays_have_less_error() {
+    let shared = squared_error_by("cornell_spheres.dae", [true, false]);
+    assert!(shared < 0.5, "{shared}");
+    let guided = squared_error_by("cornell_mirror_glass.dae", [false, true]);
+    assert!(guided < 0.7, "{guided}");
 }
 // END SOLUTION(part6.task2)

@@ -97,7 +97,7 @@ impl<S: Simd> PathPacket<'_, S> {
             || {
                 let simd = self.simd;
                 let zero = f64x8::splat(simd, 0.0);
-                let DiffuseSample { wi, weight, .. } = self.sample_diffuse(surfaces, wo_z);
+                let DiffuseSample { wi, pdf, weight } = self.sample_diffuse(surfaces, wo_z);
                 let d = Frame::around(surfaces.n).to_world(wi);
                 // No light is scattered towards a viewer in the plane of the surface, nor through
                 // it.
@@ -112,7 +112,12 @@ impl<S: Simd> PathPacket<'_, S> {
                 self.paths.d = d.masked_or(mask, self.paths.d);
                 self.paths.skip = mask.select(skip, self.paths.skip);
                 self.paths.throughput = throughput.masked_or(mask, self.paths.throughput);
-                self.paths.emission_counts = mask.select(zero, self.paths.emission_counts);
+                let pdf = if self.scene.guide.is_some() {
+                    pdf
+                } else {
+                    zero
+                };
+                self.paths.emission_counts = mask.select(-pdf, self.paths.emission_counts);
                 (continues & survivors).to_bitmask()
             },
         )

@@ -12,7 +12,8 @@
 //! around a tree), `beam` (rays that are close to each other), `surface_packet` and
 //! `material_class` (what was hit), `light`, `shadow_queue`, `sin_cos` and `diffuse` (direct light
 //! and scattering at diffuse surfaces), `columns` and `bsdf_rays` (multiple importance sampling),
-//! `specular` (mirrors and smooth glass), `other_materials` (everything else, by the fallback).
+//! `specular` (mirrors and smooth glass), `caustic_guide`
+//! and `caustics` (light behind these), `other_materials` (everything else, by the fallback).
 //!
 //! The formulas are those of the crate `lanes`, which performs the operations of the stages in the
 //! same order, so all bits are equal. What is here decides which lanes compute what. Where a scalar
@@ -30,6 +31,7 @@
 mod beam;
 mod bsdf_rays;
 mod camera;
+mod caustics;
 mod columns;
 mod diffuse;
 mod intersection;
@@ -53,9 +55,11 @@ mod vec3x8;
 mod visible;
 // END SOLUTION(part6.task2)
 
+mod caustic_guide;
 mod fallback;
 mod scene;
 
+pub use caustic_guide::{CausticGuide, Landing, Lobes, MAX_CAUSTIC_RAYS};
 pub use fallback::{Beam, HALF_SPACES, HalfSpace, NextRay, ScalarFallback, ScalarPath};
 pub use fearless_simd::Level;
 pub use scene::{BATCH_SIZE, Counts, PathMemory, PathScene, PathSettings, PathStart, View};

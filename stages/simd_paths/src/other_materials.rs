@@ -35,7 +35,7 @@ impl<S: Simd> PathPacket<'_, S> {
                 throughput: Spectrum::from(self.paths.throughput.lane(lane).to_array()),
                 sampler: self.samplers.get(lane),
                 bounce,
-                emission_counts: self.paths.emission_counts[lane] > 0.5,
+                emission_counts: self.paths.emission_counts[lane] > 0.0,
             };
             let next = fallback.scatter(&mut path, self.paths.d.lane(lane), &hit);
             *radiance = path.radiance;
@@ -53,11 +53,13 @@ impl<S: Simd> PathPacket<'_, S> {
             };
             self.samplers.set(lane, &path.sampler);
             if let Some(NextRay { ray, skip }) = next {
+                let emission = self.emission_behind(lane);
                 self.paths.o.set(lane, ray.o.to_array());
                 self.paths.d.set(lane, ray.d.to_array());
                 self.paths.throughput.set(lane, path.throughput.to_array());
                 self.paths.skip[lane] = skip.map_or(NONE, |id| f64::from(id.0));
-                self.paths.emission_counts[lane] = f64::from(u8::from(path.emission_counts));
+                self.paths.emission_counts[lane] =
+                    if path.emission_counts { emission } else { 0.0 };
                 survivors |= 1 << lane;
             }
         }

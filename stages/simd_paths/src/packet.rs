@@ -26,6 +26,8 @@ pub(crate) struct PathPacket<'a, S: Simd> {
     pub(crate) hits: HitSource<'a>,
     /// The lanes that hold a path, one bit each.
     pub(crate) alive: u64,
+    /// Whether they end at surfaces that are neither a mirror nor smooth glass: caustic rays do.
+    pub(crate) are_caustic: bool,
     pub(crate) paths: PathLanes<S>,
     pub(crate) samplers: PixelSamplers<LANES>,
 }
@@ -69,7 +71,11 @@ impl<S: Simd> PathPacket<'_, S> {
                 let ids: [usize; LANES] =
                     std::array::from_fn(|lane| hits.prim[lane].max(0.0) as usize);
                 let materials = std::array::from_fn(|lane| self.scene.material_of(ids[lane]));
-                let [diffuse, emissive, mut specular, mut other] = lanes_by_class(&materials, hit);
+                let [mut diffuse, emissive, mut specular, mut other] =
+                    lanes_by_class(&materials, hit);
+                if self.are_caustic {
+                    (diffuse, other) = (0, 0);
+                }
                 if specular.count_ones() < MIN_SPECULAR {
                     other |= mem::take(&mut specular);
                 }
@@ -94,14 +100,14 @@ impl<S: Simd> PathPacket<'_, S> {
                     .then(|| self.scatter_specular(bounce, &surfaces, &ids, specular, memory));
                 let wo = -self.paths.d;
                 let mut first = 0;
-                if self.settings.reuses_paths {
+                if self.settings.reuses_paths && !self.are_caustic {
                     first = self.keep_vertices(bounce, &surfaces, hit, diffuse, memory);
                 }
                 if emissive != 0 {
-                    let counts = f64x8::splat(simd, 0.5).simd_lt(self.paths.emission_counts);
+                    let counts = zero.simd_lt(self.paths.emission_counts);
                     let in_front = zero.simd_lt(wo.dot(surfaces.departure.ng));
                     let visible = mask64x8::from_bitmask(simd, emissive) & counts & in_front;
-                    let light = self.paths.throughput * surfaces.color;
+                    let light = self.paths.throughput * surfaces.color * self.paths.emission_counts;
                     for lane in lanes(visible.to_bitmask()) {
                         self.add(lane, light.lane(lane), radiance);
                     }
@@ -113,6 +119,9 @@ impl<S: Simd> PathPacket<'_, S> {
                     self.sample_lights(&surfaces, wo_z, diffuse, shadows);
                     if self.scene.samples_bsdf(self.settings) {
                         self.sample_bsdf(&surfaces, wo_z, diffuse, memory, shadows, fallback);
+                    }
+                    if bounce + 1 < self.settings.max_depth {
+                        self.send_caustic_rays(&surfaces, wo_z, diffuse, memory);
                     }
                     if bounce < self.settings.max_depth {
                         survivors = self.scatter(bounce, &surfaces, wo_z, diffuse, memory);
@@ -130,9 +139,9 @@ impl<S: Simd> PathPacket<'_, S> {
     /// Adds the background to the lanes in `missed`, unless direct light has counted it.
     fn add_background(&self, missed: u64, memory: &mut PathMemory, radiance: &mut [Spectrum]) {
         memory.counts.background += u64::from(missed.count_ones());
-        for lane in lanes(missed).filter(|&lane| self.paths.emission_counts[lane] > 0.5) {
+        for lane in lanes(missed).filter(|&lane| self.paths.emission_counts[lane] > 0.0) {
             let light = self.scene.lit.background(self.paths.d.lane(lane));
-            let throughput = self.paths.throughput.lane(lane);
+            let throughput = self.paths.throughput.lane(lane) * self.paths.emission_counts[lane];
             self.add(lane, throughput * Vec3::from(light.to_array()), radiance);
         }
     }

@@ -2,12 +2,13 @@
 
 use crate::BATCH_SIZE;
 use crate::beam::{RangeEnds, RayBundle};
+use crate::caustic_guide::MAX_CAUSTIC_RAYS;
 use crate::vec3x8::{LANES, Vec3x8};
 use fearless_simd::{Simd, f64x8, mask64x8, prelude::*};
 use kit::PixelSampler;
 use kit::sampler::PixelSamplers;
 
-type Field = [f64; BATCH_SIZE];
+type Field = Vec<f64>;
 
 /// The paths that still continue, in the order in which they started.
 #[derive(Clone, Debug)]
@@ -36,7 +37,9 @@ pub(crate) struct PathLanes<S: Simd> {
     pub(crate) throughput: Vec3x8<S>,
     /// The number of the primitive that the ray leaves and cannot hit again, or `NONE`.
     pub(crate) skip: f64x8<S>,
-    /// 1 where emission at the next hit counts, 0 where direct light has counted it.
+    /// How much of the emission at the next hit counts: nothing if it is not positive, because
+    /// direct light has counted it. Behind a mirror or smooth glass the part is then 1 if this is
+    /// 0, and else the one of the direction's density `-emission_counts` and the guide's.
     pub(crate) emission_counts: f64x8<S>,
     /// The number of the path: of its radiance.
     pub(crate) index: f64x8<S>,
@@ -44,17 +47,19 @@ pub(crate) struct PathLanes<S: Simd> {
 
 impl Default for PathQueue {
     fn default() -> PathQueue {
-        let field = [0.0; BATCH_SIZE];
+        let capacity = BATCH_SIZE * MAX_CAUSTIC_RAYS;
+        let field = || vec![0.0; capacity];
+        let vector = || [field(), field(), field()];
         PathQueue {
             count: 0,
-            samplers: vec![PixelSampler::new(0, 0, 0); BATCH_SIZE],
+            samplers: vec![PixelSampler::new(0, 0, 0); capacity],
             fields: Fields {
-                o: [field; 3],
-                d: [field; 3],
-                throughput: [field; 3],
-                skip: field,
-                emission_counts: field,
-                index: field,
+                o: vector(),
+                d: vector(),
+                throughput: vector(),
+                skip: field(),
+                emission_counts: field(),
+                index: field(),
             },
         }
     }
@@ -96,7 +101,7 @@ impl PathQueue {
             .iter()
             .zip(index)
             .take(self.count);
-        let scattered = paths.filter(|(emission_counts, _)| **emission_counts < 0.5);
+        let scattered = paths.filter(|(emission_counts, _)| **emission_counts <= 0.0);
         scattered.map(|(_, index)| *index as usize)
     }
 

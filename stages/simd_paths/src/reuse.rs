@@ -87,7 +87,7 @@ impl<S: Simd> PathPacket<'_, S> {
         let mut first = 0;
         for lane in lanes(hit) {
             let link = &mut memory.links[self.paths.index[lane] as usize];
-            let comes_first = self.paths.emission_counts[lane] > 0.5;
+            let comes_first = self.paths.emission_counts[lane] > 0.0;
             let is_diffuse = diffuse >> lane & 1 == 1;
             let vertex = || {
                 let wo = -self.paths.d.lane(lane);

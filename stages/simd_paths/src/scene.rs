@@ -17,7 +17,7 @@ use lanes::dispatch;
 use std::mem;
 // END SOLUTION(part6.task2)
 
-use crate::{Level, ScalarFallback};
+use crate::{CausticGuide, Level, ScalarFallback};
 use kit::{Camera, FilmSize, LitScene, PixelSampler, PrimId, Spectrum};
 
 /// A scene prepared for tracing paths in packets.
@@ -42,6 +42,8 @@ pub struct PathScene<'a> {
     pub(crate) has_background: bool,
     /// Whether every triangle has the same normal at its three vertices.
     pub(crate) is_faceted: bool,
+    /// Where caustic rays are sent.
+    pub(crate) guide: Option<&'a CausticGuide>,
     level: Level,
     // STUB: // Add the fields that you need.
     // END SOLUTION(part6.task2)
@@ -128,6 +130,8 @@ pub const BATCH_SIZE: usize = 256;
 pub struct PathMemory {
     // BEGIN SOLUTION(part6.task2)
     pub(crate) queue: PathQueue,
+    /// The paths through mirrors and glass that `queue` has started.
+    pub(crate) caustics: PathQueue,
     pub(crate) scratch: Scratch,
     pub(crate) nearby: NearbyPrimitives,
     pub(crate) shadows: ShadowQueue,
@@ -165,6 +169,7 @@ impl<'a> PathScene<'a> {
             has_extended_lights: lit.emitters.iter().any(|emitter| !emitter.is_delta()),
             has_background: lit.has_background(),
             is_faceted: scene.triangles.iter().all(is_faceted),
+            guide: None,
             level: Level::new(),
             lit,
         })
@@ -201,6 +206,16 @@ impl<'a> PathScene<'a> {
         // BEGIN SOLUTION(part6.task2)
         PathScene { level, ..self }
         // STUB: kit::hole!("part6.task2", self, level)
+        // END SOLUTION(part6.task2)
+    }
+
+    /// The same scene with caustic rays, which are sent where `guide` says. Single samples are then
+    /// not those of the stages; the mean of many is. For materials without a soft terminator.
+    #[must_use]
+    pub fn guided(self, guide: Option<&'a CausticGuide>) -> PathScene<'a> {
+        // BEGIN SOLUTION(part6.task2)
+        PathScene { guide, ..self }
+        // STUB: kit::hole!("part6.task2", self, guide)
         // END SOLUTION(part6.task2)
     }
 

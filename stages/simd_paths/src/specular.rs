@@ -138,13 +138,14 @@ impl<S: Simd> PathPacket<'_, S> {
             || {
                 let simd = self.simd;
                 let mask = mask64x8::from_bitmask(simd, scattered.survivors);
+                for lane in lanes(scattered.survivors) {
+                    self.paths.emission_counts[lane] = self.emission_behind(lane);
+                }
                 let (o, skip) = surfaces.leave(simd, scattered.wi);
                 self.paths.o = o.masked_or(mask, self.paths.o);
                 self.paths.d = scattered.wi.masked_or(mask, self.paths.d);
                 self.paths.skip = mask.select(skip, self.paths.skip);
                 self.paths.throughput = scattered.throughput.masked_or(mask, self.paths.throughput);
-                let one = f64x8::splat(simd, 1.0);
-                self.paths.emission_counts = mask.select(one, self.paths.emission_counts);
                 for lane in lanes(scattered.survivors) {
                     self.samplers.set(lane, &scattered.samplers.get(lane));
                 }

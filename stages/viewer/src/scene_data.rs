@@ -6,8 +6,8 @@ use crate::task::{StageFailure, guarded};
 use kit::{Aabb, Bvh, Environment, FilmSize, Scene};
 use pathtracer::args::{Args, NormalsName, Shade};
 use pathtracer::{
-    Accel, AccelKind, Job, LightSettings, Picture, PreparedScene, ProgressiveRender, Textures,
-    load_environment,
+    Accel, AccelKind, Guide, Job, LightSettings, Picture, PreparedScene, ProgressiveRender,
+    Textures, load_environment,
 };
 use scenes::placement::{View, place};
 use std::path::{Path, PathBuf};
@@ -193,6 +193,7 @@ impl SceneData {
             textures: source.textures.clone(),
             picture,
             accel,
+            guide: Guide::default(),
         };
         let stages_differ = matches!(prepared.accel, Accel::Simd(_))
             && guarded(|| differs_with(&mut prepared, &tree)).unwrap_or(false);

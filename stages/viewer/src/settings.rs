@@ -164,6 +164,9 @@ impl RenderSettings {
         if self.light.reuse_paths {
             flags += " --reuse-paths";
         }
+        if self.light.guide_caustics {
+            flags += " --guide-caustics";
+        }
         if self.seed != 0 {
             flags += &format!(" --seed {}", self.seed);
         }

@@ -414,6 +414,11 @@ const GIVEN: &[(&str, &str)] = &[
         "rendering.md",
         "these scenes take so many times as long for the same mean squared error: `cornell_whale` 0.23,\n`cornell_spheres` 0.26, `window_room` 0.37",
     ),
+    ("rendering.md", "First 16,384 paths from the lamps"),
+    (
+        "rendering.md",
+        "the scene `cornell_mirror_glass` takes 0.55 times as long",
+    ),
     (
         "rendering.md",
         "scene: `cornell_mirror_glass` 1.2, `stairs_sky` 1.05",

@@ -1,6 +1,6 @@
 //! Several samplers in structure-of-arrays layout.
 
-use super::{Pattern, PixelSampler};
+use super::{Pattern, PixelSampler, mix};
 use crate::sobol;
 
 /// Several samplers with the same pattern, stored field by field. Their methods are loops over
@@ -58,6 +58,16 @@ impl<const N: usize> PixelSamplers<N> {
         self.samples_started[i] = sampler.samples_started;
         self.dimensions[i] = sampler.dimension;
         self.points[i] = sampler.points;
+    }
+
+    /// Samplers at the same place whose numbers are others.
+    #[inline(always)]
+    #[must_use]
+    pub fn branched(&self) -> PixelSamplers<N> {
+        PixelSamplers {
+            keys: self.keys.map(|key| mix(!key)),
+            ..self.clone()
+        }
     }
 
     /// Skips the number that [`PixelSamplers::next_1d`] would return, in each sampler.

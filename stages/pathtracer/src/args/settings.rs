@@ -105,6 +105,7 @@ impl Args {
             soft_terminator: self.soft_terminator,
             clamp: self.clamp,
             reuse_paths: self.reuse_paths,
+            guide_caustics: self.guide_caustics,
             adaptive: self.adaptive()?,
             lens: Lens {
                 radius: self.lens_radius,
@@ -206,6 +207,7 @@ impl Args {
             (self.soft_terminator, "--soft-terminator"),
             (self.clamp.is_some(), "--clamp"),
             (self.reuse_paths, "--reuse-paths"),
+            (self.guide_caustics, "--guide-caustics"),
             (self.pixel.is_some(), "--pixel"),
             (self.shade == Shade::Normals, "--shade"),
             (self.seed != 0, "--seed"),
@@ -239,6 +241,7 @@ impl Args {
             (self.soft_terminator, "--soft-terminator"),
             (self.clamp.is_some(), "--clamp"),
             (self.reuse_paths, "--reuse-paths"),
+            (self.guide_caustics, "--guide-caustics"),
             (self.lens_radius > 0.0, "--lens-radius"),
             (self.time.is_some(), "--time"),
             (self.error.is_some(), "--error"),

@@ -5,6 +5,7 @@
 
 mod blocks;
 mod fallback;
+mod photons;
 
 use crate::clamp::clamp_indirect;
 use crate::exact_sum::PixelSum;
@@ -20,6 +21,7 @@ use global::roulette::MIN_BOUNCES;
 use kit::effects::Effect;
 use kit::film::Cell;
 use kit::{LitScene, PixelEstimate, PixelSampler, Ray, Spectrum, Tally, Vec3};
+pub use photons::Guide;
 use simd_bvh::{StreamMemory, WideBvh};
 use simd_paths::{BATCH_SIZE, Counts, PathMemory, PathScene, PathSettings, PathStart, View};
 use std::cell;
@@ -49,6 +51,7 @@ impl<'a> PacketRenderer<'a> {
         job: &'a Job,
         settings: &'a LightSettings,
         contents: &'a PixelContents,
+        guide: &'a Guide,
     ) -> Option<PacketRenderer<'a>> {
         let Accel::Simd(tree) = accel else {
             return None;
@@ -63,6 +66,11 @@ impl<'a> PacketRenderer<'a> {
         if !is_supported {
             return None;
         }
+        let scene = PathScene::new(lit, tree.apart())?;
+        let scene = scene.guided(match settings.guides_caustics() {
+            true => guide.get(&PathIntegrator::new(lit, textures, accel, settings)),
+            false => None,
+        });
         Some(PacketRenderer {
             lit,
             textures,
@@ -71,7 +79,7 @@ impl<'a> PacketRenderer<'a> {
             job,
             settings,
             contents,
-            scene: PathScene::new(lit, tree.apart())?,
+            scene,
             view: View {
                 camera: job.camera,
                 film: job.film,
@@ -373,9 +381,11 @@ mod tests {
             sampling: 0.into(),
         };
         let (textures, contents) = (Textures::default(), PixelContents::default());
+        let guide = Guide::default();
         let uses_packets = |kind, settings: LightSettings| {
             let accel = Accel::build(kind, &lit.scene);
-            PacketRenderer::new(&lit, &textures, &accel, &job, &settings, &contents).is_some()
+            PacketRenderer::new(&lit, &textures, &accel, &job, &settings, &contents, &guide)
+                .is_some()
         };
         let lights = LightSettings::default();
         let adaptive = |batch| LightSettings {

@@ -1,5 +1,6 @@
 //! Packets compute the radiance of scalar paths, bit for bit, with every instruction set.
 
+mod caustics;
 mod reuse;
 mod scalar;
 mod scenes;

@@ -6,7 +6,7 @@ use crate::{TO_DEPTH_5, bits, starts, view};
 use kit::sampler::Sampling;
 use kit::{LitScene, Material, Spectrum, Sphere, Tally, Vec3};
 use lanes::instruction_sets;
-use simd_paths::{Level, PathMemory, PathScene, PathSettings};
+use simd_paths::{CausticGuide, Level, PathMemory, PathScene, PathSettings};
 
 const REUSE: PathSettings = PathSettings {
     keeps_direct: true,
@@ -15,7 +15,18 @@ const REUSE: PathSettings = PathSettings {
 };
 
 fn trace(lit: &LitScene, settings: PathSettings, samples: u32, level: Level) -> Vec<Spectrum> {
+    trace_guided(lit, settings, samples, level, None)
+}
+
+pub(crate) fn trace_guided(
+    lit: &LitScene,
+    settings: PathSettings,
+    samples: u32,
+    level: Level,
+    guide: Option<&CausticGuide>,
+) -> Vec<Spectrum> {
     let scene = PathScene::new(lit, &[]).expect("a scene").at_level(level);
+    let scene = scene.guided(guide);
     let mut fallback = ScalarPaths::new(lit, settings);
     let (view, mut memory) = (view(false, false), PathMemory::default());
     let starts = starts(Sampling::from(7), &view);

@@ -28,7 +28,7 @@ impl Random {
         2.0 * Vec3::new(p.x, p.y, self.one()) - 1.0
     }
 
-    fn direction(&mut self) -> Vec3 {
+    pub(crate) fn direction(&mut self) -> Vec3 {
         warp::uniform_sphere(self.0.next_2d())
     }
 

@@ -96,12 +96,22 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
         samples,
         sampling: args.sampling(samples),
     };
-    if !prepared.can_share_paths(&job, &light) {
+    if !prepared.has_packets_if_needed(&job, &light) {
         return Err(Failure::Input(
-            "--reuse-paths: only paths in packets share what they find: use --accel simd, and write part6.task2 if it \
-             is open"
+            "--reuse-paths and --guide-caustics: only paths in packets do this: use --accel simd, and write part6.task2 \
+             if it is open"
                 .to_owned(),
         ));
+    }
+    if matches!(prepared.picture, Picture::Lit(_))
+        && light.guide_caustics
+        && !prepared.guide.is_known()
+    {
+        let depth = light.max_depth;
+        errln!(
+            "note: no effect: --guide-caustics: with -m {depth} no mirror or smooth glass leads light of a lamp with \
+             an area to a diffuse surface"
+        );
     }
     let thread_count = args.thread_count();
     let threads = rayon::ThreadPoolBuilder::new()

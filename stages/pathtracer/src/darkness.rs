@@ -1,6 +1,6 @@
 //! Why a picture of light is black.
 
-use crate::integrator::RayOrigin;
+use crate::tracer::RayOrigin;
 use crate::{Accel, Counters, DirectSampling, Job, LightSettings};
 use kit::sampler::Sampling;
 use kit::shading_normal::{Sides, towards_viewer};

@@ -7,7 +7,7 @@ use crate::clamp::clamp_indirect;
 use crate::exact_sum::PixelSum;
 use crate::materials::{Materials, PathMaterials, Place};
 use crate::textures::Textures;
-use crate::tracer::{RayRole, RayTracer, SceneTracer};
+use crate::tracer::{RayOrigin, RayRole, RayTracer, SceneTracer};
 use crate::{Accel, Counters, DirectSampling, LightSettings};
 use direct::{
     estimate_direct_lighting_hemisphere, estimate_direct_lighting_importance,
@@ -17,49 +17,11 @@ use global::{estimate_radiance, play_roulette};
 use kit::effects::Effect;
 use kit::shading_normal::{Sides, towards_viewer};
 use kit::{
-    Camera, Hit, LitScene, Material, PixelSampler, PrimId, Ray, Scattering, Scene, Spectrum,
-    Surface, Tally, Texture, Vec3,
+    Camera, Hit, LitScene, Material, PixelSampler, PrimId, Ray, Scattering, Spectrum, Surface,
+    Tally, Texture, Vec3,
 };
 use std::cell::Cell;
 use std::hint::black_box;
-
-/// The surface that a ray starts on.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct RayOrigin {
-    prim: PrimId,
-    /// Geometric normal. On a sphere it points outwards.
-    ng: Vec3,
-}
-
-impl RayOrigin {
-    /// The primitive that a ray along `d` leaves and cannot hit again: a triangle, because it is
-    /// flat, or a sphere if the ray goes outwards.
-    #[inline]
-    pub(crate) fn skip(self, scene: &Scene, d: Vec3) -> Option<PrimId> {
-        let is_triangle = (self.prim.0 as usize) < scene.triangles.len();
-        (is_triangle || d.dot(self.ng) > 0.0).then_some(self.prim)
-    }
-}
-
-impl From<&Surface<'_>> for RayOrigin {
-    #[inline]
-    fn from(surface: &Surface<'_>) -> RayOrigin {
-        RayOrigin {
-            prim: surface.prim,
-            ng: surface.ng,
-        }
-    }
-}
-
-impl From<&Hit> for RayOrigin {
-    #[inline]
-    fn from(hit: &Hit) -> RayOrigin {
-        RayOrigin {
-            prim: hit.prim,
-            ng: hit.ng,
-        }
-    }
-}
 
 /// Traces the paths of one tile through a scene.
 pub(crate) struct PathIntegrator<'a, T = SceneTracer<'a>> {

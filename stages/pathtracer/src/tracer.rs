@@ -1,7 +1,7 @@
 //! How the rays of a path are traced: directly, or with everything recorded.
 
 use crate::{Accel, Counters};
-use kit::{Hit, PrimId, Ray, Scene, Spectrum, Vec2};
+use kit::{Hit, PrimId, Ray, Scene, Spectrum, Surface, Vec2, Vec3};
 
 /// Why a ray is traced.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -26,6 +26,44 @@ impl RayRole {
             RayRole::Bounce
         } else {
             RayRole::Camera
+        }
+    }
+}
+
+/// The surface that a ray starts on.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct RayOrigin {
+    prim: PrimId,
+    /// Geometric normal. On a sphere it points outwards.
+    ng: Vec3,
+}
+
+impl RayOrigin {
+    /// The primitive that a ray along `d` leaves and cannot hit again: a triangle, because it is
+    /// flat, or a sphere if the ray goes outwards.
+    #[inline]
+    pub(crate) fn skip(self, scene: &Scene, d: Vec3) -> Option<PrimId> {
+        let is_triangle = (self.prim.0 as usize) < scene.triangles.len();
+        (is_triangle || d.dot(self.ng) > 0.0).then_some(self.prim)
+    }
+}
+
+impl From<&Surface<'_>> for RayOrigin {
+    #[inline]
+    fn from(surface: &Surface<'_>) -> RayOrigin {
+        RayOrigin {
+            prim: surface.prim,
+            ng: surface.ng,
+        }
+    }
+}
+
+impl From<&Hit> for RayOrigin {
+    #[inline]
+    fn from(hit: &Hit) -> RayOrigin {
+        RayOrigin {
+            prim: hit.prim,
+            ng: hit.ng,
         }
     }
 }

@@ -2,7 +2,8 @@
 
 use crate::Counters;
 use crate::accel::{closest_in, occluded_in};
-use crate::integrator::{PathIntegrator, RayOrigin};
+use crate::integrator::PathIntegrator;
+use crate::tracer::RayOrigin;
 use crate::world::{record_hit, test_primitive};
 use kit::{Camera, Hit, PixelSampler, PrimId, Ray, Scattering, Spectrum, TriangleHit, Vec3};
 use simd_bvh::{StreamMemory, Subset, TestCounts, WideBvh};

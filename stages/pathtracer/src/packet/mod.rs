@@ -66,11 +66,8 @@ impl<'a> PacketRenderer<'a> {
         if !is_supported {
             return None;
         }
-        let scene = PathScene::new(lit, tree.apart())?;
-        let scene = scene.guided(match settings.guides_caustics() {
-            true => guide.get(&PathIntegrator::new(lit, textures, accel, settings)),
-            false => None,
-        });
+        let is_guided = settings.guides_caustics();
+        let caustics = is_guided.then(|| guide.get(lit, accel)).flatten();
         Some(PacketRenderer {
             lit,
             textures,
@@ -79,7 +76,7 @@ impl<'a> PacketRenderer<'a> {
             job,
             settings,
             contents,
-            scene,
+            scene: PathScene::new(lit, tree.apart())?.guided(caustics),
             view: View {
                 camera: job.camera,
                 film: job.film,

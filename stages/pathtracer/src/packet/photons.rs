@@ -1,12 +1,12 @@
 //! Photons: light that mirrors and smooth glass lead to diffuse surfaces, for the guide of caustic
 //! rays.
 
-use crate::Counters;
-use crate::integrator::{PathIntegrator, RayOrigin};
-use crate::tracer::{RayRole, RayTracer};
-use kit::shading_normal::towards_viewer;
+use crate::materials::{Materials, Place};
+use crate::tracer::RayOrigin;
+use crate::{Accel, Counters};
+use kit::shading_normal::{Sides, towards_viewer};
 use kit::warp::{uniform_sphere, uniform_triangle};
-use kit::{Emitter, Material, PixelSampler, PrimId, Primitive, Ray, Scattering, Vec3};
+use kit::{Emitter, LitScene, Material, PixelSampler, PrimId, Primitive, Ray, Scattering, Vec3};
 use simd_paths::{CausticGuide, Landing};
 use std::f64::consts::PI;
 use std::sync::OnceLock;
@@ -27,15 +27,15 @@ impl Guide {
         self.0.get().is_some_and(Option::is_some)
     }
 
-    pub(super) fn get(&self, integrator: &PathIntegrator<'_>) -> Option<&CausticGuide> {
-        self.0.get_or_init(|| guide(integrator)).as_ref()
+    /// `accel` is built over the scene of `lit`.
+    pub(super) fn get(&self, lit: &LitScene, accel: &Accel) -> Option<&CausticGuide> {
+        self.0.get_or_init(|| guide(lit, accel)).as_ref()
     }
 }
 
 /// The guide of a scene in which mirrors or smooth glass may lead light of area lights to diffuse
 /// surfaces; else `None`.
-fn guide(integrator: &PathIntegrator<'_>) -> Option<CausticGuide> {
-    let lit = integrator.lit;
+fn guide(lit: &LitScene, accel: &Accel) -> Option<CausticGuide> {
     let scene = &lit.scene;
     let lamps: Vec<&Emitter> = lit.emitters.iter().filter(|e| !e.is_delta()).collect();
     let mut area = 0.0;
@@ -57,7 +57,7 @@ fn guide(integrator: &PathIntegrator<'_>) -> Option<CausticGuide> {
             let place = sampler.next_1d() * area;
             let target = targets.partition_point(|(end, _)| *end <= place);
             let id = targets[target.min(targets.len() - 1)].1;
-            land(integrator, lamp, scene.primitive(id), &mut sampler)
+            land(lit, accel, lamp, scene.primitive(id), &mut sampler)
         })
         .collect();
     CausticGuide::new(&landings)
@@ -73,12 +73,12 @@ fn area_of(primitive: Primitive<'_>) -> f64 {
 /// Follows light of `lamp` towards a point on `target` to the first surface that is neither a
 /// mirror nor smooth glass, if it is diffuse.
 fn land(
-    integrator: &PathIntegrator<'_>,
+    lit: &LitScene,
+    accel: &Accel,
     lamp: &Emitter,
     target: Primitive<'_>,
     sampler: &mut PixelSampler,
 ) -> Option<Landing> {
-    let lit = integrator.lit;
     let u = sampler.next_2d();
     let (p, n) = match target {
         Primitive::Triangle(t) => {
@@ -98,14 +98,12 @@ fn land(
     // From just before the lamp.
     let distance = light.distance.min(outside) * (1.0 - 1e-6);
     let mut ray = Ray::new(p + light.wi * distance, -light.wi);
+    let materials = Materials::new(false, false);
     let mut origin: Option<RayOrigin> = None;
     let mut from: Option<Vec3> = None;
     for _ in 0..=MAX_SURFACES {
-        let skip = integrator.skip(origin, &ray);
-        let mut counters = Counters::default();
-        let found = integrator
-            .tracer
-            .closest(RayRole::Bounce, &ray, skip, &mut counters)?;
+        let skip = origin.and_then(|origin| origin.skip(&lit.scene, ray.d));
+        let found = accel.closest(&lit.scene, &mut ray, skip, &mut Counters::default())?;
         let hit = towards_viewer(lit, found, ray.d);
         let surface = lit.surface(&hit);
         if let (Material::Diffuse { .. }, Some(from)) = (surface.material, from) {
@@ -120,9 +118,14 @@ fn land(
             return None;
         }
         let wo = surface.frame.to_local(-ray.d);
-        let materials = integrator.materials.at(integrator.place(&hit, &surface));
+        let place = Place {
+            sides: Sides::of(&surface),
+            ..Place::PLAIN
+        };
         let (u, choice) = (sampler.next_2d(), sampler.next_1d());
-        let sample = materials.sample(surface.material, wo, u, choice)?;
+        let sample = materials
+            .at(place)
+            .sample(surface.material, wo, u, choice)?;
         throughput *= sample.weight();
         from = Some(hit.p);
         origin = Some(RayOrigin::from(&surface));

@@ -25,12 +25,12 @@ pub(crate) fn trace_guided(
     level: Level,
     guide: Option<&CausticGuide>,
 ) -> Vec<Spectrum> {
-    let scene = PathScene::new(lit, &[]).expect("a scene").at_level(level);
-    let scene = scene.guided(guide);
+    let scene = PathScene::new(lit, &[]).expect("a scene");
+    let guided = scene.at_level(level).guided(guide);
     let mut fallback = ScalarPaths::new(lit, settings);
     let (view, mut memory) = (view(false, false), PathMemory::default());
     let starts = starts(Sampling::from(7), &view);
-    scene.trace(
+    guided.trace(
         &view,
         &settings,
         &starts,

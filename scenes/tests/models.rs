@@ -1,6 +1,6 @@
 //! Models in other formats than COLLADA: glTF, OBJ, PLY. The files are made here.
 
-use kit::{Light, Material, Scene, Spectrum, Vec2, Vec3};
+use kit::{Light, Material, PrimId, Scene, Spectrum, Vec2, Vec3};
 use scenes::{Loaded, SceneError};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -668,6 +668,20 @@ fn obj_normals_are_smooth_within_a_group() {
         "s off\ns 1\n",
     ] {
         assert!(!roof(same), "{same}");
+    }
+}
+
+/// A material stays in use past the next object, but not in a file of Blender, which writes none for
+/// an object without one.
+#[test]
+fn obj_materials_outlast_objects() {
+    for (header, is_same) in [("#", true), ("# Blender 4.5.3 LTS", false)] {
+        let start = "v 0 0 0\nv 1 0 0\nv 0 1 0\no a\nusemtl red\nf 1 2 3\no b\nf 1 2 3\n";
+        let file = format!("{header}\nmtllib a.mtl\n{start}");
+        let loaded = loaded(&[("a.obj", file.as_bytes()), ("a.mtl", b"newmtl red\n")]);
+        let ids = [0, 1].map(|id| loaded.scene.material_number(PrimId(id)));
+        assert_eq!(ids[0] == ids[1], is_same, "{header}");
+        assert_eq!(titles(&loaded), [""; 0]);
     }
 }
 

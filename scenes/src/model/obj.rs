@@ -32,6 +32,7 @@ struct Group<'t> {
 pub(super) fn read(name: &str, folder: &Path, bytes: &[u8]) -> Result<Loaded, SceneError> {
     let mut builder = Builder::new(name);
     let text = decoded(bytes);
+    let is_of_blender = text.starts_with("# Blender");
     let mut data = MeshData::default();
     let (mut materials, mut libraries) = (HashMap::new(), HashSet::new());
     // Of each name, material and smoothness the index in the list of groups.
@@ -90,6 +91,8 @@ pub(super) fn read(name: &str, folder: &Path, bytes: &[u8]) -> Result<Loaded, Sc
                 match word {
                     "usemtl" => material = Some(value),
                     "s" => is_flat = matches!(value, "off" | "0"),
+                    // Blender writes no `usemtl` for an object without a material.
+                    "o" if is_of_blender => (name, material) = (value, None),
                     _ => name = value,
                 }
                 // Edges are smooth within a group only.

@@ -116,14 +116,15 @@ impl FilmSize {
 }
 
 impl Cell {
-    /// The tiles that cover the cell.
+    /// The tiles that cover the cell. They lie at multiples of 16 pixels on the film, whatever the
+    /// cell.
     pub fn tiles(self) -> Vec<Cell> {
-        let starts = |a: u32, b: u32| (a..b).step_by(TILE as usize);
+        let starts = |a: u32, b: u32| (a / TILE * TILE..b).step_by(TILE as usize);
         starts(self.y0, self.y1)
             .flat_map(|y0| starts(self.x0, self.x1).map(move |x0| (x0, y0)))
             .map(|(x0, y0)| Cell {
-                x0,
-                y0,
+                x0: x0.max(self.x0),
+                y0: y0.max(self.y0),
                 x1: self.x1.min(x0.saturating_add(TILE)),
                 y1: self.y1.min(y0.saturating_add(TILE)),
             })

@@ -98,6 +98,15 @@ fn a_pixel_is_the_same_in_every_cell() {
     }
 }
 
+/// Pixels outside of a cell are traced at its border, not at that of each tile.
+#[test]
+fn cells_need_few_rays_more_than_their_part_of_the_film() {
+    let room = room("cornell_spheres.dae");
+    let [cell, whole] = [1, 0].map(|x0| Cell { x0, ..FILM.whole() });
+    let [cell, whole] = [cell, whole].map(|cell| room.render(cell, (2, 1), true).counters.rays);
+    assert!(cell <= whole, "{cell} {whole}");
+}
+
 /// Pictures of two seeds differ by the error of both.
 fn squared_error_by(file: &str, flags: [bool; 2]) -> f64 {
     let room = room(file);

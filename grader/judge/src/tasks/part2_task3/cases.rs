@@ -36,6 +36,15 @@ fn block_with_plate(x0: f64, x1: f64, x: f64) -> Cross {
     block(x0, x1).with_plates(Vec3::new(x, 0.0, 0.0))
 }
 
+/// The box of a [`block_with_plate`] above the other blocks.
+fn above(x0: f64, x1: f64, x: f64) -> Cross {
+    let cross = Cross::new(Vec3::new(x0, 1.25, -1.0), Vec3::new(x1, 2.0, 1.0));
+    cross.with_plates(Vec3::new(x, 1.75, 0.0))
+}
+
+/// The distance of hits that are close together but not equal, in single precision either.
+const CLOSE: f64 = 1.0 / 131072.0;
+
 /// Rays along x, in both directions, with |d| of 1, 2 and 0.5, at different heights.
 fn through_blocks() -> Vec<Ray> {
     let mut rays = Vec::new();
@@ -130,8 +139,20 @@ fn hand_written() -> Vec<Spec> {
             block(0.0, 2.0),
             block(-1.0, 3.0),
             block(7.0, 9.0),
+            above(-8.0, -4.0, -6.0 + 2.0 * CLOSE),
+            above(-7.0, -4.0, -6.0 + CLOSE),
+            above(-7.0, -4.0, -6.0),
+            above(12.0, 16.0, 14.0 - 2.0 * CLOSE),
+            above(12.0, 15.0, 14.0 - CLOSE),
+            above(12.0, 15.0, 14.0),
         ],
-        TreePlan::split(leaf(&[3, 0]), TreePlan::split(leaf(&[2]), leaf(&[1]))),
+        TreePlan::split(
+            TreePlan::split(leaf(&[3, 0]), TreePlan::split(leaf(&[2]), leaf(&[1]))),
+            TreePlan::split(
+                TreePlan::split(leaf(&[4]), leaf(&[5, 6])),
+                TreePlan::split(leaf(&[8, 9]), leaf(&[7])),
+            ),
+        ),
     );
     vec![
         case(
@@ -173,7 +194,8 @@ fn hand_written() -> Vec<Spec> {
         case(
             "ties",
             "Primitives in the same place, in one leaf and in two: any of them is right, at their \
-             t.",
+             t. Others are close together: the nearer one is right. Pitfall: comparing hits with \
+             an epsilon returns the farther one.",
             twins.closest(&through_blocks()),
         ),
         case(

@@ -1,7 +1,8 @@
 //! Formats the results of a task's functions, and what costs points without a wrong answer.
 
 use crate::score::functions::{FunctionResult, FunctionStatus};
-use crate::score::{CaseResult, TaskResult};
+use crate::score::{CaseResult, Status, TaskResult};
+use judge::{Tier, plural};
 use std::fmt::Write;
 
 /// The result of each function, if one has a hole: `test_triangle: right in all cases;
@@ -25,6 +26,29 @@ fn one(result: &FunctionResult, crashed: bool) -> String {
         FunctionStatus::Needs { function } => format!("needs {function}"),
     };
     format!("{}: {status}", result.name)
+}
+
+/// The cases that reach code that is not written yet, of a task of which other code is written.
+pub(super) fn unwritten(task: &TaskResult) -> Vec<&str> {
+    let is_partial = task.status != Status::NotAttempted;
+    let cases = task
+        .cases
+        .iter()
+        .filter(|case| is_partial && case.status == Status::NotAttempted);
+    cases.map(|case| case.name.as_str()).collect()
+}
+
+/// Why the core cases that are right give few points, if the idea of the task is missing.
+pub(super) fn reduced(task: &TaskResult) -> Option<String> {
+    let core = task.cases.iter().filter(|case| case.tier == Tier::Core);
+    let reduced: Vec<&CaseResult> = core.filter(|case| case.lacks_only_the_idea()).collect();
+    let why = reduced.first()?.reductions.first()?;
+    let cases = plural(
+        reduced.len(),
+        "other case is right, and",
+        "other cases are right, and each",
+    );
+    Some(format!("{cases} {why}"))
 }
 
 /// Adds a line for each thing other than wrong answers that costs points of a case.

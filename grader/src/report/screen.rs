@@ -7,11 +7,11 @@ pub(super) use detail::WHOLE;
 mod tests;
 
 use super::links::book_command;
-use super::message;
 use super::table::{number, summary};
 use super::terminal::{GREEN, Page, style_of};
 use super::wrap::{columns, one_line, shorten_numbers, wrap_to};
 use super::{HintLevel, Report, Reveal, TaskReport};
+use super::{functions, message};
 use crate::course::given;
 use crate::course::sources::Place;
 use crate::score::{CaseResult, Status, TaskResult};
@@ -262,12 +262,11 @@ fn right_so_far(task: &TaskResult) -> String {
     if let Some(waiting) = super::table::waiting(task) {
         return format!("right so far; {waiting}");
     }
-    let unwritten = |case: &&CaseResult| case.status == Status::NotAttempted;
-    match task.cases.iter().filter(unwritten).count() {
+    match functions::unwritten(task).len() {
         0 => summary(task),
         count => format!(
-            "right so far, {} a function that is not written",
-            plural(count, "case calls", "cases call")
+            "right so far, {} code that is not written",
+            plural(count, "case reaches", "cases reach")
         ),
     }
 }

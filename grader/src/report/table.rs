@@ -217,12 +217,26 @@ fn details(text: &mut String, report: &TaskReport, Reveal { hint, extra }: Revea
     let (core, robust): (Vec<_>, Vec<_>) = task
         .failed_cases()
         .partition(|case| case.tier == Tier::Core);
-    if core.is_empty() && robust.is_empty() {
+    let unwritten = super::functions::unwritten(task);
+    if core.is_empty() && robust.is_empty() && unwritten.is_empty() {
         return;
     }
     let _ = writeln!(text, "\n{}  {}", task.key, task.title);
     if let Some(functions) = super::functions::line(task) {
         let _ = writeln!(text, "  {functions}");
+    }
+    if !unwritten.is_empty() {
+        let names = unwritten.join(", ");
+        let _ = writeln!(
+            text,
+            "  Cases that reach code that is not written yet: {names}"
+        );
+    }
+    if let Some(reduced) = super::functions::reduced(task) {
+        let _ = writeln!(text, "  {reduced}");
+    }
+    if core.is_empty() && robust.is_empty() {
+        return;
     }
     // A mistake is a name for lost core points: code without it may still lose extra credit.
     if !core.is_empty() || extra {
@@ -448,6 +462,16 @@ mod tests {
             summary(&both),
             "1 of 3 cases failed; 2 cases need part1.task3"
         );
+    }
+
+    #[test]
+    fn cases_that_reach_a_gap_are_named() {
+        let mut task = task(&[Status::Passed, Status::NotAttempted]);
+        task.cases[1].name = "no_samples".into();
+        let hint = HintLevel::Findings;
+        let shown = task_text(&task.into(), Reveal { hint, extra: false });
+        let expected = "Cases that reach code that is not written yet: no_samples";
+        assert!(shown.contains(expected), "{shown}");
     }
 
     #[test]

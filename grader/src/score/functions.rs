@@ -213,7 +213,9 @@ pub(super) fn results(task: &Task, cases: &[CaseResult]) -> Vec<FunctionResult> 
         let core = cases.iter().filter(|case| case.tier == Tier::Core);
         let all: Vec<&FunctionShare> = cases.iter().flat_map(|case| &case.shares).collect();
         let is_hole = |share: &&&FunctionShare| share.hole.as_ref() == Some(name);
-        if all.iter().any(|share| is_hole(&share)) {
+        let is_unwritten = |case: &CaseResult| case.status == Status::NotAttempted;
+        let alone = task.holes.len() == 1 && cases.iter().any(is_unwritten);
+        if alone || all.iter().any(|share| is_hole(&share)) {
             let status = FunctionStatus::Hole;
             let name = name.clone();
             return Some(FunctionResult { name, status });
@@ -531,6 +533,15 @@ cases = [
         let result = graded([Vec::new(), Vec::new(), Vec::new()], &holes);
         assert_eq!(result.status, Status::NotAttempted);
         assert_eq!(result.score, 0.0);
+    }
+
+    #[test]
+    fn the_only_function_of_a_task_has_a_gap_where_a_case_has_no_answers() {
+        let mut task = task();
+        task.holes.truncate(1);
+        let case = |entry| CaseResult::new(entry, "", Status::NotAttempted, Vec::new(), &[]);
+        let cases: Vec<CaseResult> = task.cases.iter().map(case).collect();
+        assert_eq!(results(&task, &cases)[0].status, FunctionStatus::Hole);
     }
 
     #[test]

@@ -276,21 +276,6 @@ fn worst_answer(out: &mut Lines, cases: &[&CaseResult]) {
     out.blocks.push(Block { rank: 0, lines });
 }
 
-/// Why the core cases that are right give few points, if the idea of the task is missing.
-fn reduced(out: &mut Lines, task: &TaskResult) {
-    let core = task.cases.iter().filter(|case| case.tier == Tier::Core);
-    let reduced: Vec<&CaseResult> = core.filter(|case| case.lacks_only_the_idea()).collect();
-    let why = reduced.first().and_then(|case| case.reductions.first());
-    if let Some(why) = why {
-        let cases = judge::plural(
-            reduced.len(),
-            "other case is right, and",
-            "other cases are right, and each",
-        );
-        out.add(1, NAMES, &format!("  {cases} {why}"));
-    }
-}
-
 /// The first wrong finding of a case, with its worst answer.
 fn worst(case: &CaseResult) -> Option<(&Finding, &Worst)> {
     let wrong = case.findings.iter().filter(|finding| finding.wrong > 0);
@@ -371,15 +356,18 @@ fn waiting(out: &mut Lines, task: &TaskResult) {
         };
         return out.add(0, SENTENCES, &text);
     }
-    let half = task
-        .cases
-        .iter()
-        .find(|case| case.status == Status::NotAttempted);
-    if let Some(case) = half {
+    if let Some(case) = functions::unwritten(task).first() {
         let text = format!(
-            "{}: the case {} calls a function that is not written yet",
-            task.key, case.name
+            "{}: the case {case} reaches code that is not written yet",
+            task.key
         );
         out.add(0, SENTENCES, &text);
+    }
+    reduced(out, task);
+}
+
+fn reduced(out: &mut Lines, task: &TaskResult) {
+    if let Some(why) = functions::reduced(task) {
+        out.add(1, NAMES, &format!("  {why}"));
     }
 }

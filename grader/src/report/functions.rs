@@ -8,7 +8,10 @@ use std::fmt::Write;
 /// The result of each function, if one has a hole: `test_triangle: right in all cases;
 /// record_triangle: not written yet`.
 pub(super) fn line(task: &TaskResult) -> Option<String> {
-    let has_hole = |result: &FunctionResult| result.status == FunctionStatus::Hole;
+    let has_hole = |result: &FunctionResult| {
+        use FunctionStatus::{Hole, Unfinished};
+        matches!(result.status, Hole | Unfinished { .. })
+    };
     task.functions.iter().any(has_hole).then(|| {
         let crashed = task.cases.iter().any(|case| case.crash().is_some());
         let each = task.functions.iter().map(|function| one(function, crashed));
@@ -23,6 +26,9 @@ fn one(result: &FunctionResult, crashed: bool) -> String {
         FunctionStatus::Right => "right in all cases".into(),
         FunctionStatus::Wrong { of, wrong } => format!("wrong in {wrong} of {of} cases"),
         FunctionStatus::Hole => "not written yet".into(),
+        FunctionStatus::Unfinished { of, open } => {
+            format!("reaches code that is not written yet in {open} of {of} cases")
+        }
         FunctionStatus::Needs { function } => format!("needs {function}"),
     };
     format!("{}: {status}", result.name)

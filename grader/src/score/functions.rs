@@ -44,6 +44,13 @@ pub enum FunctionStatus {
     },
     /// It is not written yet.
     Hole,
+    /// It is written, but reaches code that is not.
+    Unfinished {
+        /// The number of cases that call it.
+        of: usize,
+        /// How many of them have no answers of it for this reason.
+        open: usize,
+    },
     /// It cannot be judged in every case before another function is written.
     Needs {
         /// The other function.
@@ -211,12 +218,18 @@ pub(super) fn results(task: &Task, cases: &[CaseResult]) -> Vec<FunctionResult> 
             _ => share.function == *name,
         };
         let core = cases.iter().filter(|case| case.tier == Tier::Core);
-        let all: Vec<&FunctionShare> = cases.iter().flat_map(|case| &case.shares).collect();
-        let is_hole = |share: &&&FunctionShare| share.hole.as_ref() == Some(name);
-        let is_unwritten = |case: &CaseResult| case.status == Status::NotAttempted;
-        let alone = task.holes.len() == 1 && cases.iter().any(is_unwritten);
-        if alone || all.iter().any(|share| is_hole(&share)) {
-            let status = FunctionStatus::Hole;
+        let is_open = |case: &&CaseResult| {
+            let alone = task.holes.len() == 1 && case.status == Status::NotAttempted;
+            let is_hole = |share: &FunctionShare| share.hole.as_ref() == Some(name);
+            alone || case.shares.iter().any(is_hole)
+        };
+        let calls = |case: &&CaseResult| is_open(case) || case.shares.iter().any(|s| own(&s));
+        let open = cases.iter().filter(is_open).count();
+        if open > 0 {
+            let status = match cases.iter().filter(calls).count() {
+                of if of > open => FunctionStatus::Unfinished { of, open },
+                _ => FunctionStatus::Hole,
+            };
             let name = name.clone();
             return Some(FunctionResult { name, status });
         }
@@ -536,12 +549,16 @@ cases = [
     }
 
     #[test]
-    fn the_only_function_of_a_task_has_a_gap_where_a_case_has_no_answers() {
+    fn a_function_is_unfinished_if_only_some_cases_reach_a_gap() {
         let mut task = task();
         task.holes.truncate(1);
+        let entries = task.cases.iter();
         let case = |entry| CaseResult::new(entry, "", Status::NotAttempted, Vec::new(), &[]);
-        let cases: Vec<CaseResult> = task.cases.iter().map(case).collect();
+        let mut cases: Vec<CaseResult> = entries.map(case).collect();
         assert_eq!(results(&task, &cases)[0].status, FunctionStatus::Hole);
+        cases[0].status = Status::Passed;
+        let some = FunctionStatus::Unfinished { of: 3, open: 2 };
+        assert_eq!(results(&task, &cases)[0].status, some);
     }
 
     #[test]

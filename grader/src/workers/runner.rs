@@ -15,6 +15,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, ExitStatus};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc;
 use std::time::Duration;
 use wire::question::write_reply;
 use wire::{Case, Outcome, Record, RecordFrame, Work};
@@ -304,18 +305,30 @@ impl Process<'_> {
         // It holds the other ends of the pipe and of the channel.
         drop(command);
         let has_ended = Arc::new(AtomicBool::new(false));
+        let (tell, ended) = mpsc::channel();
         std::thread::scope(|scope| {
             let output = scope.spawn(|| {
                 let output = printed::read(reader, self.cases);
                 has_ended.store(true, Ordering::Release);
                 output
             });
+            scope.spawn(|| {
+                let status = child.wait();
+                // What the code started and left behind keeps the pipe and the channel open.
+                running.kill();
+                let _ = tell.send(status);
+            });
             let (records, has_stalled) = self.receive(channel, first, &has_ended, times);
             if has_stalled || !records.is_in_order() {
                 running.kill();
             }
-            let status = running
-                .wait(&mut child, ENDING)
+            let status = ended.recv_timeout(ENDING).or_else(|_| {
+                running.kill();
+                ended.recv()
+            });
+            let status = status
+                .map_err(io::Error::other)
+                .flatten()
                 .map_err(|e| GraderError::file("wait for", program, e));
             let output = output
                 .join()
@@ -554,11 +567,20 @@ mod tests {
         assert_eq!(ended, vec![Ending::OutOfTime; 3]);
         // Without a limit, the same worker is only ended by the case.
         let begins = format!("{BEGINS}; exit 7");
-        let died = Ending::Died {
+        assert_eq!(endings(&begins, 1).unwrap(), [exits_with_7()]);
+    }
+
+    fn exits_with_7() -> Ending {
+        Ending::Died {
             how: Death::Exit(7),
             call: None,
-        };
-        assert_eq!(endings(&begins, 1).unwrap(), [died]);
+        }
+    }
+
+    #[test]
+    fn nobody_waits_for_what_the_code_started_and_left_behind() {
+        let script = format!("{BEGINS}; sleep 1000 <&0 & sleep 0.1; exit 7");
+        assert_eq!(endings(&script, 1).unwrap(), [exits_with_7()]);
     }
 
     #[test]

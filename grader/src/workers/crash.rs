@@ -92,6 +92,10 @@ impl Crash {
                     panicked_at = place(location);
                     // Code that replaces the hook of panics hides the place.
                     let at = if location.is_empty() { "" } else { " at " };
+                    // In one line: a message of several could end the report with a score of its own.
+                    let words = message.split(|c: char| c.is_whitespace() || c.is_control());
+                    let words = words.filter(|word| !word.is_empty());
+                    let message = words.collect::<Vec<&str>>().join(" ");
                     (Panic, Some(*call), format!("panicked{at}{location}: {message}"))
                 }
                 Outcome::CalledTooOften { function, times, asked_for, call } => {
@@ -178,7 +182,7 @@ mod tests {
     #[test]
     fn every_end_has_its_sentence_and_its_kind() {
         let panicked = recorded(Outcome::Panicked {
-            message: "index out of bounds: the len is 2 but the index is 3".into(),
+            message: "index out of bounds:\n\x1b the len is 2 but the index is 3\n".into(),
             location: "stages/intersect/src/triangle.rs:19".into(),
             call: 4,
         });

@@ -93,8 +93,8 @@ impl Crash {
                     // Code that replaces the hook of panics hides the place.
                     let at = if location.is_empty() { "" } else { " at " };
                     // In one line: a message of several could end the report with a score of its own.
-                    let words = message.split(|c: char| c.is_whitespace() || c.is_control());
-                    let words = words.filter(|word| !word.is_empty());
+                    let ends = |c: char| c.is_whitespace() || c.is_control();
+                    let words = message.split(ends).filter(|word| !word.is_empty());
                     let message = words.collect::<Vec<&str>>().join(" ");
                     (Panic, Some(*call), format!("panicked{at}{location}: {message}"))
                 }

@@ -194,7 +194,9 @@ impl Case<'_> {
             calls.entry(wrong.fault.call).or_insert(wrong);
         }
         let of = judge::plural(self.spec.calls(), "call", "calls");
-        let _ = writeln!(text, "wrong: {} of {of}", calls.len());
+        if self.result.status != Status::NotAttempted {
+            let _ = writeln!(text, "wrong: {} of {of}", calls.len());
+        }
         let groups = alike(calls.values().copied());
         for group in groups.iter().take(LISTED) {
             let first = group[0];

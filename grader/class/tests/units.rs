@@ -133,6 +133,11 @@ fn mistakes_are_grouped_by_idea_and_a_lecture_names_nobody() {
     );
     let full = text("students/student10.html");
     assert!(!full.contains("Some answers are wrong"), "{full}");
+    let unfinished = text("students/student07.html");
+    assert!(
+        unfinished.contains("It reaches code that is not written yet."),
+        "{unfinished}"
+    );
 }
 
 /// Names of students and files, what their code prints, what the compiler says: nothing of it is

@@ -132,7 +132,8 @@ fn task_section(
     let lost_points = |case: &&Case| {
         case.tier == Tier::Core
             && case.score < case.max_score
-            && !["not_attempted", "does_not_compile"].contains(&case.status.as_str())
+            && case.status != "does_not_compile"
+            && (case.status != NOT_ATTEMPTED || task.status != NOT_ATTEMPTED)
     };
     let diagnosis = task.diagnosis.as_ref();
     let test = task.worst_as_test.as_ref();
@@ -190,6 +191,7 @@ fn case_card(case: &Case, hint: HintLevel) -> Markup {
             strong { (case.name) } " "
             span.bad { (points(case.score)) " of " (points(case.max_score)) }
             p { (about) }
+            @if case.status == NOT_ATTEMPTED { p { "It reaches code that is not written yet." } }
             @if hint >= HintLevel::Findings {
                 @if let Some(detail) = &detail { p { "Your code " (detail.trim_end_matches('.')) "." } }
                 @for finding in case.findings.iter().filter(|finding| finding.wrong > 0) {
@@ -205,6 +207,9 @@ fn case_card(case: &Case, hint: HintLevel) -> Markup {
     }
 }
 
+/// The status of a task that is not written yet, and of a case that reaches code that is not.
+const NOT_ATTEMPTED: &str = "not_attempted";
+
 /// The sentence about the status of a task.
 fn status(task: &Task, report: &StudentReport) -> &'static str {
     match task.status.as_str() {
@@ -219,6 +224,9 @@ fn status(task: &Task, report: &StudentReport) -> &'static str {
         "needs" => "It could not run, because it needs another stage.",
         _ if task.score >= task.max_score => {
             "Every core answer is right. Extra credit is left to earn."
+        }
+        _ if task.cases.iter().any(|case| case.status == NOT_ATTEMPTED) => {
+            "Some cases reach code that is not written yet."
         }
         _ => "Some answers are wrong.",
     }

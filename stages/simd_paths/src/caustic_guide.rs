@@ -69,10 +69,10 @@ const MIN_SHARE: f64 = 0.2;
 
 /// The expected number of rays from a point in a cell with as much light as an average one. The
 /// numbers of others are in proportion to their light.
-const RAYS_OF_MEAN: f64 = 0.5;
+const RAYS_OF_MEAN: f64 = 0.25;
 
 /// The least expected number of rays where there are lobes.
-const MIN_RAYS: f64 = 0.2;
+const MIN_RAYS: f64 = 0.05;
 
 /// The largest number of rays from a point.
 pub const MAX_CAUSTIC_RAYS: usize = 4;

@@ -83,7 +83,7 @@ fn caustic_rays_keep_the_mean_of_each_pixel() {
     let lit = room();
     let guides = [
         landings(20_000, 0.3, &BALLS[..2]),
-        landings(300, 1.0, &BALLS[2..]),
+        landings(3_000, 0.6, &BALLS[2..]),
     ];
     for (i, landings) in guides.iter().enumerate() {
         let guide = CausticGuide::new(landings).expect("a guide");

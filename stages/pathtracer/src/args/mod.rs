@@ -117,7 +117,8 @@ pub struct Args {
     pub reuse_paths: bool,
 
     /// Send rays where mirrors and smooth glass lead light of lamps to diffuse surfaces: less noise
-    /// in the same time where few objects are mirrors or glass. Without effect with -m 2 or less. Needs `--accel simd`
+    /// in the same time where few objects are mirrors or glass. Without effect with -m 2 or less.
+    /// Needs `--accel simd`
     #[arg(long, conflicts_with_all = ["clamp", "hemisphere", "soft_terminator", "pixel", "force_effects"])]
     pub guide_caustics: bool,
 

@@ -671,8 +671,8 @@ fn obj_normals_are_smooth_within_a_group() {
     }
 }
 
-/// A material stays in use past the next object, but not in a file of Blender, which writes none for
-/// an object without one.
+/// A material stays in use past the next object, but not in a file of Blender, which writes none
+/// for an object without one.
 #[test]
 fn obj_materials_outlast_objects() {
     for (header, is_same) in [("#", true), ("# Blender 4.5.3 LTS", false)] {

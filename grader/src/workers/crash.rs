@@ -92,7 +92,7 @@ impl Crash {
                     panicked_at = place(location);
                     // Code that replaces the hook of panics hides the place.
                     let at = if location.is_empty() { "" } else { " at " };
-                    // In one line: a message of several could end the report with a score of its own.
+                    // In one line: one of several lines could end the report with its own score.
                     let ends = |c: char| c.is_whitespace() || c.is_control();
                     let words = message.split(ends).filter(|word| !word.is_empty());
                     let message = words.collect::<Vec<&str>>().join(" ");

@@ -207,7 +207,7 @@ fn case_card(case: &Case, hint: HintLevel) -> Markup {
     }
 }
 
-/// The status of a task that is not written yet, and of a case that reaches code that is not.
+/// The status of a task without written code, and of a case that reaches unwritten code.
 const NOT_ATTEMPTED: &str = "not_attempted";
 
 /// The sentence about the status of a task.

@@ -49,15 +49,17 @@ fn guide(lit: &LitScene, accel: &Accel) -> Option<CausticGuide> {
     if lamps.is_empty() || !(area > 0.0 && area.is_finite()) {
         return None;
     }
+    let bounds = scene.bounds();
+    let outside = 2.0 * (bounds.max - bounds.min).length();
     let landings: Vec<Landing> = (0..PHOTONS)
         .filter_map(|i| {
             let mut sampler = PixelSampler::new(i, 0, 0);
             sampler.start_sample();
             let lamp = lamps[(sampler.next_1d() * lamps.len() as f64) as usize];
             let place = sampler.next_1d() * area;
-            let target = targets.partition_point(|(end, _)| *end <= place);
-            let id = targets[target.min(targets.len() - 1)].1;
-            land(lit, accel, lamp, scene.primitive(id), &mut sampler)
+            let number = targets.partition_point(|(end, _)| *end <= place);
+            let target = scene.primitive(targets[number.min(targets.len() - 1)].1);
+            land(lit, accel, (lamp, outside), target, &mut sampler)
         })
         .collect();
     CausticGuide::new(&landings)
@@ -71,11 +73,11 @@ fn area_of(primitive: Primitive<'_>) -> f64 {
 }
 
 /// Follows light of `lamp` towards a point on `target` to the first surface that is neither a
-/// mirror nor smooth glass, if it is diffuse.
+/// mirror nor smooth glass, if it is diffuse. It starts at most at the distance `outside`.
 fn land(
     lit: &LitScene,
     accel: &Accel,
-    lamp: &Emitter,
+    (lamp, outside): (&Emitter, f64),
     target: Primitive<'_>,
     sampler: &mut PixelSampler,
 ) -> Option<Landing> {
@@ -93,20 +95,18 @@ fn land(
     };
     let light = lamp.sample(p, sampler.next_2d())?;
     let mut throughput = light.radiance * (light.wi.dot(n).abs() / light.pdf);
-    let bounds = lit.scene.bounds();
-    let outside = 2.0 * (bounds.max - bounds.min).length();
     // From just before the lamp.
     let distance = light.distance.min(outside) * (1.0 - 1e-6);
     let mut ray = Ray::new(p + light.wi * distance, -light.wi);
     let materials = Materials::new(false, false);
-    let mut origin: Option<RayOrigin> = None;
-    let mut from: Option<Vec3> = None;
+    // The last mirror or glass.
+    let mut last: Option<(RayOrigin, Vec3)> = None;
     for _ in 0..=MAX_SURFACES {
-        let skip = origin.and_then(|origin| origin.skip(&lit.scene, ray.d));
+        let skip = last.and_then(|(origin, _)| origin.skip(&lit.scene, ray.d));
         let found = accel.closest(&lit.scene, &mut ray, skip, &mut Counters::default())?;
         let hit = towards_viewer(lit, found, ray.d);
         let surface = lit.surface(&hit);
-        if let (Material::Diffuse { .. }, Some(from)) = (surface.material, from) {
+        if let (Material::Diffuse { .. }, Some((_, from))) = (surface.material, last) {
             let light = throughput.luminance();
             return (light > 0.0 && light.is_finite()).then_some(Landing {
                 p: hit.p,
@@ -127,8 +127,7 @@ fn land(
             .at(place)
             .sample(surface.material, wo, u, choice)?;
         throughput *= sample.weight();
-        from = Some(hit.p);
-        origin = Some(RayOrigin::from(&surface));
+        last = Some((RayOrigin::from(&surface), hit.p));
         ray = surface.leave(surface.frame.to_world(sample.wi));
     }
     None
